@@ -9,29 +9,24 @@
 pub mod cache;
 pub mod clock;
 pub mod quiet;
-mod reporter;
+pub mod reporter;
 mod runs;
-pub mod searches;
-pub mod studies;
-mod sweeps;
+pub mod study;
 
+use std::any::{Any, TypeId};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use crate::model::run::Run;
 use crate::model::scene::Scene;
-use crate::study::sweep::Plan;
-use crate::study::sweep::grid::Grid;
-use crate::study::{accuracy, limit, stability, thesis};
 use quiet::Quiet;
 use reporter::Reporter;
 use runs::{Compute, Runs};
-use searches::Answer;
-use stability::map::Map;
-use studies::StudyKind;
+use study::{Lane, Study};
+
+pub use study::Finding;
 
 /// Work for a background thread.
 #[derive(Clone, Debug)]
@@ -49,10 +44,8 @@ pub struct Task {
 pub enum Work {
     /// Run a scene.
     Run(Slot, Arc<Scene>),
-    /// Compute a grid of runs.
-    Sweep(Arc<Plan>),
     /// Study a scene.
-    Study(Arc<Scene>, StudyKind),
+    Study(Arc<Scene>, Arc<dyn Study>),
 }
 
 impl Task {
@@ -60,8 +53,18 @@ impl Task {
     pub fn slot(&self) -> Slot {
         match &self.work {
             Work::Run(slot, _) => *slot,
-            Work::Sweep(_) => Slot::Sweep,
-            Work::Study(_, kind) => kind.slot(),
+            Work::Study(_, study) => {
+                let study: &dyn Any = &**study;
+                Slot::Study(study.type_id())
+            }
+        }
+    }
+
+    /// The thread it is done on.
+    fn lane(&self) -> Lane {
+        match &self.work {
+            Work::Run(..) => Lane::Runs,
+            Work::Study(_, study) => study.lane(),
         }
     }
 }
@@ -73,36 +76,8 @@ pub enum Slot {
     Current,
     /// A pinned run, by its letter.
     Pin(char),
-    /// Explore.
-    Sweep,
-    /// The accuracy of the methods.
-    Accuracy,
-    /// The map of stability.
-    Map,
-    /// The stiff and extreme scenes.
-    Battery,
-    /// The claims of the thesis.
-    Claims,
-    /// The ballistic limit.
-    Limit,
-    /// A search for designs.
-    Search,
-    /// The comparison at equal areal mass.
-    Compare,
-}
-
-impl Slot {
-    const LANES: [&'static str; 4] = ["runs", "sweeps", "studies", "searches"];
-
-    /// The thread it is done on: half a minute of measurements or of stiff scenes must not keep a limit waiting.
-    fn lane(self) -> usize {
-        match self {
-            Self::Current | Self::Pin(_) => 0,
-            Self::Sweep => 1,
-            Self::Accuracy | Self::Battery | Self::Claims => 2,
-            Self::Map | Self::Limit | Self::Search | Self::Compare => 3,
-        }
-    }
+    /// A study of this type.
+    Study(TypeId),
 }
 
 /// What a background thread reports.
@@ -155,27 +130,6 @@ pub enum Progress {
     Points(usize, usize),
 }
 
-/// A result, whole or as far as it is.
-#[derive(Clone, Debug)]
-pub enum Finding {
-    /// Of [`Work::Run`].
-    Run(Arc<Run>),
-    /// Of [`Work::Sweep`].
-    Grid(Arc<Grid>),
-    /// Error against run time.
-    Accuracy(Arc<accuracy::Report>),
-    /// A map of stability.
-    Map(Arc<Map>),
-    /// Rows of the battery, and whether these are all.
-    Battery(Arc<Vec<stability::Row>>, bool),
-    /// Rows of the reproduction report, and whether these are all.
-    Thesis(Arc<Vec<thesis::Row>>, bool),
-    /// The ballistic limit.
-    Limit(Arc<limit::Report>),
-    /// What a search has.
-    Search(Answer),
-}
-
 /// Where reports go; called on the threads and on the submitting one.
 type Sink = dyn Fn(Report) + Send + Sync;
 
@@ -186,13 +140,14 @@ pub struct Worker {
 
 /// What the threads and their owner share.
 struct Shared {
-    lanes: [Lane; Slot::LANES.len()],
+    lanes: [Queue; Lane::ALL.len()],
     quiet: Quiet,
     sink: Box<Sink>,
 }
 
+/// The tasks of a lane.
 #[derive(Default)]
-struct Lane {
+struct Queue {
     state: Mutex<State>,
     changed: Condvar,
 }
@@ -204,7 +159,7 @@ struct State {
     closing: bool,
 }
 
-impl Lane {
+impl Queue {
     fn lock(&self) -> MutexGuard<'_, State> {
         // No code that can panic runs under this lock, so a poisoned one is still sound.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
@@ -254,7 +209,7 @@ impl Worker {
         let (quiet, sink) = (Quiet::default(), Box::new(sink));
         let shared = Arc::new(Shared { lanes: Default::default(), quiet, sink });
         let mut runs = Some(Runs::new(compute));
-        for (lane, name) in Slot::LANES.into_iter().enumerate() {
+        for (lane, name) in Lane::ALL {
             let (shared, mut runs) = (Arc::clone(&shared), runs.take());
             let serve = move || shared.serve(lane, runs.as_mut());
             thread::Builder::new().name(name.to_owned()).spawn(serve)?;
@@ -265,7 +220,7 @@ impl Worker {
     /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
     pub fn submit(&self, task: Task) {
         let slot = task.slot();
-        let lane = &self.shared.lanes[slot.lane()];
+        let lane = &self.shared.lanes[task.lane() as usize];
         let older = lane.take_out(|_, other| other == slot);
         let mut state = lane.lock();
         match slot {
@@ -309,27 +264,28 @@ impl Shared {
         }
     }
 
-    fn serve(&self, lane: usize, mut runs: Option<&mut Runs>) {
-        let lane = &self.lanes[lane];
-        while let Some((task, cancel)) = lane.next() {
+    fn serve(&self, lane: Lane, mut runs: Option<&mut Runs>) {
+        let queue = &self.lanes[lane as usize];
+        while let Some((task, cancel)) = queue.next() {
             let (id, slot) = (task.id, task.slot());
             let send = |body| (self.sink)(Report { id, slot, body });
-            let reporter = Reporter::new(&send, &cancel);
+            let reporter = Reporter::new(&send, &cancel, task.threads);
             let body = match (&task.work, &mut runs) {
                 (Work::Run(slot, scene), Some(runs)) => runs.run(*slot, scene, &reporter),
                 // Runs have a lane of their own.
                 (Work::Run(..), None) => ReportBody::Failed("no lane for runs".to_owned()),
-                (Work::Sweep(plan), _) => {
-                    let work = || sweeps::fill(plan, task.threads, &reporter);
-                    self.quiet.together(&cancel, work)
-                }
-                (Work::Study(scene, kind), _) => {
-                    let study = studies::Study { scene, kind, threads: task.threads };
-                    studies::make(&study, &self.quiet, &reporter)
+                (Work::Study(scene, study), _) => {
+                    let reporter = reporter.of(&**study, &self.quiet);
+                    let work = || reporter.finish(|| study.make(scene, &reporter));
+                    if study.measures() {
+                        self.quiet.alone(&cancel, work)
+                    } else {
+                        self.quiet.together(&cancel, work)
+                    }
                 }
             };
             // Free before the report: whoever acts on it may submit at once.
-            lane.lock().running = None;
+            queue.lock().running = None;
             send(body);
         }
     }

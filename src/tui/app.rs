@@ -13,15 +13,9 @@ use crate::study::parallel::Parallel;
 use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Keymap, Pane};
 use crate::tui::message::{Effect, FileTask, PresetEntry};
-use crate::tui::pages::explore::state::Sweeping;
-use crate::tui::pages::limit::state::Ballistic;
-use crate::tui::pages::numerics::accuracy::Accuracy;
-use crate::tui::pages::numerics::stability::Stability;
 use crate::tui::pages::run::charts::Charts;
 use crate::tui::pages::run::editor::Editor;
 use crate::tui::pages::run::runs::{Pin, RunView, Shown};
-use crate::tui::pages::search::state::Searching;
-use crate::tui::pages::thesis::state::Thesis;
 use crate::tui::pages::{self, Tab};
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::Field;
@@ -110,18 +104,8 @@ pub struct App {
     pub current_visible: bool,
     /// The charts.
     pub charts: Charts,
-    /// The Sweep and Surface tabs.
-    pub sweeping: Sweeping,
-    /// The Accuracy tab.
-    pub accuracy: Accuracy,
-    /// The Stability tab.
-    pub stability: Stability,
-    /// The Thesis tab.
-    pub thesis: Thesis,
-    /// The Limit tab.
-    pub limit: Ballistic,
-    /// The Search tab.
-    pub searching: Searching,
+    /// What each page keeps.
+    pub pages: pages::States,
     /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
@@ -171,12 +155,7 @@ impl App {
             selected_run: 0,
             current_visible: true,
             charts: Charts::default(),
-            sweeping: Sweeping::default(),
-            accuracy: Accuracy::default(),
-            stability: Stability::default(),
-            thesis: Thesis::default(),
-            limit: Ballistic::default(),
-            searching: Searching::default(),
+            pages: pages::States::default(),
             dialog: None,
             notice: None,
             log: Vec::new(),

@@ -13,12 +13,12 @@ use crossterm::event::{KeyCode, KeyModifiers};
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
 use crate::tui::message::{Content, Effect};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
-use crate::worker::Report;
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
@@ -135,13 +135,8 @@ pub(in crate::tui) trait Page: Sync {
     /// The status row, the most important part first.
     fn status(&self, app: &App) -> Vec<StatusPart>;
 
-    /// The numbers of the tasks it has submitted that have not ended.
-    fn running(&self, app: &App) -> Vec<u64>;
-
-    /// A report of one of its tasks.
-    fn report(&self, _app: &mut App, _report: Report) -> Vec<Effect> {
-        Vec::new()
-    }
+    /// News of one of its studies.
+    fn report(&self, _app: &mut App, _running: &Running, _news: &News) {}
 
     /// The table shown, once there is anything in it.
     fn table(&self, _app: &App) -> Option<Table> {
@@ -215,7 +210,13 @@ pub(in crate::tui) trait Page: Sync {
 }
 
 macro_rules! pages {
-    ($($tab:ident, $page:expr, $id:literal, $key:literal, $about:literal;)*) => {
+    ($($tab:ident, $page:expr, $id:literal, $key:literal, $about:literal $(, $field:ident: $state:ty)?;)*) => {
+        /// What each page keeps.
+        #[derive(Clone, Debug, Default)]
+        pub struct States {
+            $($(#[doc = $about] pub $field: $state,)?)*
+        }
+
         /// The tabs, in the order of the title row.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Tab {
@@ -243,11 +244,11 @@ macro_rules! pages {
 
 pages! {
     Run, run::RunTab, "tab-run", '1', "One impact: variables, charts, runs.";
-    Explore, explore::ExploreTab, "tab-explore", '2', "Curves or a map of a quantity over one variable or two.";
-    Limit, limit::LimitTab, "tab-limit", '3', "The ballistic limit, and the comparison at equal areal mass.";
-    Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.";
-    Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.";
-    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.";
+    Explore, explore::ExploreTab, "tab-explore", '2', "Curves or a map of a quantity over one variable or two.", explore: explore::state::Sweeping;
+    Limit, limit::LimitTab, "tab-limit", '3', "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
+    Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
+    Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.", numerics: numerics::Numerics;
+    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::state::Thesis;
     Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.";
 }
 
@@ -278,8 +279,10 @@ pub(in crate::tui) fn note(text: Option<String>) -> Option<(Severity, String)> {
     text.map(|text| (Severity::Note, text))
 }
 
-/// The tasks of all pages that have not ended.
+/// The tasks that have not ended: the tab that asked for each, and its number.
 pub(in crate::tui) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
-    let of = |tab: Tab| of(tab).running(app).into_iter().map(move |job| (tab, job));
-    Tab::ALL.into_iter().flat_map(of)
+    let current = app.jobs.current.as_ref().map(|job| job.id);
+    let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));
+    let studies = app.jobs.studies.iter().map(|running| (running.tab, running.id));
+    runs.map(|id| (Tab::Run, id)).chain(studies)
 }

@@ -8,7 +8,6 @@ use crate::tui::keymap::{Action, Key, PaneSpec, Part};
 use crate::tui::message::{Effect, Message};
 use crate::tui::widgets::input::TEXT_MAX;
 use crate::tui::{dialogs, pages};
-use crate::worker::Report;
 
 pub(in crate::tui) mod act;
 pub(in crate::tui) mod done;
@@ -45,7 +44,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             press(app, KeyEvent::new(code, KeyModifiers::NONE))
         }
         Message::Act(action) => act::act(app, action),
-        Message::Report(report) => reported(app, report),
+        Message::Report(report) => jobs::report(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => {
             app.jobs.long.push(id);
@@ -57,15 +56,6 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             Vec::new()
         }
     }
-}
-
-/// A report goes to the page that submitted the task; those of replaced tasks are dropped.
-fn reported(app: &mut App, report: Report) -> Vec<Effect> {
-    let page = pages::all_jobs(app).find(|(_, job)| *job == report.id).map(|(tab, _)| tab);
-    if report.body.is_last() {
-        app.jobs.long.retain(|id| *id != report.id);
-    }
-    page.map_or_else(Vec::new, |tab| pages::of(tab).report(app, report))
 }
 
 fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {

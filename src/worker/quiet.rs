@@ -59,6 +59,14 @@ impl Quiet {
         done
     }
 
+    /// Measure while nothing else is at work; a stop ends the waiting.
+    pub(super) fn alone<T>(&self, stop: &AtomicBool, work: impl FnOnce() -> T) -> T {
+        self.begin(stop);
+        let done = work();
+        self.end();
+        done
+    }
+
     /// Begin to measure, once nothing else is at work or waits for its turn; a stop ends the waiting.
     pub(super) fn begin(&self, stop: &AtomicBool) {
         let free = |state: &State| state.others == 0 && state.waiting == 0;

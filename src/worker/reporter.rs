@@ -1,42 +1,68 @@
 //! What a running task reports: at most so often, and never after it was cancelled.
 
+use std::any::Any;
 use std::cell::Cell;
+use std::error::Error;
 use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+use super::quiet::Quiet;
+use super::study::{Study, Tempo};
 use super::{Finding, Progress, ReportBody};
 use crate::study::context as study;
 
-/// Least time between two reports of a task.
+/// Least time between two reports of progress.
 pub(super) const BETWEEN: Duration = Duration::from_millis(500);
 
 /// A running task, as its computation sees it.
-pub(super) struct Reporter<'a> {
+pub struct Reporter<'a> {
     send: &'a dyn Fn(ReportBody),
     cancel: &'a Arc<AtomicBool>,
+    threads: usize,
+    tempo: Tempo,
+    /// Where run times are measured: between two points others have their turn.
+    measured: Option<&'a Quiet>,
     started: Instant,
-    last: Cell<Instant>,
-    between: Duration,
+    /// When progress was reported last, and a part, counted from the start.
+    told: Cell<Duration>,
+    shown: Cell<Option<Duration>>,
 }
 
 impl<'a> Reporter<'a> {
     /// The task starts now.
-    pub(super) fn new(send: &'a dyn Fn(ReportBody), cancel: &'a Arc<AtomicBool>) -> Self {
-        let started = Instant::now();
-        Self { send, cancel, started, last: Cell::new(started), between: BETWEEN }
+    pub(super) fn new(
+        send: &'a dyn Fn(ReportBody),
+        cancel: &'a Arc<AtomicBool>,
+        threads: usize,
+    ) -> Self {
+        Self {
+            send,
+            cancel,
+            threads,
+            tempo: Tempo { first: BETWEEN, between: BETWEEN },
+            measured: None,
+            started: Instant::now(),
+            told: Cell::new(Duration::ZERO),
+            shown: Cell::new(None),
+        }
     }
 
-    /// The same with a report at every occasion.
-    #[cfg(test)]
-    pub(super) fn eager(send: &'a dyn Fn(ReportBody), cancel: &'a Arc<AtomicBool>) -> Self {
-        Self { between: Duration::ZERO, ..Self::new(send, cancel) }
+    /// The same for a study.
+    pub(super) fn of(self, study: &dyn Study, quiet: &'a Quiet) -> Self {
+        let measured = study.measures().then_some(quiet);
+        Self { tempo: study.tempo(), measured, ..self }
+    }
+
+    /// Threads to run on, where the work can be divided.
+    pub fn threads(&self) -> usize {
+        self.threads
     }
 
     /// How long it has been running.
-    pub(super) fn elapsed(&self) -> Duration {
+    pub fn elapsed(&self) -> Duration {
         self.started.elapsed()
     }
 
@@ -56,55 +82,75 @@ impl<'a> Reporter<'a> {
 
     /// Report this, whenever.
     pub(super) fn report(&self, body: ReportBody) {
-        self.last.set(Instant::now());
         (self.send)(body);
     }
 
     /// Report how far it is and what there is so far, where the last report is long enough ago; whether to go on.
-    pub(super) fn tell(
+    pub fn tell(
         &self,
-        done: usize,
-        total: usize,
+        progress: study::Progress,
         part: &dyn Fn() -> Option<Finding>,
     ) -> ControlFlow<()> {
+        if let Some(quiet) = self.measured {
+            quiet.end();
+            quiet.begin(self.cancel);
+        }
         self.goes_on()?;
-        if self.last.get().elapsed() >= self.between {
-            let progress = Progress::Points(done, total);
-            self.report(ReportBody::Progress { progress, elapsed: self.elapsed() });
-            if let Some(part) = part() {
-                self.report(ReportBody::Part(part));
-            }
+        let elapsed = self.elapsed();
+        let since = |at: Duration| elapsed.saturating_sub(at);
+        let is_due = match self.shown.get() {
+            None => elapsed >= self.tempo.first,
+            Some(at) => since(at) >= self.tempo.between,
+        };
+        let part = if is_due { part() } else { None };
+        if part.is_some() || since(self.told.get()) >= BETWEEN {
+            self.told.set(elapsed);
+            let progress = Progress::Points(progress.done, progress.total);
+            self.report(ReportBody::Progress { progress, elapsed });
+        }
+        if let Some(part) = part {
+            self.shown.set(Some(elapsed));
+            self.report(ReportBody::Part(part));
         }
         ControlFlow::Continue(())
     }
 
+    /// Watches a study that has no parts.
+    pub fn progress(&self) -> impl FnMut(study::Progress, Option<&()>) -> ControlFlow<()> {
+        |progress, _| self.tell(progress, &|| None)
+    }
+
     /// Watches a study, and makes findings of its parts.
-    pub(super) fn watch<P: ?Sized>(
+    pub fn watch<P: ?Sized, T: Any + Send + Sync>(
         &self,
-        part: impl Fn(&P) -> Finding,
+        part: impl Fn(&P) -> T,
     ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
-        move |progress, so_far| self.tell(progress.done, progress.total, &|| so_far.map(&part))
+        move |progress, so_far| {
+            self.tell(progress, &|| so_far.map(|so_far| Finding::new(part(so_far))))
+        }
     }
 
     /// Do the work; a panic becomes an error text.
-    pub(super) fn finish(&self, work: impl FnOnce() -> Result<Finding, String>) -> ReportBody {
-        let caught = panic::catch_unwind(AssertUnwindSafe(work));
-        let took = self.elapsed();
-        let ended = caught.unwrap_or_else(|payload| {
-            Err(format!(
+    pub(super) fn finish(
+        &self,
+        work: impl FnOnce() -> Result<Finding, Box<dyn Error>>,
+    ) -> ReportBody {
+        let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
+            Ok(Ok(found)) => {
+                return ReportBody::Ended { found: Some(found), took: self.elapsed() };
+            }
+            Ok(Err(error)) => error.to_string(),
+            Err(payload) => format!(
                 "internal error: {}; the log has the details, please report it",
                 panic_text(payload.as_ref())
-            ))
-        });
-        match ended {
-            Ok(found) => ReportBody::Ended { found: Some(found), took },
-            Err(text) => ReportBody::Failed(text),
-        }
+            ),
+        };
+        ReportBody::Failed(text)
     }
 }
 
 /// The text of a panic.
-fn panic_text(payload: &(dyn std::any::Any + Send)) -> &str {
+fn panic_text(payload: &(dyn Any + Send)) -> &str {
     payload
         .downcast_ref::<&str>()
         .copied()

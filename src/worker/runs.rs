@@ -58,14 +58,14 @@ impl Runs {
         reporter: &Reporter<'_>,
     ) -> ReportBody {
         if let Some((run, took)) = self.cache.find(scene) {
-            return ReportBody::Ended { found: Some(Finding::Run(run)), took };
+            return ReportBody::Ended { found: Some(run.into()), took };
         }
         let (mut pulse, window) = (Pulse::start(), Window::default());
         let mut observer = |t_s: f64| {
             reporter.goes_on()?;
             if let Some(run) = window.take() {
                 pulse.part_came();
-                reporter.report(ReportBody::Part(Finding::Run(Arc::new(run))));
+                reporter.report(ReportBody::Part(Finding::new(run)));
             }
             if let Some(t_s) = pulse.beat(t_s) {
                 let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
@@ -79,14 +79,15 @@ impl Runs {
         let compute = &self.compute;
         let ended = reporter.finish(|| {
             let run = compute(scene, Settings::default(), &mut observer, &window)?;
-            Ok(Finding::Run(Arc::new(run)))
+            Ok(Finding::new(run))
         });
-        if let ReportBody::Ended { found: Some(Finding::Run(run)), took } = &ended
+        if let ReportBody::Ended { found: Some(found), took } = &ended
+            && let Some(run) = found.get::<Run>()
             && run.end != EndReason::Cancelled
             // One that was stopped while its error was estimated is not worth keeping.
             && !reporter.cancel().load(Ordering::Relaxed)
         {
-            self.cache.keep(Arc::clone(run), *took);
+            self.cache.keep(run, *took);
         }
         ended
     }

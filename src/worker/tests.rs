@@ -1,18 +1,20 @@
 //! Tests of the worker. They wait on channels with deadlines, never by sleeping.
 
+use std::error::Error;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
+use super::reporter::Reporter;
+use super::study::{Lane, Study, Tempo};
 use super::{Finding, Progress, Report, ReportBody, Slot, Task, Work, Worker};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
-use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
+use crate::study::context::Context;
 
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -48,7 +50,7 @@ fn job(id: u64, slot: Slot, title: &str) -> Task {
 /// The run a report ends with, and the time it took.
 fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
     match body {
-        ReportBody::Ended { found: Some(Finding::Run(run)), took } => (run, took),
+        ReportBody::Ended { found: Some(found), took } => (found.get().expect("a run"), took),
         other => panic!("not a run: {other:?}"),
     }
 }
@@ -195,8 +197,8 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
-        if let ReportBody::Part(Finding::Run(run)) = report.body {
-            break run;
+        if let ReportBody::Part(found) = report.body {
+            break found.get::<Run>().expect("a run");
         }
     };
     let (first, second) = (part(), part());
@@ -283,63 +285,96 @@ fn an_unchanged_scene_is_not_computed_again() {
     assert_eq!(seen[0].1, seen[2].1);
 }
 
-/// A sweep of so many points along two axes; with a plastic interface each takes longer.
-fn sweep(id: u64, count: u64, plastic: bool) -> Task {
-    let mut scene = Scene::default();
-    if plastic {
-        scene.interface.law = InterfaceLaw::Plastic;
-    }
-    let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
-    let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
-    let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
-    Task { id, threads: 2, work: Work::Sweep(Arc::new(plan)) }
+/// A study of a kind that shows its points as it counts them, and goes on until it is cancelled where it is endless.
+#[derive(Debug)]
+struct Counting<const KIND: usize> {
+    lane: Lane,
+    endless: bool,
 }
 
-/// The grid a report brings, if it brings one.
-fn grid(body: &ReportBody) -> Option<&Arc<Grid>> {
+/// What it has counted.
+struct Count(usize);
+
+impl<const KIND: usize> Study for Counting<KIND> {
+    fn lane(&self) -> Lane {
+        self.lane
+    }
+
+    fn tempo(&self) -> Tempo {
+        Tempo { first: Duration::ZERO, between: Duration::ZERO }
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        if scene.title == "refused" {
+            return Err("no study of this".into());
+        }
+        let watch = &mut reporter.watch(|done: &usize| Count(*done));
+        let context = &mut Context::new(reporter.threads(), watch);
+        let mut done = 0;
+        while context.show(&done) && (self.endless || done < 3) {
+            done += 1;
+            context.count(1);
+        }
+        Ok(Finding::new(Count(done)))
+    }
+}
+
+fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool, title: &str) -> Task {
+    let scene = Arc::new(Scene { title: title.to_owned(), ..Scene::default() });
+    Task { id, threads: 2, work: Work::Study(scene, Arc::new(Counting::<KIND> { lane, endless })) }
+}
+
+/// What a report brings, if it brings something.
+fn count(body: &ReportBody) -> Option<usize> {
     match body {
-        ReportBody::Part(Finding::Grid(grid))
-        | ReportBody::Ended { found: Some(Finding::Grid(grid)), .. } => Some(grid),
+        ReportBody::Part(found) | ReportBody::Ended { found: Some(found), .. } => {
+            Some(found.get::<Count>()?.0)
+        }
         _ => None,
     }
 }
 
 #[test]
-fn the_newest_sweep_wins_and_each_ends_once() {
+fn the_newest_study_of_a_type_wins_and_each_ends_once() {
     let (worker, reports) = start();
-    worker.submit(sweep(1, 300, true));
+    worker.submit(study::<1>(1, Lane::Sweeps, true, ""));
     // Under way, so that it is not dropped unstarted.
-    while !matches!(next(&reports).body, ReportBody::Progress { .. }) {}
-    worker.submit(sweep(2, 5, false));
-    let ends: Vec<_> = (0..2)
-        .map(|_| {
-            let report = next_last(&reports);
-            (report.id, grid(&report.body).expect("a grid").is_complete())
-        })
-        .collect();
-    assert_eq!(ends, [(1, false), (2, true)]);
+    while count(&next(&reports).body).is_none() {}
+    worker.submit(study::<1>(2, Lane::Sweeps, false, ""));
+    let first = next_last(&reports);
+    assert!(first.id == 1 && count(&first.body).is_some());
+    let second = next_last(&reports);
+    assert_eq!((second.id, count(&second.body)), (2, Some(3)));
 }
 
 #[test]
-fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
+fn a_cancelled_study_keeps_what_it_has_shown() {
     let (worker, reports) = start();
-    worker.submit(sweep(7, 400, true));
-    let done = loop {
-        if let Some(grid) = grid(&next(&reports).body) {
-            break grid.progress().0;
-        }
-    };
-    assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
+    worker.submit(study::<1>(7, Lane::Studies, true, ""));
+    let mut shown = None;
+    while shown.is_none_or(|shown| shown < 2) {
+        shown = count(&next(&reports).body).or(shown);
+    }
     worker.cancel(7);
-    let last = next_last(&reports);
-    let kept = grid(&last.body).expect("a grid");
-    assert!(!kept.is_complete() && kept.progress().0 >= done);
+    assert!(count(&next_last(&reports).body) >= shown);
 }
 
 #[test]
-fn more_points_than_a_screen_needs_are_refused_in_words() {
+fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
     let (worker, reports) = start();
-    worker.submit(sweep(1, 2000, false));
+    worker.submit(study::<1>(1, Lane::Studies, true, ""));
+    worker.submit(study::<2>(2, Lane::Studies, false, ""));
+    worker.submit(study::<3>(3, Lane::Searches, false, ""));
+    assert_eq!(next_last(&reports).id, 3);
+    worker.cancel(1);
+    let ends = [next_last(&reports).id, next_last(&reports).id];
+    assert_eq!(ends, [1, 2]);
+}
+
+#[test]
+fn a_study_that_cannot_be_made_says_why() {
+    let (worker, reports) = start();
+    worker.submit(study::<1>(1, Lane::Studies, false, "refused"));
     let report = next(&reports);
-    assert!(matches!(report.body, ReportBody::Failed(text) if text.contains("cmra sweep")));
+    assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
 }

@@ -1,6 +1,12 @@
 //! What the rows of the battery are measured against.
 
+use std::ops::ControlFlow;
+
 use super::*;
+use crate::study::context::Progress;
+
+/// A time at which the battery leaves the other methods out.
+const LATE_S: f64 = 60.0;
 
 #[test]
 fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
@@ -19,4 +25,32 @@ fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
         assert!(row.stiffness.largest().is_finite(), "{}", case.name);
     }
     assert_eq!(by_the_engine, ["d 0.5, k 1e5, plastic", "gamma 0.8, plastic"]);
+}
+
+#[test]
+fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
+    let cases = battery(true);
+    let watch = &mut |_: Progress, _: Option<&[Row]>| ControlFlow::Continue(());
+    let rows = run(&cases, &|| LATE_S, &mut Context::new(2, watch)).unwrap();
+    let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
+    assert_eq!(names, cases.iter().map(|case| case.name).collect::<Vec<_>>());
+}
+
+/// Not only between two scenes: one may take seconds.
+#[test]
+fn a_battery_is_stopped_within_a_scene_and_keeps_what_it_has() {
+    let all = battery(false);
+    let quick = all.iter().find(|case| case.name != "plastic, n 0.22, g 0").unwrap();
+    // It has millions of steps, and is stopped while it runs.
+    let long = all.iter().find(|case| case.name == "plastic, n 0.22, g 0").unwrap();
+    let mut asked = None;
+    let watch = &mut |progress: Progress, _: Option<&[Row]>| {
+        if progress.done > 0 {
+            asked = Some(asked.unwrap_or(0) + 1);
+        }
+        if asked > Some(2) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let context = &mut Context::new(1, watch);
+    let rows = run(&[*quick, *long], &|| LATE_S, context).unwrap();
+    assert!(rows.len() == 1 && context.is_stopped());
 }

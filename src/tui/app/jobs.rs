@@ -1,9 +1,13 @@
 //! What the background threads have been asked to do.
 
+use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
+use crate::tui::pages::Tab;
+use crate::worker::Finding;
+use crate::worker::study::Study;
 
 /// The run of the scene on the screen, while it has not ended.
 #[derive(Clone, Debug)]
@@ -21,10 +25,16 @@ pub struct InFlight {
 pub struct Running {
     /// Its number.
     pub id: u64,
+    /// The tab that asked for it.
+    pub tab: Tab,
     /// Of which scene.
     pub scene: Arc<Scene>,
+    /// What is computed.
+    pub study: Arc<dyn Study>,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
+    /// Time gone when that was reported.
+    pub elapsed: Duration,
 }
 
 impl Running {
@@ -33,6 +43,36 @@ impl Running {
         let count =
             |(done, total): (usize, usize)| format!(": {} {of} {total}{what}", done.min(total));
         self.points.map_or_else(String::new, count)
+    }
+
+    /// The time left, by the points done so far.
+    pub fn left(&self) -> Option<Duration> {
+        let (done, total) = self.points.filter(|points| points.0 > 0)?;
+        let share = total.saturating_sub(done) as f64 / done as f64;
+        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
+    }
+}
+
+/// News of a study.
+#[derive(Clone, Debug)]
+pub enum News {
+    /// It is further.
+    Progress,
+    /// What it has so far.
+    Part(Finding),
+    /// It is done or was cancelled: what it found, and how long that took.
+    Ended(Finding, Duration),
+    /// Why it found nothing; this has been said.
+    Failed,
+}
+
+impl News {
+    /// What was found, or is there so far, where it is of this type.
+    pub fn found<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        match self {
+            Self::Part(finding) | Self::Ended(finding, _) => finding.get(),
+            Self::Progress | Self::Failed => None,
+        }
     }
 }
 
@@ -45,6 +85,8 @@ pub struct Jobs {
     pub serial: u64,
     /// The run of the scene on the screen.
     pub current: Option<InFlight>,
+    /// The studies that have not ended.
+    pub studies: Vec<Running>,
     /// The quiet time after the last edit is over and its result has not landed.
     pub overdue: bool,
     /// Tasks that have been running for so long that leaving asks first.
@@ -62,5 +104,26 @@ impl Jobs {
     pub fn next_id(&mut self) -> u64 {
         self.last_id += 1;
         self.last_id
+    }
+
+    /// The study of this type that has not ended, with what it was asked.
+    pub fn study<S: Study>(&self) -> Option<(&Running, &S)> {
+        self.studies.iter().find_map(|running| Some((running, running.study.of()?)))
+    }
+
+    /// Forget the study of this type: nothing it reports is shown any more.
+    pub fn take<S: Study>(&mut self) -> Option<Running> {
+        let at = self.studies.iter().position(|running| running.study.of::<S>().is_some())?;
+        Some(self.studies.remove(at))
+    }
+
+    /// The study of this type that has not ended.
+    pub fn running<S: Study>(&self) -> Option<&Running> {
+        self.study::<S>().map(|(running, _)| running)
+    }
+
+    /// Whether a study of this type is under way for a scene.
+    pub fn is_coming<S: Study>(&self, scene: &Scene) -> bool {
+        self.running::<S>().is_some_and(|running| *running.scene == *scene)
     }
 }

@@ -117,8 +117,8 @@ impl App {
     /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
     pub fn needs_single_plate(&self) -> bool {
         let is_empty = match self.pane() {
-            ACCURACY => self.accuracy.report.is_none(),
-            STABILITY => self.stability.map.is_none(),
+            ACCURACY => self.pages.numerics.accuracy.report.is_none(),
+            STABILITY => self.pages.numerics.stability.map.is_none(),
             _ => false,
         };
         is_empty && crate::model::variables::require_single(&self.scene).is_err()

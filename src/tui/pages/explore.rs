@@ -5,7 +5,7 @@ pub(in crate::tui) mod gaps;
 pub(in crate::tui) mod keys;
 pub(in crate::tui) mod layout;
 pub(in crate::tui) mod map;
-pub(in crate::tui) mod plan;
+pub mod plan;
 pub(in crate::tui) mod progress;
 pub mod setup;
 pub mod state;
@@ -17,6 +17,7 @@ use ratatui::layout::Rect;
 use crate::report::figures::axis_of;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
@@ -26,7 +27,6 @@ use crate::tui::pages::explore::state::{Picture, SetupRow};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
-use crate::worker::Report;
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
@@ -85,17 +85,12 @@ impl Page for ExploreTab {
         app.sweep_status(app.picture())
     }
 
-    fn running(&self, app: &App) -> Vec<u64> {
-        app.sweeping.computing.iter().map(|job| job.id).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        keys::report(app, report.body);
-        Vec::new()
+    fn report(&self, app: &mut App, running: &Running, news: &News) {
+        keys::report(app, running, news);
     }
 
     fn table(&self, app: &App) -> Option<Table> {
-        let found = app.sweeping.found(app.picture())?;
+        let found = app.pages.explore.found(app.picture())?;
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let content = Content::Grid(app.name_of(plan.base()), Arc::clone(&found.grid));
@@ -120,7 +115,7 @@ impl Page for ExploreTab {
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.sweeping.row = app.setup_choices(app.picture())[row];
+        app.pages.explore.row = app.setup_choices(app.picture())[row];
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
@@ -143,17 +138,17 @@ impl Page for ExploreTab {
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
-        app.sweeping.cursor[app.picture() as usize] = Some(cell);
+        app.pages.explore.cursor[app.picture() as usize] = Some(cell);
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        let grid = &app.sweeping.found(Picture::Line)?.grid;
+        let grid = &app.pages.explore.found(Picture::Line)?.grid;
         if app.pane() != RESULTS || app.picture() != Picture::Line {
             return None;
         }
         let x = axis_of(&grid.plan().axes()[0]);
         let about = grid.coordinate(app.cursor_point(grid), 0);
-        Some(Across::of(&mut app.sweeping.zoomed, x.view, x.scale, Some(about)))
+        Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -6,11 +6,14 @@ pub(in crate::tui) mod keys;
 pub(in crate::tui) mod layout;
 pub mod state;
 
+use std::sync::Arc;
+
 use ratatui::layout::Rect;
 
 use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::Scale;
 use crate::tui::dialogs::ask;
@@ -20,7 +23,6 @@ use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
-use crate::worker::{Report, Slot};
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
@@ -83,35 +85,31 @@ impl Page for LimitTab {
         app.limit_status()
     }
 
-    fn running(&self, app: &App) -> Vec<u64> {
-        [&app.limit.finding, &app.limit.comparing].into_iter().flatten().map(|job| job.id).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        if report.slot == Slot::Compare {
-            keys::report_comparison(app, report.body);
-        } else {
-            keys::report(app, report.body);
+    fn report(&self, app: &mut App, running: &Running, news: &News) {
+        if let Some(comparison) = news.found() {
+            app.pages.limit.comparison = Some((Arc::clone(&running.scene), comparison));
+        } else if let Some(report) = news.found() {
+            app.pages.limit.show(report);
         }
-        Vec::new()
     }
 
     fn table(&self, app: &App) -> Option<Table> {
         let stem = ask::base_stem(app);
         let table = match app.pane() {
             RESIDUAL => {
-                let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
+                let report =
+                    app.pages.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
                 let text = limit::shots(&app.name_of(&report.scene), report).csv();
                 let file = format!("{}-limit.csv", ask::stem(app, &report.scene));
                 Table::text("Export the shots to CSV", file, text)
             }
             COMPARISON => {
-                let (scene, found) = app.limit.comparison.as_ref()?;
+                let (scene, found) = app.pages.limit.comparison.as_ref()?;
                 let text = compare::table(&app.name_of(scene), &found.report).csv();
                 Table::text("Export the comparison to CSV", format!("{stem}-compare.csv"), text)
             }
             _ => {
-                let (scene, found) = app.limit.comparison.as_ref()?;
+                let (scene, found) = app.pages.limit.comparison.as_ref()?;
                 let text = compare::map_table(&app.name_of(scene), found.map.as_ref()?).csv();
                 Table::text("Export the map to CSV", format!("{stem}-mass-efficiency.csv"), text)
             }
@@ -122,7 +120,7 @@ impl Page for LimitTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             RESIDUAL => {
-                let (count, selected) = (app.limit.shots().len(), app.limit.shot_at());
+                let (count, selected) = (app.pages.limit.shots().len(), app.pages.limit.shot_at());
                 Some(Rows { count, selected, shown: 1 })
             }
             COMPARISON => {
@@ -130,7 +128,7 @@ impl Page for LimitTab {
                 let shown = usize::from(area.height.saturating_sub(2));
                 let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2))).len();
                 let count = lines.saturating_sub(shown) + 1;
-                Some(Rows { count, selected: app.limit.scrolled.min(count - 1), shown })
+                Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
             _ => None,
         }
@@ -138,21 +136,21 @@ impl Page for LimitTab {
 
     fn select(&self, app: &mut App, row: usize) {
         if app.pane() == RESIDUAL {
-            app.limit.cursor = Some(row);
+            app.pages.limit.cursor = Some(row);
         } else {
-            app.limit.scrolled = row;
+            app.pages.limit.scrolled = row;
         }
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
-        app.limit.map_cursor = Some(cell);
+        app.pages.limit.map_cursor = Some(cell);
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
         if app.pane() != RESIDUAL {
             return None;
         }
-        let tab = &mut app.limit;
+        let tab = &mut app.pages.limit;
         let (x, _) = axes(tab.report.as_ref()?)?;
         let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
         let about = tab.shot().map(|shot| shot.impact_m_s);

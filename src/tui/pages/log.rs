@@ -49,10 +49,6 @@ impl Page for LogTab {
         app.run_status()
     }
 
-    fn running(&self, _app: &App) -> Vec<u64> {
-        Vec::new()
-    }
-
     fn rows(&self, app: &App) -> Option<Rows> {
         let shown = app.list_rows();
         let count = app.log_lines(usize::from(app.size.0)).len().saturating_sub(shown) + 1;

@@ -3,11 +3,14 @@
 pub mod accuracy;
 pub mod stability;
 
+use std::sync::Arc;
+
 use ratatui::layout::Rect;
 
 use crate::report::stability as stability_table;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
@@ -16,7 +19,6 @@ use crate::tui::message::{Content, Effect};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
-use crate::worker::{Report, Slot};
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
@@ -24,6 +26,15 @@ pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
 pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
 /// The stiff and extreme scenes.
 pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Numerics {
+    /// Error against run time.
+    pub accuracy: accuracy::Accuracy,
+    /// The map of stability and the stiff scenes.
+    pub stability: stability::Stability,
+}
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
@@ -116,24 +127,20 @@ impl Page for NumericsTab {
         }
     }
 
-    fn running(&self, app: &App) -> Vec<u64> {
-        let running = [&app.accuracy.measuring, &app.stability.mapping, &app.stability.running];
-        running.into_iter().flatten().map(|job| job.id).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        match report.slot {
-            Slot::Accuracy => accuracy::keys::report(app, report.body),
-            Slot::Map => stability::keys::report_map(app, report.body),
-            _ => stability::keys::report_battery(app, report.body),
+    fn report(&self, app: &mut App, running: &Running, news: &News) {
+        if let Some(report) = news.found() {
+            accuracy::keys::report(app, running, report, matches!(news, News::Ended(..)));
+        } else if let Some(map) = news.found() {
+            app.pages.numerics.stability.show_map(Arc::clone(&running.scene), map);
+        } else if let Some(rows) = news.found() {
+            app.pages.numerics.stability.battery = Some(rows);
         }
-        Vec::new()
     }
 
     fn table(&self, app: &App) -> Option<Table> {
         Some(match app.pane() {
             ACCURACY => {
-                let report = app.accuracy.report.as_ref()?;
+                let report = app.pages.numerics.accuracy.report.as_ref()?;
                 let found = Box::new((app.name_of(&report.scene), (**report).clone()));
                 Table {
                     title: "Export the measurements to CSV",
@@ -142,12 +149,12 @@ impl Page for NumericsTab {
                 }
             }
             STIFF_SCENES => {
-                let rows = app.stability.rows();
+                let rows = app.pages.numerics.stability.rows();
                 let text = (!rows.is_empty()).then(|| stability_table::table(rows).csv())?;
                 Table::text("Export the stiff scenes to CSV", "battery.csv".to_owned(), text)
             }
             _ => {
-                let (scene, map) = app.stability.map.as_ref()?;
+                let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
                 let text = stability_table::map_table(&app.name_of(scene), map).csv();
                 let file = format!("{}-map.csv", ask::stem(app, scene));
                 Table::text("Export the map to CSV", file, text)
@@ -158,11 +165,15 @@ impl Page for NumericsTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             ACCURACY => {
-                let (count, selected) = (Method::ALL.len(), app.accuracy.selected_row());
+                let (count, selected) =
+                    (Method::ALL.len(), app.pages.numerics.accuracy.selected_row());
                 Some(Rows { count, selected, shown: 8 })
             }
             STIFF_SCENES => {
-                let (count, selected) = (app.stability.rows().len(), app.stability.selected);
+                let (count, selected) = (
+                    app.pages.numerics.stability.rows().len(),
+                    app.pages.numerics.stability.selected,
+                );
                 Some(Rows { count, selected, shown: app.list_rows() })
             }
             _ => None,
@@ -171,16 +182,18 @@ impl Page for NumericsTab {
 
     fn select(&self, app: &mut App, row: usize) {
         if app.pane() == ACCURACY {
-            app.accuracy.selected = Some(row);
+            app.pages.numerics.accuracy.selected = Some(row);
         } else {
-            app.stability.selected = row;
+            app.pages.numerics.stability.selected = row;
         }
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
         match app.pane() {
             ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
-            STIFF_SCENES => Some(app.stability.sorted().get(row)?.case.name.to_string()),
+            STIFF_SCENES => {
+                Some(app.pages.numerics.stability.sorted().get(row)?.case.name.to_string())
+            }
             _ => None,
         }
     }
@@ -190,20 +203,20 @@ impl Page for NumericsTab {
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
-        app.stability.cursor = Some(cell);
+        app.pages.numerics.stability.cursor = Some(cell);
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
         if app.pane() != ACCURACY {
             return None;
         }
-        let tab = &mut app.accuracy;
+        let tab = &mut app.pages.numerics.accuracy;
         let (all, about) = (tab.all_times()?, tab.cursor_s);
         Some(Across::of(&mut tab.view.times, all, tab.view.time_scale, about))
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {
-        app.accuracy.place_cursor(value);
+        app.pages.numerics.accuracy.place_cursor(value);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

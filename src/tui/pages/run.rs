@@ -18,10 +18,9 @@ use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, note};
+use crate::tui::update::edit;
 use crate::tui::update::zoom::Across;
-use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::Canvas;
-use crate::worker::Report;
 
 /// The list of variables.
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
@@ -97,15 +96,6 @@ impl Page for RunTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         app.run_status()
-    }
-
-    fn running(&self, app: &App) -> Vec<u64> {
-        let current = app.jobs.current.as_ref().map(|job| job.id);
-        current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job)).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        jobs::report(app, report)
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

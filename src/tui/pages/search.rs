@@ -4,12 +4,14 @@ pub mod bounds;
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 pub mod lines;
+pub mod request;
 pub mod setup;
 pub mod state;
 
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::layout::{NARROW, setup_width, split_left};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action as A;
@@ -18,7 +20,6 @@ use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
-use crate::worker::Report;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -80,7 +81,7 @@ impl Page for SearchTab {
     }
 
     fn shown(&self, app: &App) -> usize {
-        app.searching.page.index()
+        app.pages.search.page.index()
     }
 
     fn turn_to(&self, app: &mut App, page: usize) -> Vec<Effect> {
@@ -103,30 +104,25 @@ impl Page for SearchTab {
         app.search_status()
     }
 
-    fn running(&self, app: &App) -> Vec<u64> {
-        app.searching.running.iter().map(|job| job.id).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        keys::report(app, report.body);
-        Vec::new()
+    fn report(&self, app: &mut App, running: &Running, news: &News) {
+        keys::report(app, running, news);
     }
 
     fn table(&self, app: &App) -> Option<Table> {
-        let file = app.searching.page.file().to_owned();
+        let file = app.pages.search.page.file().to_owned();
         Some(Table::text("Export the results to CSV", file, app.search_csv()?))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
         let on_rows = matches!(action, Action::Down | Action::Enter | Action::Mark | Action::Sort);
-        let is_front = app.searching.page == state::Page::Front;
+        let is_front = app.pages.search.page == state::Page::Front;
         let idle =
-            (on_rows && app.searching.choices() == 0) || (action == Action::View && !is_front);
+            (on_rows && app.pages.search.choices() == 0) || (action == Action::View && !is_front);
         app.pane() == RESULTS && idle
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
-        let (tab, shown) = (&app.searching, app.list_rows());
+        let (tab, shown) = (&app.pages.search, app.list_rows());
         let (count, selected) = match (app.pane(), tab.choices()) {
             (SETUP, _) => {
                 let (rows, row) = (app.search_choices(), app.search_row());
@@ -140,8 +136,8 @@ impl Page for SearchTab {
 
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
-            SETUP => app.searching.row = app.search_choices()[row],
-            _ => app.searching.select(row),
+            SETUP => app.pages.search.row = app.search_choices()[row],
+            _ => app.pages.search.select(row),
         }
     }
 
@@ -172,7 +168,7 @@ impl Page for SearchTab {
         if app.pane() != RESULTS {
             return None;
         }
-        let tab = &mut app.searching;
+        let tab = &mut app.pages.search;
         let (x, about) = draw::across(tab)?;
         Some(Across::of(&mut tab.zoomed, x.view, x.scale, about))
     }

@@ -11,13 +11,13 @@ use crate::study::principles;
 use crate::study::screening::CRITERIA;
 use crate::study::thesis::Row;
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::widgets::Canvas;
-use crate::worker::Report;
 
 /// The claims of the thesis.
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
@@ -98,19 +98,16 @@ impl Page for ThesisTab {
         app.thesis_status()
     }
 
-    fn running(&self, app: &App) -> Vec<u64> {
-        app.thesis.running.iter().map(|job| job.id).collect()
-    }
-
-    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
-        keys::report(app, report.body);
-        Vec::new()
+    fn report(&self, app: &mut App, _running: &Running, news: &News) {
+        if let Some(found) = news.found() {
+            app.pages.thesis.report = Some(found);
+        }
     }
 
     fn table(&self, app: &App) -> Option<Table> {
         let (file, text) = match app.pane() {
             PRINCIPLES => ("principles.csv", thesis::principles().csv()),
-            SCREENING => ("screening.csv", thesis::screening(&app.thesis.weights).csv()),
+            SCREENING => ("screening.csv", thesis::screening(&app.pages.thesis.weights).csv()),
             _ => {
                 // Of the claims those that are shown, as far as they are checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
@@ -121,7 +118,7 @@ impl Page for ThesisTab {
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
-        let tab = &app.thesis;
+        let tab = &app.pages.thesis;
         let (count, selected) = match app.pane() {
             CLAIMS => (app.claims().len(), tab.selected),
             PRINCIPLES => (principles::PRINCIPLES.len(), tab.principle),
@@ -132,9 +129,9 @@ impl Page for ThesisTab {
 
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
-            CLAIMS => app.thesis.selected = row,
-            PRINCIPLES => app.thesis.principle = row,
-            _ => app.thesis.criterion = row,
+            CLAIMS => app.pages.thesis.selected = row,
+            PRINCIPLES => app.pages.thesis.principle = row,
+            _ => app.pages.thesis.criterion = row,
         }
     }
 

@@ -198,7 +198,8 @@ fn is_long(app: &App) -> bool {
 
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
-    let own = pages::of(app.tab).running(app);
+    let own: Vec<u64> =
+        pages::all_jobs(app).filter(|(tab, _)| *tab == app.tab).map(|(_, job)| job).collect();
     let jobs: Vec<u64> = match action {
         Action::Cancel if own.is_empty() => {
             pages::all_jobs(app).take(1).map(|(_, job)| job).collect()

@@ -165,14 +165,14 @@ fn beside_the_scene(app: &App, label: String) -> Edit {
 fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
     match setting {
         Setting::Search(setup) => {
-            app.searching.setup = *setup;
-            app.searching.problem = None;
+            app.pages.search.setup = *setup;
+            app.pages.search.problem = None;
         }
         Setting::Visits(visits) => {
-            app.sweeping.visits = visits;
+            app.pages.explore.visits = visits;
             return explore::keys::after_edit(app);
         }
-        Setting::Weights(weights) => app.thesis.weights = weights,
+        Setting::Weights(weights) => app.pages.thesis.weights = weights,
     }
     Vec::new()
 }

@@ -6,13 +6,14 @@ use std::time::Duration;
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
 use crate::tui::app::App;
-use crate::tui::app::jobs::{InFlight, Running};
+use crate::tui::app::jobs::{InFlight, News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::warning_text;
 use crate::tui::message::{Effect, Message};
-use crate::tui::pages::run::runs::Shown;
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, Progress, Report, ReportBody, Slot, Task, Work};
+use crate::tui::pages::run::runs::{Pin, Shown};
+use crate::tui::pages::{self, Tab};
+use crate::worker::study::Study;
+use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
@@ -71,55 +72,50 @@ pub(in crate::tui) fn submit_pins(app: &mut App) -> Vec<Effect> {
     effects
 }
 
-/// Submit a study of a scene; gives what its page keeps of it while it runs, and the effects.
-pub(in crate::tui) fn study(
+/// Submit a study of a scene for a tab; an older one of its type is replaced.
+pub(in crate::tui) fn study<S: Study>(
     app: &mut App,
-    kind: StudyKind,
-    scene: Arc<Scene>,
-) -> (Running, Vec<Effect>) {
-    let (id, threads) = (app.jobs.next_id(), app.crew());
-    let running = Running { id, scene: Arc::clone(&scene), points: None };
-    let task = Task { id, threads, work: Work::Study(scene, kind) };
-    (running, vec![Effect::Submit(task), Effect::After(LONG, Message::LongJob(id))])
+    tab: Tab,
+    scene: &Arc<Scene>,
+    study: S,
+) -> Vec<Effect> {
+    app.jobs.take::<S>();
+    let (id, threads, study) = (app.jobs.next_id(), app.crew(), Arc::new(study));
+    app.jobs.studies.push(Running {
+        id,
+        tab,
+        scene: Arc::clone(scene),
+        study: Arc::<S>::clone(&study),
+        points: None,
+        elapsed: Duration::ZERO,
+    });
+    let task = Task { id, threads, work: Work::Study(Arc::clone(scene), study) };
+    vec![Effect::Submit(task), Effect::After(LONG, Message::LongJob(id))]
 }
 
-/// What a report of a study brings to its page.
-pub(in crate::tui) struct Found {
-    /// The study, as far as it was.
-    pub running: Running,
-    /// What it found, or has so far.
-    pub finding: Finding,
-    /// Nothing follows.
-    pub is_last: bool,
-}
-
-/// Note the progress of a study and show why it failed; gives what it brings.
-pub(in crate::tui) fn found(
-    app: &mut App,
-    body: ReportBody,
-    place: fn(&mut App) -> &mut Option<Running>,
-) -> Option<Found> {
-    match body {
-        ReportBody::Progress { progress, .. } => {
-            if let (Some(running), Progress::Points(done, total)) = (place(app), progress) {
-                running.points = Some((done, total));
-            }
-            None
+/// A report of a study: its page hears what it brings; those of replaced ones are dropped.
+fn study_report(app: &mut App, id: u64, body: ReportBody) {
+    let Some(at) = app.jobs.studies.iter().position(|running| running.id == id) else { return };
+    let running = if body.is_last() {
+        app.jobs.studies.remove(at)
+    } else {
+        let running = &mut app.jobs.studies[at];
+        if let ReportBody::Progress { progress: Progress::Points(done, total), elapsed } = body {
+            (running.points, running.elapsed) = (Some((done, total)), elapsed);
         }
-        ReportBody::Part(finding) => {
-            let running = place(app).clone()?;
-            Some(Found { running, finding, is_last: false })
-        }
-        ReportBody::Ended { found, .. } => {
-            let running = place(app).take()?;
-            Some(Found { running, finding: found?, is_last: true })
-        }
+        running.clone()
+    };
+    let news = match body {
+        ReportBody::Progress { .. } => News::Progress,
+        ReportBody::Part(finding) => News::Part(finding),
+        ReportBody::Ended { found: Some(finding), took } => News::Ended(finding, took),
+        ReportBody::Ended { found: None, .. } => return,
         ReportBody::Failed(text) => {
-            *place(app) = None;
             app.say(Severity::Error, text);
-            None
+            News::Failed
         }
-    }
+    };
+    pages::of(running.tab).report(app, &running, &news);
 }
 
 /// The quiet time after an edit is over.
@@ -131,12 +127,23 @@ pub(in crate::tui) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
     if job.scene == app.scene { Vec::new() } else { submit(app) }
 }
 
-/// A report of a run; those of replaced ones are dropped before.
+/// A report of a task; those of replaced ones are dropped.
 pub(in crate::tui) fn report(app: &mut App, report: Report) -> Vec<Effect> {
-    if let Slot::Pin(letter) = report.slot {
-        pin(app, letter, report.body);
-        return Vec::new();
+    if report.body.is_last() {
+        app.jobs.long.retain(|id| *id != report.id);
     }
+    match report.slot {
+        Slot::Current if app.jobs.current.as_ref().is_some_and(|job| job.id == report.id) => {
+            return run_report(app, report);
+        }
+        Slot::Current => {}
+        Slot::Pin(letter) => pin(app, letter, report),
+        Slot::Study(_) => study_report(app, report.id, report.body),
+    }
+    Vec::new()
+}
+
+fn run_report(app: &mut App, report: Report) -> Vec<Effect> {
     match report.body {
         ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
             // The first report says that the run takes a while.
@@ -148,21 +155,25 @@ pub(in crate::tui) fn report(app: &mut App, report: Report) -> Vec<Effect> {
             let long = begins.then_some(Effect::After(LONG, Message::LongJob(id)));
             return long.into_iter().collect();
         }
-        ReportBody::Part(Finding::Run(run)) => {
-            app.note_run(&run);
-            app.shown = Some(Shown { run, took: None });
+        ReportBody::Progress { .. } => return Vec::new(),
+        ReportBody::Part(found) => {
+            if let Some(run) = found.get::<Run>() {
+                app.note_run(&run);
+                app.shown = Some(Shown { run, took: None });
+            }
             return Vec::new();
         }
-        ReportBody::Ended { found: Some(Finding::Run(run)), took } => ended(app, run, took),
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.say(Severity::Error, text);
         }
-        ReportBody::Ended { .. } => {
-            app.jobs.cancelled = true;
-            app.say(Severity::Note, "cancelled: r runs again");
-        }
-        ReportBody::Progress { .. } | ReportBody::Part(_) => return Vec::new(),
+        ReportBody::Ended { found, took } => match found.and_then(|found| found.get()) {
+            Some(run) => ended(app, run, took),
+            None => {
+                app.jobs.cancelled = true;
+                app.say(Severity::Note, "cancelled: r runs again");
+            }
+        },
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
@@ -202,15 +213,18 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
     app.shown = Some(Shown { run, took });
 }
 
-fn pin(app: &mut App, letter: char, body: ReportBody) {
-    let Some(pin) = app.pins.iter_mut().find(|pin| pin.letter == letter) else { return };
-    if body.is_last() {
+fn pin(app: &mut App, letter: char, report: Report) {
+    let own = |pin: &&mut Pin| pin.letter == letter && pin.job == Some(report.id);
+    let Some(pin) = app.pins.iter_mut().find(own) else { return };
+    if report.body.is_last() {
         pin.job = None;
     }
-    match body {
-        ReportBody::Ended { found: Some(Finding::Run(run)), .. } => {
-            pin.run = Some(Arc::clone(&run));
-            app.note_run(&run);
+    match report.body {
+        ReportBody::Ended { found: Some(found), .. } => {
+            if let Some(run) = found.get::<Run>() {
+                pin.run = Some(Arc::clone(&run));
+                app.note_run(&run);
+            }
         }
         ReportBody::Failed(text) => {
             app.say(Severity::Error, format!("pinned run {letter}: {text}"));

@@ -13,6 +13,7 @@ use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::chart::ViewRange;
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::Tab;
+use cmra::tui::pages::numerics::accuracy::Measurements;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::{Finding, ReportBody};
 
@@ -96,7 +97,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
 
 pub(super) fn answer(bench: &mut Bench, methods: usize) {
     for study in bench.studies() {
-        let found = Finding::Accuracy(Arc::new(measured(&study.scene, methods)));
+        let found = Finding::new(measured(&study.scene, methods));
         if methods == Method::ALL.len() {
             bench.reply(study.id, ended(found));
         } else {
@@ -136,7 +137,7 @@ fn reports_of_replaced_studies_are_dropped() {
     bench.keys("r");
     let body = ReportBody::Failed("no longer wanted".to_owned());
     bench.reply(first.id, body);
-    assert!(bench.app.accuracy.measuring.is_some());
+    assert!(bench.app.jobs.running::<Measurements>().is_some());
     assert!(!bench.message().contains("no longer wanted"));
 }
 
@@ -147,8 +148,8 @@ fn escape_stops_and_what_there_is_stays() {
     let study = bench.studies().remove(0);
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let found = Arc::new(measured(&study.scene, 3));
-    bench.reply(study.id, ended(Finding::Accuracy(found)));
+    let found = Finding::new(measured(&study.scene, 3));
+    bench.reply(study.id, ended(found));
     assert!(bench.message().contains("Partial results are shown"), "{}", bench.message());
     assert!(bench.screen().contains("cancelled after"));
 }
@@ -205,26 +206,30 @@ fn leaving_asks_while_a_study_has_been_going_on_for_long() {
 #[test]
 fn the_chart_is_zoomed_panned_and_fitted_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
-    let all = bench.app.accuracy.times().unwrap();
+    let all = bench.app.pages.numerics.accuracy.times().unwrap();
     bench.keys("L++");
-    let (near, cursor) =
-        (bench.app.accuracy.times().unwrap(), bench.app.accuracy.cursor_s.unwrap());
+    let (near, cursor) = (
+        bench.app.pages.numerics.accuracy.times().unwrap(),
+        bench.app.pages.numerics.accuracy.cursor_s.unwrap(),
+    );
     let decades = |view: ViewRange| (view.hi() / view.lo()).log10();
     assert!((decades(near) / decades(all) - 0.25).abs() < 1e-9);
     assert!(near.contains(cursor), "zoomed about the crosshair");
     bench.keys("]");
-    assert!(bench.app.accuracy.times().unwrap().lo() > near.lo());
+    assert!(bench.app.pages.numerics.accuracy.times().unwrap().lo() > near.lo());
     bench.keys("[0");
-    assert_eq!(bench.app.accuracy.times(), Some(all));
+    assert_eq!(bench.app.pages.numerics.accuracy.times(), Some(all));
     // Ten columns of the narrower view are less time than of the wider one.
     bench.keys("++");
-    let before = bench.app.accuracy.cursor_s.unwrap();
+    let before = bench.app.pages.numerics.accuracy.cursor_s.unwrap();
     bench.keys("L");
-    let moved = bench.app.accuracy.cursor_s.unwrap() / before;
+    let moved = bench.app.pages.numerics.accuracy.cursor_s.unwrap() / before;
     assert!(moved > 1.0 && moved.log10() < 0.3 * decades(near), "{moved}");
     // The view goes no farther than all of the points.
     bench.keys("]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]");
-    assert!((bench.app.accuracy.times().unwrap().hi() / all.hi() - 1.0).abs() < 1e-9);
+    assert!(
+        (bench.app.pages.numerics.accuracy.times().unwrap().hi() / all.hi() - 1.0).abs() < 1e-9
+    );
 }
 
 #[test]

@@ -11,12 +11,13 @@ use cmra::model::run::{
     Omission, Outcome, Run, Sample, Warning,
 };
 use cmra::model::scene::{Mount, Scene};
+use cmra::study::sweep::Plan;
 use cmra::tui::app::{App, Base, Origin};
 use cmra::tui::message::{Effect, EffectReport, Message, PresetEntry};
+use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::studies::StudyKind;
 use cmra::worker::{Finding, Progress, Report, ReportBody, Slot, Task, Work};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
@@ -43,7 +44,7 @@ pub(crate) struct Job {
 pub(crate) struct Study {
     pub(crate) id: u64,
     pub(crate) scene: Arc<Scene>,
-    pub(crate) kind: StudyKind,
+    pub(crate) study: Arc<dyn cmra::worker::study::Study>,
 }
 
 impl Bench {
@@ -103,13 +104,24 @@ impl Bench {
         found
     }
 
-    /// The studies that have been submitted and not been looked at.
+    /// The studies but sweeps that have been submitted and not been looked at.
     pub(crate) fn studies(&mut self) -> Vec<Study> {
         self.tasks(|task| match &task.work {
-            Work::Study(scene, kind) => {
-                Some(Study { id: task.id, scene: Arc::clone(scene), kind: kind.clone() })
+            Work::Study(scene, study) if study.of::<PictureSweep>().is_none() => {
+                Some(Study { id: task.id, scene: Arc::clone(scene), study: Arc::clone(study) })
             }
             _ => None,
+        })
+    }
+
+    /// The plans of the sweeps that have been submitted and not been looked at, with their numbers and threads.
+    pub(crate) fn sweeps(&mut self) -> Vec<(u64, usize, Arc<Plan>)> {
+        self.tasks(|task| match &task.work {
+            Work::Study(_, study) => {
+                let sweep = study.of::<PictureSweep>()?;
+                Some((task.id, task.threads, Arc::clone(&sweep.plan)))
+            }
+            Work::Run(..) => None,
         })
     }
 
@@ -201,7 +213,7 @@ impl Bench {
 }
 
 pub(crate) fn done(run: Run) -> ReportBody {
-    let found = Some(Finding::Run(Arc::new(run)));
+    let found = Some(Finding::new(run));
     ReportBody::Ended { found, took: Duration::from_micros(210) }
 }
 

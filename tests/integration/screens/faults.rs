@@ -10,7 +10,7 @@ use cmra::tui::pages::explore;
 use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
-use cmra::worker::{Finding, Work};
+use cmra::worker::Finding;
 use std::sync::Arc;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -125,7 +125,7 @@ fn a_preset_of_a_figure_opens_its_sweep() {
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");
     assert_eq!(bench.app.tab, Tab::Explore);
-    assert_eq!(bench.tasks(|task| matches!(task.work, Work::Sweep(_)).then_some(())).len(), 1);
+    assert_eq!(bench.sweeps().len(), 1);
 }
 
 #[test]
@@ -319,7 +319,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut map = stability::map(Method::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
-    bench.part(study.id, (10, 19), Finding::Map(Arc::new(map)));
+    bench.part(study.id, (10, 19), Finding::new(map));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
     assert!(screen.contains("SSSS") && screen.contains("k [N/m^n]"), "{screen}");
@@ -377,10 +377,10 @@ fn the_crosshair_goes_column_by_column() {
         assert_eq!(bench.app.charts.cursor_s, Some(to), "{size:?}");
         let mut bench = accuracy::open(GlyphSet::Ascii, size);
         bench.press("l");
-        let before = bench.app.accuracy.cursor_s.expect("a crosshair");
+        let before = bench.app.pages.numerics.accuracy.cursor_s.expect("a crosshair");
         bench.press("l");
-        let after = bench.app.accuracy.cursor_s.expect("a crosshair");
-        let view = bench.app.accuracy.times().expect("a view");
+        let after = bench.app.pages.numerics.accuracy.cursor_s.expect("a crosshair");
+        let view = bench.app.pages.numerics.accuracy.times().expect("a view");
         let columns = f64::from(plot_columns(&bench.app).expect("a plot") - 1);
         let step = (view.hi() / view.lo()).ln() / columns;
         assert!(((after / before).ln() / step - 1.0).abs() < 1e-9, "{size:?}");
@@ -435,8 +435,8 @@ fn threads_are_chosen_in_the_options_and_used() {
     bench.press("ojjjjl<Esc>");
     assert_eq!(bench.app.threads, Some(1));
     bench.press("2");
-    let threads = bench.tasks(|task| matches!(task.work, Work::Sweep(_)).then_some(task.threads));
-    assert_eq!(threads, [1]);
+    let sweeps = bench.sweeps();
+    assert!(matches!(sweeps[..], [(_, 1, _)]));
     bench.press("ojjjjh<Esc>");
     assert_eq!(bench.app.threads, None);
 }
@@ -493,7 +493,7 @@ fn a_design_that_is_the_scene_already_is_not_loaded_again() {
     bench.keys("<Tab><Tab>l");
     let scene = Arc::new(bench.app.efficiency_design().expect("a map").0);
     bench.app.scene = Arc::clone(&scene);
-    bench.app.limit.comparison.as_mut().expect("a comparison").0 = scene;
+    bench.app.pages.limit.comparison.as_mut().expect("a comparison").0 = scene;
     let edits = bench.app.history.edits.len();
     bench.keys("<Enter>");
     assert!(bench.message().contains("is this design already"), "{}", bench.message());
@@ -506,8 +506,15 @@ fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
     let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
     bench.keys("<Tab>");
     stability::answer(&mut bench);
-    let mut names: Vec<String> =
-        bench.app.stability.rows().iter().map(|row| row.case.name.to_string()).collect();
+    let mut names: Vec<String> = bench
+        .app
+        .pages
+        .numerics
+        .stability
+        .rows()
+        .iter()
+        .map(|row| row.case.name.to_string())
+        .collect();
     bench.keys("S");
     names.sort();
     let screen = bench.screen();

@@ -10,10 +10,10 @@ use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::monte_carlo::SampledLimit;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::pages::limit::state::LimitSearch;
 use cmra::tui::pages::limit::state::SAMPLING;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
-use cmra::worker::studies::StudyKind;
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -59,10 +59,10 @@ fn plain() -> Effort {
 
 fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
-        let StudyKind::Limit(effort) = study.kind else { continue };
-        let mut report = found(&study.scene, effort);
+        let Some(LimitSearch(effort)) = study.study.of() else { continue };
+        let mut report = found(&study.scene, *effort);
         change(&mut report);
-        let body = ended(Finding::Limit(Arc::new(report)));
+        let body = ended(Finding::new(report));
         bench.reply(study.id, body);
     }
 }
@@ -130,7 +130,7 @@ fn the_limit_is_found_once_a_scene_and_again_when_asked() {
     // Leaving and coming back does not ask twice.
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| !matches!(study.kind, StudyKind::Limit(_))));
+    assert!(again.iter().all(|study| study.study.of::<LimitSearch>().is_none()));
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
     report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
-    bench.reply(study.id, ended(Finding::Limit(Arc::new(report))));
+    bench.reply(study.id, ended(Finding::new(report)));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
     bench.keys("e");
     assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
@@ -156,11 +156,12 @@ fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
 fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
-    let asked = bench.studies().remove(0).kind;
-    assert_eq!(asked, StudyKind::Limit(Effort { sampling: Some(SAMPLING), ..plain() }));
+    let asked = bench.studies().remove(0).study;
+    let sampled = LimitSearch(Effort { sampling: Some(SAMPLING), ..plain() });
+    assert_eq!(asked.of(), Some(&sampled));
     bench.keys("v");
-    let asked = bench.studies().remove(0).kind;
-    assert_eq!(asked, StudyKind::Limit(plain()));
+    let asked = bench.studies().remove(0).study;
+    assert_eq!(asked.of(), Some(&LimitSearch(plain())));
 }
 
 #[test]

@@ -27,19 +27,19 @@ fn what_is_looked_for_is_undone_and_redone_like_any_edit() {
     let mut bench = in_search((80, 24));
     let scene = bench.app.scene.clone();
     bench.keys("<Enter>50 %<Enter>");
-    assert_eq!(bench.app.searching.setup.goal.1.to_bits(), 50.0_f64.to_bits());
+    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 50.0_f64.to_bits());
     // Held arrows are one edit.
     bench.keys("kll");
-    assert_eq!(bench.app.searching.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
     assert_eq!(bench.app.history.edits.len(), 2);
     assert_eq!(bench.app.history.edits[0].label, "search: is 60 % -> 50 %");
     bench.keys("u");
-    assert_eq!(bench.app.searching.setup.goal.0, "percent_of_baseline");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "percent_of_baseline");
     assert!(bench.message().starts_with("undone: search: percent of baseline ->"));
     bench.keys("u");
-    assert_eq!(bench.app.searching.setup.goal.1.to_bits(), 60.0_f64.to_bits());
+    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 60.0_f64.to_bits());
     bench.keys("<C-r><C-r>");
-    assert_eq!(bench.app.searching.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
     assert_eq!(bench.app.scene, scene);
 }
 
@@ -52,7 +52,7 @@ fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
     bench.keys("<Enter>40 %<Enter>");
     assert_eq!(bench.app.history.edits.len(), 3);
     let state =
-        |bench: &Bench| (bench.app.searching.setup.goal.1, bench.app.scene.projectile.mass_kg);
+        |bench: &Bench| (bench.app.pages.search.setup.goal.1, bench.app.scene.projectile.mass_kg);
     for (edits, expected) in [(0, (60.0, 0.0295)), (3, (40.0, 0.02)), (1, (50.0, 0.0295))] {
         bench.keys(":list of edits<Enter>");
         bench.keys("g");
@@ -70,19 +70,19 @@ fn points_curves_and_weights_are_undone_too() {
     bench.press("2<Tab>jjjjj");
     let before = bench.app.history.edits.len();
     bench.press("l");
-    assert_ne!(bench.app.sweeping.spread(Picture::Surface), Spread::Grid);
+    assert_ne!(bench.app.pages.explore.spread(Picture::Surface), Spread::Grid);
     assert_eq!(bench.app.history.edits[before].label, "design grid -> lhs");
     bench.press("u");
-    assert_eq!(bench.app.sweeping.spread(Picture::Surface), Spread::Grid);
+    assert_eq!(bench.app.pages.explore.spread(Picture::Surface), Spread::Grid);
     bench.press("6<Tab><Tab>lll");
-    assert!(bench.app.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
+    assert!(bench.app.pages.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
     assert!(bench.app.history.edits[before].label.ends_with("12 -> 15 %"));
     bench.press("d");
     assert!(bench.message().contains("u undoes"));
     bench.press("u");
-    assert!(bench.app.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
+    assert!(bench.app.pages.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
     bench.press("u");
-    assert_eq!(bench.app.thesis.weights.map(f64::to_bits), WEIGHTS_PERCENT.map(f64::to_bits));
+    assert_eq!(bench.app.pages.thesis.weights.map(f64::to_bits), WEIGHTS_PERCENT.map(f64::to_bits));
 }
 
 #[test]
@@ -144,29 +144,29 @@ fn the_keys_row_leaves_out_what_has_nothing_to_act_on() {
     assert!(keys(&bench).contains("Enter load"), "{}", keys(&bench));
     bench.press("44");
     search::answer(&mut bench);
-    assert_eq!(bench.app.searching.page, Page::Sensitivity);
+    assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
     assert!(!keys(&bench).contains("Enter"), "{}", keys(&bench));
     bench.press("X");
     assert!(bench.message().contains("only the chart of the Pareto front"));
-    assert_eq!(bench.app.searching.log, (false, false));
+    assert_eq!(bench.app.pages.search.log, (false, false));
 }
 
 #[test]
 fn lists_and_maps_have_their_ends_and_their_pages() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    let last = bench.app.limit.shots().len() - 1;
+    let last = bench.app.pages.limit.shots().len() - 1;
     bench.keys("G");
-    assert_eq!(bench.app.limit.cursor, Some(last));
+    assert_eq!(bench.app.pages.limit.cursor, Some(last));
     bench.keys("g");
-    assert_eq!(bench.app.limit.cursor, Some(0));
+    assert_eq!(bench.app.pages.limit.cursor, Some(0));
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
-    let (row, column) = bench.app.stability.cursor().unwrap();
+    let (row, column) = bench.app.pages.numerics.stability.cursor().unwrap();
     // On the scene itself its words stay in one row: a second one would move the map.
     assert!(bench.message().ends_with("; the scene"), "{}", bench.message());
     bench.keys("<PgUp>");
-    assert_eq!(bench.app.stability.cursor(), Some((row + 10, column)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((row + 10, column)));
     bench.keys("<PgDn>");
-    assert_eq!(bench.app.stability.cursor(), Some((row, column)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((row, column)));
 }
 
 #[test]

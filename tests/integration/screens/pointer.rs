@@ -153,7 +153,7 @@ fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
     // Along: the row below the spacing chooses the points.
     bench.press("2<Tab>jjjjjl<Tab>");
     answer(&mut bench);
-    let grid = bench.app.sweeping.surface.as_ref().unwrap().grid.clone();
+    let grid = bench.app.pages.explore.surface.as_ref().unwrap().grid.clone();
     assert!(!grid.is_full() && grid.counts() == (21, 1));
     let scenes = |bench: &Bench| {
         (bench.app.scene.plate.mass_ratio, bench.app.scene.mechanism.spring.coefficient)
@@ -190,24 +190,24 @@ fn a_map_without_values_says_why_and_what_to_do() {
 fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     // More rows and columns of cells than of the map.
     let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
-    let (_, map) = bench.app.stability.map.clone().unwrap();
+    let (_, map) = bench.app.pages.numerics.stability.map.clone().unwrap();
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     // The plot stands right of the values of its rows and above axis and steps.
     let corners = [((7, 3), (rows - 1, 0)), ((116, 3), (rows - 1, steps - 1)), ((7, 51), (0, 0))];
     for (at, cell) in corners {
         assert_eq!(target(&bench.app, at), Some(Target::Cell(numerics::STABILITY, cell)), "{at:?}");
         click(&mut bench, at);
-        assert_eq!(bench.app.stability.cursor, Some(cell));
+        assert_eq!(bench.app.pages.numerics.stability.cursor, Some(cell));
     }
-    let below = bench.app.stability.cursor;
+    let below = bench.app.pages.numerics.stability.cursor;
     bench.send(Message::Wheel(true, target(&bench.app, (7, 51))));
-    assert_eq!(bench.app.stability.cursor, below.map(|(row, step)| (row + 1, step)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor, below.map(|(row, step)| (row + 1, step)));
     bench.keys("<Tab>");
     stability::answer(&mut bench);
-    let name = bench.app.stability.rows()[1].case.name;
+    let name = bench.app.pages.numerics.stability.rows()[1].case.name;
     let at = find(&bench, name);
     click(&mut bench, at);
-    assert_eq!(bench.app.stability.selected, 1);
+    assert_eq!(bench.app.pages.numerics.stability.selected, 1);
 }
 
 #[test]
@@ -215,24 +215,24 @@ fn a_click_in_accuracy_sets_the_crosshair_or_selects_and_hides_a_method() {
     let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
     let at = find(&bench, "RK4 + events");
     click(&mut bench, at);
-    assert_eq!(bench.app.accuracy.method(), Method::Rk4Events);
-    assert!(bench.app.accuracy.hidden.is_empty());
+    assert_eq!(bench.app.pages.numerics.accuracy.method(), Method::Rk4Events);
+    assert!(bench.app.pages.numerics.accuracy.hidden.is_empty());
     click(&mut bench, at);
-    assert_eq!(bench.app.accuracy.hidden, [Method::Rk4Events]);
+    assert_eq!(bench.app.pages.numerics.accuracy.hidden, [Method::Rk4Events]);
     // The middle of the label of 100 us stands under its tick.
     let (column, _) = find(&bench, " 100 ");
     click(&mut bench, (column + 2, 20));
-    let run_time_s = bench.app.accuracy.cursor_s.unwrap();
+    let run_time_s = bench.app.pages.numerics.accuracy.cursor_s.unwrap();
     assert!((run_time_s.log10() + 4.0).abs() < 0.1, "{run_time_s}");
-    let before = bench.app.accuracy.times().unwrap().span();
+    let before = bench.app.pages.numerics.accuracy.times().unwrap().span();
     bench.send(Message::Wheel(true, target(&bench.app, (column + 2, 20))));
-    assert!(bench.app.accuracy.times().unwrap().span() < before);
+    assert!(bench.app.pages.numerics.accuracy.times().unwrap().span() < before);
 }
 
 #[test]
 fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
-    let far = bench.app.limit.shots().len() - 1;
+    let far = bench.app.pages.limit.shots().len() - 1;
     let screen = bench.screen();
     // The greatest residual velocity is the highest `o` of the plot, below the row of the legend.
     let mark = |line: &str| line.chars().take(58).collect::<String>().rfind('o');
@@ -240,11 +240,11 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
         screen.lines().enumerate().skip(14).find_map(|(row, line)| Some((mark(line)?, row)));
     let (column, row) = found.unwrap();
     click(&mut bench, (u16::try_from(column).unwrap(), u16::try_from(row).unwrap()));
-    assert_eq!(bench.app.limit.cursor, Some(far));
+    assert_eq!(bench.app.pages.limit.cursor, Some(far));
     bench.send(Message::Wheel(true, None));
-    assert_eq!(bench.app.limit.cursor, Some(far - 1));
+    assert_eq!(bench.app.pages.limit.cursor, Some(far - 1));
     bench.send(Message::Wheel(false, None));
-    assert_eq!(bench.app.limit.cursor, Some(far));
+    assert_eq!(bench.app.pages.limit.cursor, Some(far));
 }
 
 #[test]
@@ -253,14 +253,14 @@ fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
     bench.keys("6<Tab>");
     let at = find(&bench, "Obliquity");
     click(&mut bench, at);
-    assert_eq!(PRINCIPLES[bench.app.thesis.principle].name, "Obliquity");
+    assert_eq!(PRINCIPLES[bench.app.pages.thesis.principle].name, "Obliquity");
     // A family is a heading.
     let heading = find(&bench, "Energy minimization");
     assert_eq!(target(&bench.app, heading), None);
     bench.keys("<Tab>");
     let at = find(&bench, "mass efficiency");
     click(&mut bench, at);
-    assert_eq!(bench.app.thesis.criterion, 4);
+    assert_eq!(bench.app.pages.thesis.criterion, 4);
     bench.keys("<Tab><Tab>");
     let at = find(&bench, "Ricochet induction");
     click(&mut bench, at);
@@ -330,7 +330,7 @@ fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     let before = bench.app.scene.clone();
     // The first design has the greatest stroke of all, at the upper left end of the front.
     bench.keys("lllll");
-    assert_ne!(bench.app.searching.selected(), 0);
+    assert_ne!(bench.app.pages.search.selected(), 0);
     let screen = bench.screen();
     let is_mark = |line: &str| line.chars().skip(34).position(|c| c == 'o').map(|at| at + 34);
     let mut rows = screen.lines().enumerate().skip(3);
@@ -338,7 +338,7 @@ fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     let at = (u16::try_from(column).unwrap(), u16::try_from(row).unwrap());
     assert_eq!(target(&bench.app, at), Some(Target::Row(cmra::tui::pages::search::RESULTS, 0)));
     click(&mut bench, at);
-    assert_eq!((bench.app.searching.selected(), bench.app.tab), (0, Tab::Search));
+    assert_eq!((bench.app.pages.search.selected(), bench.app.tab), (0, Tab::Search));
     click(&mut bench, at);
     assert_ne!(bench.app.scene, before);
 }

@@ -14,12 +14,12 @@ use cmra::study::sweep::PointOutcome;
 use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::Tab;
+use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
 use cmra::tui::pages::search;
+use cmra::tui::pages::search::request::{Answer, Request};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
-use cmra::worker::searches::{Answer, Comparison, Request};
-use cmra::worker::studies::StudyKind;
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -60,33 +60,40 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     match request {
-        Request::Seek(goal) => Answer::Seek(Arc::new(seek::seek(scene, goal, context).unwrap())),
-        Request::Front(task) => Answer::Front(Arc::new(front(scene, task))),
+        Request::Seek(goal) => Answer::Seek(seek::seek(scene, goal, context).unwrap()),
+        Request::Front(task) => Answer::Front(front(scene, task)),
         Request::Sensitivity { axes, output, effort } => {
             let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
             let report = sensitivity::study(scene, axes.clone(), output, effort, context);
-            Answer::Sensitivity(Arc::new(report.unwrap()))
+            Answer::Sensitivity(report.unwrap())
         }
         Request::MonteCarlo(task) => {
             let task = monte_carlo::Task { samples: 500, ..task.clone() };
-            Answer::MonteCarlo(Arc::new(monte_carlo::sample(scene, &task, context).unwrap()))
-        }
-        Request::Compare => {
-            let hardware = Hardware::default();
-            let report = compare::compare(scene, hardware, context).unwrap();
-            let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
-            let map = Map::compute(scene, &axes, hardware, context).ok();
-            Answer::Compare(Arc::new(Comparison { report, map }))
+            Answer::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
         }
     }
+}
+
+fn compared(scene: &Arc<Scene>) -> Comparison {
+    let mut watch = to_its_end;
+    let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
+    let report = compare::compare(scene, hardware, context).unwrap();
+    let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
+    let map = Map::compute(scene, &axes, hardware, context).ok();
+    Comparison { report, map }
 }
 
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let StudyKind::Search(request) = &study.kind else { continue };
-        let body = ended(Finding::Search(made(&study.scene, request)));
-        bench.reply(study.id, body);
+        let found = if let Some(request) = study.study.of::<Request>() {
+            Finding::new(made(&study.scene, request))
+        } else if study.study.of::<EqualMass>().is_some() {
+            Finding::new(compared(&study.scene))
+        } else {
+            continue;
+        };
+        bench.reply(study.id, ended(found));
     }
 }
 
@@ -103,7 +110,7 @@ fn every_page_at_every_size() {
         for (columns, rows) in [(60, 16), (80, 24), (160, 50)] {
             let mut bench = open(glyphs, (columns, rows));
             for page in Page::ALL {
-                assert_eq!(bench.app.searching.page, page);
+                assert_eq!(bench.app.pages.search.page, page);
                 bench.keys("lll");
                 let name = page.title().replace(' ', "_");
                 assert_snapshot!(
@@ -113,7 +120,7 @@ fn every_page_at_every_size() {
                 bench.keys("4");
                 answer(&mut bench);
             }
-            assert_eq!(bench.app.searching.page, Page::Seek);
+            assert_eq!(bench.app.pages.search.page, Page::Seek);
         }
     }
 }
@@ -133,8 +140,8 @@ fn a_solution_becomes_the_scene_and_back() {
     bench.keys("4");
     answer(&mut bench);
     bench.keys("gjj<Enter>");
-    let Some((found, task)) = bench.app.searching.front() else { panic!("no front") };
-    let designs = bench.app.searching.designs();
+    let Some((found, task)) = bench.app.pages.search.front() else { panic!("no front") };
+    let designs = bench.app.pages.search.designs();
     let design = designs[2];
     assert_eq!(found.designs.len(), designs.len());
     for (axis, value) in task.axes.iter().zip(&design.values) {
@@ -153,17 +160,17 @@ fn a_solution_becomes_the_scene_and_back() {
 fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>j<Enter>k<Down>");
-    assert_eq!(bench.app.searching.setup.seek.name, "k");
+    assert_eq!(bench.app.pages.search.setup.seek.name, "k");
     // A goal seek takes less than a second: it follows every edit of its setup.
     assert_eq!(bench.studies().len(), 1);
     bench.keys("<Enter>-3<Enter>");
     assert!(bench.message().contains("-3 N/m^n, which is impossible"), "{}", bench.message());
     bench.keys("<C-u>1e5<Down>");
-    assert!((bench.app.searching.setup.seek.ends.0 - 1e5).abs() < 1e-9);
+    assert!((bench.app.pages.search.setup.seek.ends.0 - 1e5).abs() < 1e-9);
     bench.keys("<Enter>2MN/m<Down>");
-    assert!((bench.app.searching.setup.seek.ends.1 - 2e6).abs() < 1e-6, "{}", bench.screen());
+    assert!((bench.app.pages.search.setup.seek.ends.1 - 2e6).abs() < 1e-6, "{}", bench.screen());
     bench.keys("l");
-    assert!(bench.app.searching.setup.seek.log);
+    assert!(bench.app.pages.search.setup.seek.log);
     bench.keys("gj<Enter>3kg<Enter>");
     assert!(bench.app.field.is_some());
     bench.keys("<C-u>65 %<Enter>");
@@ -191,20 +198,17 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     let study = bench.studies().remove(0);
-    let StudyKind::Search(request) = &study.kind else { panic!("no search") };
-    let Answer::Front(whole) = made(&study.scene, request) else { panic!("no front") };
-    let mut front = (*whole).clone();
+    let request = study.study.of::<Request>().expect("a search");
+    let Answer::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
     (front.is_complete, front.generations) = (false, 7);
     front.candidates.clear();
-    let answer = Answer::Front(Arc::new(front));
-    let part = Finding::Search(answer.clone());
-    bench.part(study.id, (480, 2460), part);
+    let part = Finding::new(Answer::Front(front));
+    bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let body = ended(Finding::Search(answer));
-    bench.reply(study.id, body);
+    bench.reply(study.id, ended(part));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
 }
 
@@ -245,7 +249,7 @@ fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
     bench.keys("4");
     answer(&mut bench);
     let stroke = |bench: &Bench| {
-        bench.app.searching.designs()[bench.app.searching.selected()].measures[1].unwrap()
+        bench.app.pages.search.designs()[bench.app.pages.search.selected()].measures[1].unwrap()
     };
     let best = (0..40u8).map(f64::from).min_by(|a, b| {
         let sum = |i: f64| i / 39.0 + (0.8 / (1.0 + i) - 0.02) / 0.78;
@@ -259,7 +263,7 @@ fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
     assert!(bench.screen().contains("*stroke"), "{}", bench.screen());
     assert!((stroke(&bench) - before).abs() < 1e-15, "the selection stays on its design");
     let strokes: Vec<f64> =
-        bench.app.searching.designs().iter().map(|design| design.measures[1].unwrap()).collect();
+        bench.app.pages.search.designs().iter().map(|design| design.measures[1].unwrap()).collect();
     assert!(strokes.is_sorted());
 }
 

@@ -10,9 +10,10 @@ use cmra::study::stability::map::{Axis, Cell, Map, Method};
 use cmra::study::stability::others::Verdict;
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
 use cmra::tui::message::{Content, Effect, FileTask};
+use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
-use cmra::worker::studies::StudyKind;
+use cmra::worker::study::Rows;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: Method, axis: Axis) -> Map {
@@ -63,13 +64,12 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let found = match study.kind {
-            StudyKind::Map(method, axis) => Finding::Map(Arc::new(map(method, axis))),
-            StudyKind::Battery => Finding::Battery(Arc::new(rows(12)), true),
-            StudyKind::Accuracy(_)
-            | StudyKind::Thesis
-            | StudyKind::Limit(_)
-            | StudyKind::Search(_) => continue,
+        let found = if let Some(asked) = study.study.of::<StabilityMap>() {
+            Finding::new(map(asked.method, asked.axis))
+        } else if study.study.of::<StiffScenes>().is_some() {
+            Finding::new(Rows { rows: rows(12), is_complete: true })
+        } else {
+            continue;
         };
         bench.reply(study.id, ended(found));
     }
@@ -97,15 +97,24 @@ fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
 fn variable_and_method_are_chosen_and_mapped_anew() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
-    assert_eq!(bench.studies()[0].kind, StudyKind::Map(Method::Thesis, Axis::N));
+    assert_eq!(
+        bench.studies()[0].study.of(),
+        Some(&StabilityMap { method: Method::Thesis, axis: Axis::N })
+    );
     bench.keys("vv");
-    assert_eq!(bench.studies()[1].kind, StudyKind::Map(Method::Rk4, Axis::K));
+    assert_eq!(
+        bench.studies()[1].study.of(),
+        Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
+    );
     // A map that came back belongs to what was asked for last.
-    bench.app.stability.mapping = None;
+    bench.app.jobs.studies.clear();
     bench.keys("1");
     bench.effects.clear();
     bench.keys("5");
-    assert_eq!(bench.studies()[0].kind, StudyKind::Map(Method::Rk4, Axis::K));
+    assert_eq!(
+        bench.studies()[0].study.of(),
+        Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
+    );
 }
 
 #[test]
@@ -123,13 +132,13 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
-    assert_eq!(study.kind, StudyKind::Battery);
-    let part = Finding::Battery(Arc::new(rows(4)), false);
+    assert!(study.study.of::<StiffScenes>().is_some());
+    let part = Finding::new(Rows { rows: rows(4), is_complete: false });
     bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("running the battery: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let body = ended(Finding::Battery(Arc::new(rows(5)), false));
+    let body = ended(Finding::new(Rows { rows: rows(5), is_complete: false }));
     bench.reply(study.id, body);
     assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
     bench.keys("jj");

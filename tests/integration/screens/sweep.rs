@@ -15,10 +15,11 @@ use cmra::tui::app::{Base, Origin};
 use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::Tab;
+use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::pages::explore::state::{Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, Progress, ReportBody, Work};
+use cmra::worker::{Finding, Progress, ReportBody};
 use insta::assert_snapshot;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -32,10 +33,7 @@ struct Job {
 
 /// The sweeps asked for and not answered.
 fn jobs(bench: &mut Bench) -> Vec<Job> {
-    bench.tasks(|task| match &task.work {
-        Work::Sweep(plan) => Some(Job { id: task.id, plan: Arc::clone(plan) }),
-        _ => None,
-    })
+    bench.sweeps().into_iter().map(|(id, _, plan)| Job { id, plan }).collect()
 }
 
 /// A grid of the job, filled until so many points are done.
@@ -51,7 +49,7 @@ fn grid(job: &Job, points: usize) -> Arc<Grid> {
 pub(super) fn answer(bench: &mut Bench) {
     for job in jobs(bench) {
         let grid = grid(&job, usize::MAX);
-        bench.reply(job.id, ended(Finding::Grid(grid)));
+        bench.reply(job.id, ended(Finding::from(grid)));
     }
 }
 
@@ -71,7 +69,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
 /// The same on a map.
 pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = open(figure, count, glyphs, size);
-    bench.app.sweeping.visits.picture = Picture::Surface;
+    bench.app.pages.explore.visits.picture = Picture::Surface;
     bench
 }
 
@@ -94,7 +92,7 @@ fn the_sweep_tabs_at_every_size() {
             let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
             keys(&mut bench, "2lll");
             assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
-            bench.app.sweeping.visits.picture = Picture::Surface;
+            bench.app.pages.explore.visits.picture = Picture::Surface;
             keys(&mut bench, "12llkkk");
             assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
         }
@@ -174,7 +172,7 @@ fn stale_results_are_not_loaded() {
     keys(&mut bench, "2");
     keys(&mut bench, ":switch auto<Enter><Tab>");
     let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
-    bench.app.sweeping.row =
+    bench.app.pages.explore.row =
         *bench.app.setup_choices(Picture::Surface).iter().find(|row| held(row)).unwrap();
     keys(&mut bench, "l<Tab>ll");
     let before = Arc::clone(&bench.app.scene);
@@ -201,14 +199,14 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
     let rows = bench.app.setup_choices(bench.app.picture());
     let v_i = rows.iter().copied().filter(held).nth(2).unwrap();
-    bench.app.sweeping.row = v_i;
+    bench.app.pages.explore.row = v_i;
     bench.keys("l");
     assert_eq!(bench.app.scene.projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let job = jobs(&mut bench).remove(0);
     assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let part = grid(&job, 36);
     assert!(!part.is_complete());
-    bench.part(job.id, (36, 441), Finding::Grid(part));
+    bench.part(job.id, (36, 441), Finding::from(part));
     assert!(
         bench.screen().contains("sweeping: 36 of 441 points, 6.8 s left"),
         "{}",
@@ -219,10 +217,10 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     bench.keys("l");
     let newer = jobs(&mut bench).remove(0);
     let late = grid(&job, usize::MAX);
-    bench.reply(job.id, ended(Finding::Grid(late)));
-    assert!(bench.app.sweeping.computing.is_some());
+    bench.reply(job.id, ended(Finding::from(late)));
+    assert!(bench.app.jobs.running::<PictureSweep>().is_some());
     let found = grid(&newer, usize::MAX);
-    bench.reply(newer.id, ended(Finding::Grid(found)));
+    bench.reply(newer.id, ended(Finding::from(found)));
     assert!(bench.screen().contains("441 points in 8.0 ms"), "{}", bench.screen());
 }
 
@@ -237,7 +235,7 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let found = grid(&job, 100);
-    bench.reply(job.id, ended(Finding::Grid(found)));
+    bench.reply(job.id, ended(Finding::from(found)));
     assert!(bench.message().contains("Partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("r");
@@ -261,7 +259,7 @@ fn a_refused_text_stays_with_its_reason() {
         (SetupRow::Name(1), "interface", &["no numbers", "fused or plastic"]),
         (SetupRow::Output, "depth", &["no quantity is called `depth`", "final penetration"]),
     ] {
-        bench.app.sweeping.row = to;
+        bench.app.pages.explore.row = to;
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
         let field = bench.app.field.clone().expect("the field is still open");
@@ -274,7 +272,7 @@ fn a_refused_text_stays_with_its_reason() {
         keys(&mut bench, "<Esc>");
     }
     // From 0 no equal ratios: refused in words, nothing changes.
-    bench.app.sweeping.row = SetupRow::Spacing(1);
+    bench.app.pages.explore.row = SetupRow::Spacing(1);
     keys(&mut bench, "l");
     assert!(bench.message().contains("greater than 0"), "{}", bench.message());
 }
@@ -285,7 +283,7 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     keys(&mut bench, "2<Tab>");
     let sweep = |bench: &Bench| bench.app.scene.sweep.clone().unwrap();
     // A family appears, and goes.
-    bench.app.sweeping.row = SetupRow::Name(1);
+    bench.app.pages.explore.row = SetupRow::Name(1);
     keys(&mut bench, "l");
     assert_eq!(sweep(&bench).axes.len(), 2);
     assert!(bench.screen().contains("curves        5"), "{}", bench.screen());
@@ -294,16 +292,16 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     keys(&mut bench, "u");
     assert_eq!(sweep(&bench).axes.len(), 2);
     // Another variable, with the thesis's range.
-    bench.app.sweeping.row = SetupRow::Name(0);
+    bench.app.pages.explore.row = SetupRow::Name(0);
     keys(&mut bench, "<Enter>d<Enter>");
     assert_eq!((sweep(&bench).axes[0].name.as_str(), sweep(&bench).axes[0].to), ("d", 0.5));
     keys(&mut bench, "<Enter>1mm<Enter><Enter>50mm<Enter>");
     let axis = sweep(&bench).axes[0].clone();
     assert!((axis.from - 1e-3).abs() < 1e-15 && (axis.to - 0.05).abs() < 1e-15);
-    bench.app.sweeping.row = SetupRow::Spacing(0);
+    bench.app.pages.explore.row = SetupRow::Spacing(0);
     keys(&mut bench, "<Enter>");
     assert!(sweep(&bench).axes[0].log);
-    bench.app.sweeping.row = SetupRow::Output;
+    bench.app.pages.explore.row = SetupRow::Output;
     keys(&mut bench, "<Enter>stroke_m<Enter>");
     assert_eq!(sweep(&bench).outputs[0], "stroke_m");
     assert!(bench.screen().contains("stroke [mm]"), "{}", bench.screen());
@@ -315,12 +313,12 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
 #[test]
 fn a_scene_without_a_sweep_gets_usual_axes() {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.sweeping.visits.picture = Picture::Surface;
+    bench.app.pages.explore.visits.picture = Picture::Surface;
     keys(&mut bench, "2");
     assert!(bench.screen().contains("percent of baseline, up: k"), "{}", bench.screen());
     assert!(!bench.app.is_modified(), "looking changes nothing");
     // The setup chooses curves or a map, and one undo comes back.
-    bench.app.sweeping.row = SetupRow::Picture;
+    bench.app.pages.explore.row = SetupRow::Picture;
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("variable  gamma"), "{}", bench.screen());
     assert_eq!(bench.app.picture(), Picture::Line);

@@ -125,7 +125,7 @@ fn the_knee_of_the_front_takes_4() {
     let mut task = Counted::start();
     task.key("4").key("4");
     search::answer(&mut task.bench);
-    assert_eq!(task.bench.app.searching.page, Page::Front);
+    assert_eq!(task.bench.app.pages.search.page, Page::Front);
     let before = task.bench.app.scene.clone();
     task.key("<Tab>").key("<Enter>");
     assert_ne!(task.bench.app.scene, before, "{}", task.bench.message());

@@ -1,14 +1,13 @@
 //! The Thesis tab: claims come in as they are checked, are filtered and opened; weights change the ranking.
 
-use std::sync::Arc;
-
 use super::bench::{Bench, ended};
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
 use cmra::tui::pages::Tab;
-use cmra::worker::studies::StudyKind;
-use cmra::worker::{Finding, Work};
+use cmra::tui::pages::thesis::state::Claims;
+use cmra::worker::Finding;
+use cmra::worker::study::Rows;
 use insta::assert_snapshot;
 
 /// The tab with the quick claims of the first chapters answered.
@@ -17,13 +16,14 @@ fn bench(columns: u16, rows: u16) -> Bench {
     bench.keys("6");
     let id = asked(&mut bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().iter().take(24).map(check).collect();
-    bench.reply(id, ended(Finding::Thesis(Arc::new(rows), true)));
+    bench.reply(id, ended(Finding::new(Rows { rows, is_complete: true })));
     bench
 }
 
 /// The number of the study of the claims that was asked for.
 fn asked(bench: &mut Bench) -> Option<u64> {
-    bench.studies().iter().rev().find(|it| it.kind == StudyKind::Thesis).map(|study| study.id)
+    let studies = bench.studies();
+    Some(studies.iter().rev().find(|it| it.study.of::<Claims>().is_some())?.id)
 }
 
 #[test]
@@ -49,12 +49,12 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().iter().take(2).map(check).collect();
-    let part = Finding::Thesis(Arc::new(some.clone()), false);
+    let part = Finding::new(Rows { rows: some.clone(), is_complete: false });
     bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    bench.reply(id, ended(Finding::Thesis(Arc::new(some), false)));
+    bench.reply(id, ended(Finding::new(Rows { rows: some, is_complete: false })));
     assert!(bench.screen().contains("cancelled: press r"));
 }
 
@@ -96,14 +96,10 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let rows =
             claims().iter().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
-        bench.reply(id, ended(Finding::Thesis(Arc::new(rows), true)));
+        bench.reply(id, ended(Finding::new(Rows { rows, is_complete: true })));
         bench.press("<Enter>");
         assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
-        let mut swept = bench.tasks(|task| match &task.work {
-            Work::Sweep(plan) => Some(Arc::clone(plan)),
-            _ => None,
-        });
-        let plan = swept.pop().expect("a sweep");
+        let (_, _, plan) = bench.sweeps().pop().expect("a sweep");
         let along: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         assert_eq!(along, names);
         bench.press("u6");
@@ -142,14 +138,14 @@ fn the_filter_goes_through_all_verdicts() {
     let mut seen = 0;
     for verdict in Verdict::ALL {
         bench.keys("v");
-        assert_eq!(bench.app.thesis.filter, Some(verdict));
+        assert_eq!(bench.app.pages.thesis.filter, Some(verdict));
         let shown = bench.app.claims();
         assert!(shown.iter().all(|row| row.found.verdict == verdict));
         seen += shown.len();
     }
     assert_eq!(seen, all);
     bench.keys("v");
-    assert_eq!(bench.app.thesis.filter, None);
+    assert_eq!(bench.app.pages.thesis.filter, None);
 }
 
 #[test]
@@ -159,11 +155,11 @@ fn weights_change_the_ranking_and_come_back() {
     for _ in 0..40 {
         bench.keys("h");
     }
-    assert!(bench.app.thesis.weights[6].abs() < 1e-12);
+    assert!(bench.app.pages.thesis.weights[6].abs() < 1e-12);
     let screen = bench.screen();
     assert!(screen.contains("4 (2)"), "{screen}");
     bench.keys("d");
-    assert!((bench.app.thesis.weights[6] - 35.0).abs() < 1e-12);
+    assert!((bench.app.pages.thesis.weights[6] - 35.0).abs() < 1e-12);
 }
 
 #[test]

@@ -13,6 +13,7 @@ use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, MARKERS, Scale, Un
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::layout::SweepPanes;
+use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, no_value};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -22,7 +23,7 @@ use crate::tui::widgets::text::{columns, put, put_centred};
 pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
     let picture = Picture::Line;
-    let Some(found) = app.sweeping.found(picture) else {
+    let Some(found) = app.pages.explore.found(picture) else {
         if let Some(area) = panes.plots.first() {
             nothing(app, "Curves", *area, canvas);
         }
@@ -44,7 +45,7 @@ pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<
 /// A pane that has nothing to show yet.
 pub(in crate::tui) fn nothing(app: &App, title: &str, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new(title.to_owned()).render(area, canvas, app.theme);
-    let text = match (&app.sweeping.computing, &app.sweeping.problem) {
+    let text = match (app.jobs.running::<PictureSweep>(), &app.pages.explore.problem) {
         (Some(_), _) => "sweeping the first points",
         (None, Some(_)) => "see the message below",
         (None, None) => "no results yet: press r",
@@ -60,7 +61,7 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
 
 /// The scale of values on the screen.
 pub(in crate::tui) fn value_scale(app: &App) -> Scale {
-    if app.sweeping.log_values { Scale::Log10 } else { Scale::Linear }
+    if app.pages.explore.log_values { Scale::Log10 } else { Scale::Linear }
 }
 
 /// The number of a point to draw; NaN where there is none.
@@ -85,7 +86,7 @@ fn curves(
 ) {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
-    let old = app.sweep_is_old(Picture::Line) && app.sweeping.computing.is_none();
+    let old = app.sweep_is_old(Picture::Line) && app.jobs.running::<PictureSweep>().is_none();
     let axes = grid.plan().axes();
     let (along, repeats) = grid.counts();
     let scale = value_scale(app);
@@ -126,7 +127,7 @@ fn curves(
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
-    let along_axis = match app.sweeping.zoomed {
+    let along_axis = match app.pages.explore.zoomed {
         Some(view) => zoomed_axis(&axes[0], view),
         None => axis_of(&axes[0]),
     };

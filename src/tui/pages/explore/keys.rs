@@ -6,17 +6,19 @@ use crate::numerics::statistics::ascending;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::App;
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action;
-use crate::tui::message::{Effect, Message};
+use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
 use crate::tui::pages::explore::SETUP;
+use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::setup;
-use crate::tui::pages::explore::state::{Computing, Contour, Found, Picture};
+use crate::tui::pages::explore::state::{Contour, Found, Picture};
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::runs::engineering;
 use crate::tui::update::act::cursor_moved;
 use crate::tui::update::{edit, jobs};
-use crate::worker::{Finding, Progress, ReportBody, Task, Work};
 
 /// Far along a picture, in points.
 const FAR: isize = 10;
@@ -25,7 +27,7 @@ const LONG_S: u64 = 60;
 
 /// After an edit of the scene: a picture on the screen follows at once.
 pub(in crate::tui) fn after_edit(app: &mut App) -> Vec<Effect> {
-    let shown = app.tab == crate::tui::pages::Tab::Explore;
+    let shown = app.tab == Tab::Explore;
     if app.auto_run && shown { enter(app) } else { Vec::new() }
 }
 
@@ -34,16 +36,17 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let picture = app.picture();
     let plan = app.sweep_plan(picture);
     let wanted = plan.as_ref().ok();
-    let coming = app.sweeping.computing.as_ref().map(|it| (it.picture, &*it.plan));
-    if coming.is_some_and(|(of, plan)| of == picture && Some(plan) == wanted) {
+    let coming = app.jobs.study::<PictureSweep>().map(|(_, sweep)| sweep);
+    if coming.is_some_and(|it| it.picture == picture && Some(&*it.plan) == wanted) {
         return Vec::new();
     }
     let there = app
-        .sweeping
+        .pages
+        .explore
         .found(picture)
         .is_some_and(|found| Some(&**found.grid.plan()) == wanted && found.grid.is_complete());
-    if there && app.sweeping.computing.is_none() {
-        app.sweeping.problem = None;
+    if there && coming.is_none() {
+        app.pages.explore.problem = None;
         return Vec::new();
     }
     if there { Vec::new() } else { compute(app) }
@@ -61,26 +64,17 @@ pub(in crate::tui) fn compute(app: &mut App) -> Vec<Effect> {
     }
     match app.sweep_plan(picture) {
         Err(error) => {
-            let before = app.sweeping.computing.take();
-            app.sweeping.problem =
+            let before = app.jobs.take::<PictureSweep>();
+            app.pages.explore.problem =
                 Some("these axes cannot be swept: press r to see why".to_owned());
             app.say(Severity::Error, error.to_string());
             before.map(|job| Effect::Cancel(job.id)).into_iter().collect()
         }
         Ok(plan) => {
-            app.sweeping.problem = None;
-            let id = app.jobs.next_id();
-            let plan = Arc::new(plan);
-            app.sweeping.computing = Some(Computing {
-                id,
-                picture,
-                plan: Arc::clone(&plan),
-                points: None,
-                elapsed: std::time::Duration::ZERO,
-                warned: false,
-            });
-            let task = Task { id, threads: app.crew(), work: Work::Sweep(plan) };
-            vec![Effect::Submit(task), Effect::After(jobs::LONG, Message::LongJob(id))]
+            app.pages.explore.problem = None;
+            let scene = Arc::clone(&app.scene);
+            let sweep = PictureSweep { picture, plan: Arc::new(plan) };
+            jobs::study(app, Tab::Explore, &scene, sweep)
         }
     }
 }
@@ -92,19 +86,19 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::Export | Action::Copy => return None,
         Action::Mark => return Some(runs::keys::pin_design(app, app.sweep_design())),
         Action::Contour => {
-            app.sweeping.contour = match app.sweeping.contour {
+            app.pages.explore.contour = match app.pages.explore.contour {
                 Contour::Cursor => Contour::Off,
                 Contour::Off => Contour::Cursor,
             };
             return Some(Vec::new());
         }
         Action::FitResiduals => {
-            app.sweeping.residuals = !app.sweeping.residuals;
+            app.pages.explore.residuals = !app.pages.explore.residuals;
             return Some(Vec::new());
         }
         _ if app.pane() == SETUP => return setup::keys::act(app, action),
-        Action::View => app.sweeping.output = next_output(app),
-        Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
+        Action::View => app.pages.explore.output = next_output(app),
+        Action::LogY => app.pages.explore.log_values = !app.pages.explore.log_values,
         Action::LogX => return Some(setup::keys::toggle_spacing(app)),
         Action::ZoomIn | Action::ZoomOut | Action::PanLeft | Action::PanRight
             if app.picture() == Picture::Surface =>
@@ -119,13 +113,13 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 
 fn next_output(app: &App) -> usize {
     let count = crate::tui::pages::explore::state::sweep_of(&app.scene).outputs.len().max(1);
-    (app.sweeping.output + 1) % count
+    (app.pages.explore.output + 1) % count
 }
 
 /// Move the cursor by points; the scene stays as it is.
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let picture = app.picture();
-    let Some(found) = app.sweeping.found(picture) else {
+    let Some(found) = app.pages.explore.found(picture) else {
         app.say(Severity::Note, "no results yet: press r to sweep");
         return;
     };
@@ -144,7 +138,7 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
         let upward = x == 0 && picture == Picture::Surface;
         (neighbour(&grid, at.0, usize::from(upward), x + y), 0)
     };
-    app.sweeping.cursor[picture as usize] = Some(next);
+    app.pages.explore.cursor[picture as usize] = Some(next);
 }
 
 /// Another point of a design, in the order of one of its axes.
@@ -156,46 +150,32 @@ fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
     order[at.saturating_add_signed(by).min(order.len() - 1)]
 }
 
-/// A report of the sweep.
-pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
-    let Some(computing) = app.sweeping.computing.as_mut() else { return };
-    let picture = computing.picture;
-    match body {
-        ReportBody::Progress { progress: Progress::Points(done, total), elapsed } => {
-            computing.points = Some((done, total));
-            computing.elapsed = elapsed;
+/// News of the sweep.
+pub(in crate::tui) fn report(app: &mut App, running: &Running, news: &News) {
+    let Some(sweep) = running.study.of::<PictureSweep>() else { return };
+    match (news, news.found::<Grid>()) {
+        (News::Failed, _) => {
+            app.pages.explore.problem = Some("this cannot be swept: press r to see why".to_owned());
         }
-        ReportBody::Part(Finding::Grid(grid)) => {
-            app.sweeping.show(picture, Found { grid, took: None });
-        }
-        ReportBody::Ended { found, took } => {
-            app.sweeping.computing = None;
-            let Some(Finding::Grid(grid)) = found else { return };
-            let stopped = !grid.is_complete();
-            app.sweeping.show(picture, Found { grid, took: Some(took) });
-            if stopped {
+        (News::Ended(_, took), Some(grid)) => {
+            if !grid.is_complete() {
                 let text = "Cancelled. Partial results are shown; press r to sweep again.";
                 app.say(Severity::Note, text);
             }
+            app.pages.explore.show(sweep.picture, Found { grid, took: Some(*took) });
         }
-        ReportBody::Failed(text) => {
-            app.sweeping.computing = None;
-            app.sweeping.problem = Some("this cannot be swept: press r to see why".to_owned());
-            app.say(Severity::Error, text);
-        }
-        ReportBody::Progress { .. } | ReportBody::Part(_) => {}
+        (_, Some(grid)) => app.pages.explore.show(sweep.picture, Found { grid, took: None }),
+        (_, None) => warn_if_long(app, running),
     }
-    warn_if_long(app);
 }
 
-fn warn_if_long(app: &mut App) {
-    let Some(computing) = &mut app.sweeping.computing else { return };
-    let Some(left) = computing.left().filter(|left| left.as_secs() >= LONG_S) else { return };
-    if computing.warned {
+fn warn_if_long(app: &mut App, running: &Running) {
+    let left = running.left().map_or(0, |left| left.as_secs());
+    if left < LONG_S || app.pages.explore.warned == Some(running.id) {
         return;
     }
-    computing.warned = true;
-    let minutes = left.as_secs().div_ceil(60);
+    app.pages.explore.warned = Some(running.id);
+    let minutes = left.div_ceil(60);
     app.say(
         Severity::Warning,
         format!(

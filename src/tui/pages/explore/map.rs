@@ -19,6 +19,7 @@ use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::curves::{drawn, nothing, nothing_exists, value_scale};
 use crate::tui::pages::explore::layout::SweepPanes;
+use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Contour, Picture, place, quadratic};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -29,7 +30,7 @@ pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<
     let Some(area) = panes.plots.first().copied() else { return };
     let all = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
     all.for_each(|area| canvas.pane(*area, RESULTS));
-    let Some(found) = app.sweeping.found(Picture::Surface) else {
+    let Some(found) = app.pages.explore.found(Picture::Surface) else {
         nothing(app, "Map", area, canvas);
         for area in panes.scale.iter().chain(&panes.slices) {
             PaneFrame::new("").render(*area, canvas, app.theme);
@@ -65,7 +66,7 @@ impl<'a> ChartView<'a> {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
         let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let fit = app.sweeping.residuals.then(|| quadratic(grid, output)).flatten();
+        let fit = app.pages.explore.residuals.then(|| quadratic(grid, output)).flatten();
         // A value, or what is left of it beside the fit.
         let seen = |point| {
             let (u, v) = place(grid, point);
@@ -94,7 +95,8 @@ impl<'a> ChartView<'a> {
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
-        let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
+        let old =
+            app.sweep_is_old(Picture::Surface) && app.jobs.running::<PictureSweep>().is_none();
         let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
         let title = self.title(old, &across, &upward, area.width);
         let Some(levels) = &self.levels else {
@@ -116,7 +118,7 @@ impl<'a> ChartView<'a> {
         };
         let (x, y) = app.cursor_point(self.grid);
         let here = self.value((x, y));
-        let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
+        let through = app.pages.explore.contour == Contour::Cursor && here.is_finite();
         let counts = (columns.len(), rows.len());
         let cursor =
             columns.iter().position(|at| *at == x).zip(rows.iter().position(|at| *at == y));
@@ -192,7 +194,7 @@ impl<'a> ChartView<'a> {
     fn scale(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let unit = &self.unit.name;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
-        let hint = if app.sweeping.log_values { "Y linear" } else { "Y log" };
+        let hint = if app.pages.explore.log_values { "Y linear" } else { "Y log" };
         let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
         let mut row = 0;
         if let Some(levels) = &self.levels {
@@ -314,5 +316,5 @@ impl<'a> ChartView<'a> {
 
 /// The scale of what is shown: what a fit leaves over has both signs.
 fn scale_of(app: &App) -> Scale {
-    if app.sweeping.residuals { Scale::Linear } else { value_scale(app) }
+    if app.pages.explore.residuals { Scale::Linear } else { value_scale(app) }
 }

@@ -5,6 +5,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, show_duration};
 use crate::tui::pages::Progress;
 use crate::tui::pages::explore::gaps;
+use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Picture, quadratic};
 
 impl App {
@@ -12,10 +13,11 @@ impl App {
     pub fn sweep_status(&self, picture: Picture) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
         let mut parts = Vec::new();
-        let found = self.sweeping.found(picture);
-        let computing = self.sweeping.computing.as_ref().filter(|it| it.picture == picture);
-        parts.push(match (computing, &self.sweeping.problem, found) {
-            (Some(computing), ..) => {
+        let found = self.pages.explore.found(picture);
+        let computing = self.jobs.study::<PictureSweep>();
+        let computing = computing.filter(|(_, sweep)| sweep.picture == picture);
+        parts.push(match (computing, &self.pages.explore.problem, found) {
+            (Some((computing, _)), ..) => {
                 let points = computing.points.map_or_else(String::new, |(done, total)| {
                     format!(": {done} of {total} points")
                 });
@@ -49,7 +51,7 @@ impl App {
             parts.extend(gaps::at_rest(&found.grid, output).map(|text| same(Severity::Note, text)));
         }
         if let Some(found) =
-            found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
+            found.filter(|_| picture == Picture::Surface && self.pages.explore.residuals)
         {
             let (output, _) = self.shown_output(&found.grid);
             let text = quadratic(&found.grid, output).map_or_else(

@@ -56,14 +56,14 @@ impl App {
         rows.extend(axis(0));
         match picture {
             Picture::Surface => {
-                let grid = self.sweeping.spread(picture) == Spread::Grid;
+                let grid = self.pages.explore.spread(picture) == Spread::Grid;
                 rows.extend([R::Design, R::Heading("Across"), R::Name(1), R::From(1), R::To(1)]);
                 // A design has so many points in all, not along each axis.
                 rows.extend(grid.then_some(R::Points(1)));
                 rows.push(R::Spacing(1));
             }
             Picture::Line => {
-                let grid = self.sweeping.spread(picture) == Spread::Grid;
+                let grid = self.pages.explore.spread(picture) == Spread::Grid;
                 rows.push(R::Design);
                 rows.extend([R::Heading("Across"), R::Name(1)]);
                 if has_family(&self.scene) {
@@ -99,7 +99,11 @@ impl App {
     /// The selected row; the first one where the selection is not there any more.
     pub fn setup_row(&self, picture: Picture) -> SetupRow {
         let rows = self.setup_choices(picture);
-        if rows.contains(&self.sweeping.row) { self.sweeping.row } else { SetupRow::Name(0) }
+        if rows.contains(&self.pages.explore.row) {
+            self.pages.explore.row
+        } else {
+            SetupRow::Name(0)
+        }
     }
 
     /// What a row shows, its value in at most `width` characters.
@@ -129,11 +133,11 @@ impl App {
                 shown("shown as", word.to_owned(), "")
             }
             SetupRow::Design => {
-                shown("design", self.sweeping.spread(picture).word().to_owned(), "")
+                shown("design", self.pages.explore.spread(picture).word().to_owned(), "")
             }
-            SetupRow::Curves => shown("curves", self.sweeping.visits.curves.to_string(), ""),
+            SetupRow::Curves => shown("curves", self.pages.explore.visits.curves.to_string(), ""),
             SetupRow::Output => {
-                let at = self.sweeping.output.min(sweep.outputs.len() - 1);
+                let at = self.pages.explore.output.min(sweep.outputs.len() - 1);
                 shown(&sweep.outputs[at], String::new(), "")
             }
             SetupRow::Held(index) => {
@@ -168,9 +172,9 @@ impl App {
             }
             SetupRow::Name(at) => sweep.axes[at].name.clone(),
             SetupRow::Points(at) => sweep.axes[at].count.to_string(),
-            SetupRow::Curves => self.sweeping.visits.curves.to_string(),
+            SetupRow::Curves => self.pages.explore.visits.curves.to_string(),
             SetupRow::Output => {
-                let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];
+                let name = &sweep.outputs[self.pages.explore.output.min(sweep.outputs.len() - 1)];
                 crate::study::quantities::find(name).map_or_else(|| name.clone(), Quantity::title)
             }
             SetupRow::Held(index) => VARIABLES[index].show(&self.scene),
@@ -211,7 +215,7 @@ impl App {
             }
             SetupRow::Curves => "how many curves, their values spread over the range".to_owned(),
             SetupRow::Output => {
-                let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];
+                let name = &sweep.outputs[self.pages.explore.output.min(sweep.outputs.len() - 1)];
                 crate::study::quantities::find(name).map_or_else(String::new, |output| {
                     format!("{}: {}", output.title(), output.meaning)
                 })

@@ -13,7 +13,7 @@ use crate::model::variables::{self, Kind as VariableKind};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, Design, Plan, PointOutcome, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Design, PointOutcome, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::ViewRange;
 
@@ -43,32 +43,6 @@ pub struct Found {
     pub grid: Arc<Grid>,
     /// Time taken; `None` while it grows.
     pub took: Option<Duration>,
-}
-
-/// A sweep that has not ended.
-#[derive(Clone, Debug)]
-pub struct Computing {
-    /// Its number.
-    pub id: u64,
-    /// For which picture.
-    pub picture: Picture,
-    /// What is swept.
-    pub plan: Arc<Plan>,
-    /// Points done and in all, once known.
-    pub points: Option<(usize, usize)>,
-    /// Time gone when that was reported.
-    pub elapsed: Duration,
-    /// A message says that it will take more than a minute.
-    pub warned: bool,
-}
-
-impl Computing {
-    /// The time left, by the points done so far.
-    pub fn left(&self) -> Option<Duration> {
-        let (done, total) = self.points.filter(|points| points.0 > 0)?;
-        let share = (total - done) as f64 / done as f64;
-        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
-    }
 }
 
 /// Which points a picture visits.
@@ -140,8 +114,8 @@ pub struct Sweeping {
     pub line: Option<Found>,
     /// A surface over two.
     pub surface: Option<Found>,
-    /// What is being computed.
-    pub computing: Option<Computing>,
+    /// The number of the last sweep that was said to take more than a minute.
+    pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
     /// The selected row of the setup.
@@ -167,7 +141,7 @@ impl Default for Sweeping {
         Self {
             line: None,
             surface: None,
-            computing: None,
+            warned: None,
             problem: None,
             row: SetupRow::Name(0),
             cursor: [None; 2],
@@ -276,27 +250,27 @@ pub fn has_family(scene: &Scene) -> bool {
 impl App {
     /// What Explore shows: curves or a map.
     pub fn picture(&self) -> Picture {
-        self.sweeping.visits.picture
+        self.pages.explore.visits.picture
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
     pub fn sweep_is_old(&self, picture: Picture) -> bool {
         let wanted = self.sweep_plan(picture).ok();
-        let shown = self.sweeping.found(picture).map(|found| &**found.grid.plan());
+        let shown = self.pages.explore.found(picture).map(|found| &**found.grid.plan());
         shown.is_some() && shown != wanted.as_ref()
     }
 
     /// The output shown of a grid, and its place.
     pub fn shown_output(&self, grid: &Grid) -> (usize, &'static Quantity) {
         let outputs = grid.plan().outputs();
-        let at = self.sweeping.output.min(outputs.len().saturating_sub(1));
+        let at = self.pages.explore.output.min(outputs.len().saturating_sub(1));
         (at, outputs[at])
     }
 
     /// The grid point under the cursor: the one it was moved to, or the one nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
         let (across, up) = grid.counts();
-        let kept = self.sweeping.cursor[self.picture() as usize];
+        let kept = self.pages.explore.cursor[self.picture() as usize];
         if let Some(at) = kept.filter(|(x, y)| *x < across && *y < up) {
             return at;
         }
@@ -340,7 +314,7 @@ impl App {
 
     fn readout_with(&self, words: Detail) -> Option<String> {
         let picture = self.picture();
-        let grid = &self.sweeping.found(picture)?.grid;
+        let grid = &self.pages.explore.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
         let axes = grid.plan().axes();
         let at = |(place, axis): (usize, &Axis)| {
@@ -392,7 +366,7 @@ impl App {
     /// Why there is none: nothing computed yet, or what is shown belongs to another scene.
     pub fn sweep_design(&self) -> Result<(Scene, String), String> {
         let picture = self.picture();
-        let Some(found) = self.sweeping.found(picture) else {
+        let Some(found) = self.pages.explore.found(picture) else {
             return Err("nothing computed yet: press r to sweep".to_owned());
         };
         if self.sweep_is_old(picture) {

@@ -3,16 +3,72 @@
 
 pub(in crate::tui) mod draw;
 
+use std::error::Error;
+use std::sync::Arc;
+
 use crate::model::library::{Entry, Library};
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
 use crate::report;
-use crate::study::compare::{self, summary::sentences};
+use crate::study::compare::map::{self, Map};
+use crate::study::compare::{self, Hardware, summary::sentences};
+use crate::study::context::{Context, Progress};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
 use crate::tui::pages::search::lines::Line;
-use crate::worker::searches::Comparison;
+use crate::worker::Finding;
+use crate::worker::reporter::Reporter;
+use crate::worker::study::{Lane, Study};
+
+/// Points along each axis of the map of the mass efficiency.
+const MAP_POINTS: u64 = 41;
+
+/// Compares at equal areal mass, and maps the mass efficiency around the scene.
+#[derive(Debug)]
+pub struct EqualMass;
+
+/// A comparison at equal areal mass with its map, where there is one.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The candidates.
+    pub report: compare::Report,
+    /// Mass efficiency over impact velocity and mass ratio.
+    pub map: Option<Map>,
+}
+
+impl Study for EqualMass {
+    fn lane(&self) -> Lane {
+        Lane::Searches
+    }
+
+    /// A scene without such a map, a stack for one, has none.
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let points = usize::try_from(MAP_POINTS * MAP_POINTS)?;
+        let whole = points + compare::Candidate::ALL.len();
+        let of_all = |progress: Progress, before: usize| Progress {
+            done: before + progress.done,
+            total: whole,
+        };
+        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
+        let context = &mut Context::new(1, watch);
+        let report = compare::compare(scene, Hardware::default(), context)?;
+        let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
+            .map(|(name, count)| map::usual_axis(scene, name, count).ok());
+        let [Some(x), Some(y)] = axes else {
+            return Ok(Finding::new(Comparison { report, map: None }));
+        };
+        if !report.is_complete {
+            return Ok(Finding::new(Comparison { report, map: None }));
+        }
+        let part = || Some(Finding::new(Comparison { report: report.clone(), map: None }));
+        let done = whole - points;
+        let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
+        let context = &mut Context::new(reporter.threads(), watch);
+        let map = Map::compute(scene, &[x, y], Hardware::default(), context).ok();
+        Ok(Finding::new(Comparison { report, map }))
+    }
+}
 
 fn note(text: String) -> Line {
     (Severity::Note, text)
@@ -27,7 +83,7 @@ impl App {
 
     /// The absorber chosen, where it is not the scene's own.
     pub fn absorber(&self) -> Option<&Entry> {
-        self.absorbers().get(self.limit.absorber.checked_sub(1)?).copied()
+        self.absorbers().get(self.pages.limit.absorber.checked_sub(1)?).copied()
     }
 
     /// The scene that is compared: with the absorber chosen.
@@ -45,12 +101,16 @@ impl App {
     /// Whether the comparison belongs to another scene than the one on the screen.
     pub fn comparison_is_old(&self) -> bool {
         let wanted = self.compared_scene().ok();
-        self.limit.comparison.as_ref().is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
+        self.pages
+            .limit
+            .comparison
+            .as_ref()
+            .is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
     }
 
     /// The comparison there is.
     pub fn comparison(&self) -> Option<&Comparison> {
-        self.limit.comparison.as_ref().map(|(_, found)| &**found)
+        self.pages.limit.comparison.as_ref().map(|(_, found)| &**found)
     }
 
     /// The comparison in lines of so many columns.
@@ -75,7 +135,7 @@ impl App {
             usize::try_from(axis.nearest(value)).ok()
         };
         let own = || Some((nearest(map.x())?, nearest(map.y())?));
-        self.limit.map_cursor.or_else(own).or(Some((0, 0)))
+        self.pages.limit.map_cursor.or_else(own).or(Some((0, 0)))
     }
 
     /// The design under the cursor of the map, with the values of its axes in words.

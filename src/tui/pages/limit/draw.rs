@@ -9,6 +9,7 @@ use crate::tui::app::App;
 use crate::tui::chart::{Emphasis, Layout, Scale};
 use crate::tui::message::Target;
 use crate::tui::pages::limit::RESIDUAL;
+use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::limit::state::{BESIDE, FACTS, Fact, LABEL};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -63,7 +64,7 @@ fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, canvas: &mut
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.render(area, canvas, app.theme);
-    let text = match (&app.limit.finding, &app.limit.report) {
+    let text = match (app.jobs.running::<LimitSearch>(), &app.pages.limit.report) {
         (Some(_), _) => "finding the limit",
         (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
         (None, Some(_)) => "no shot goes through: there is no curve",
@@ -73,7 +74,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.limit;
+    let tab = &app.pages.limit;
     let drawn = tab.report.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
         nothing(app, area, canvas);
@@ -117,7 +118,7 @@ fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
         };
         let height = shot.residual_m_s.unwrap_or(0.0);
         let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
-        let role = match (app.limit.cursor == Some(index), app.limit_is_old()) {
+        let role = match (app.pages.limit.cursor == Some(index), app.limit_is_old()) {
             (true, _) => Role::Crosshair,
             (false, true) => Role::Dim,
             (false, false) => Role::Curve(colour),

@@ -7,14 +7,13 @@ use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::wrap;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
+use crate::tui::pages::limit::comparison::EqualMass;
+use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 use crate::tui::pages::run::runs;
 use crate::tui::update::act::cursor_moved;
-use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
-use crate::worker::searches::{Answer, Request};
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, ReportBody};
 
 /// Far along the curve, in shots, and over the map, in cells.
 const FAR: isize = 5;
@@ -22,16 +21,13 @@ const FAR_CELLS: isize = 10;
 
 /// The tab is shown: find the limit, and compare, unless this scene's results are there or are being computed.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    let tab = &app.limit;
+    let tab = &app.pages.limit;
     let found = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
-    let under_way = tab.finding.as_ref().is_some_and(|study| study.scene == app.scene);
-    let mut effects = if found || under_way { Vec::new() } else { find(app) };
-    let comparing = app
-        .limit
-        .comparing
-        .as_ref()
-        .is_some_and(|study| app.compared_scene().is_ok_and(|wanted| *study.scene == wanted));
-    let compared = app.limit.comparison.is_some() && !app.comparison_is_old();
+    let coming = app.jobs.is_coming::<LimitSearch>(&app.scene);
+    let mut effects = if found || coming { Vec::new() } else { find(app) };
+    let comparing =
+        app.compared_scene().is_ok_and(|wanted| app.jobs.is_coming::<EqualMass>(&wanted));
+    let compared = app.pages.limit.comparison.is_some() && !app.comparison_is_old();
     if !comparing && !compared {
         effects.extend(compare(app));
     }
@@ -55,19 +51,21 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 fn in_curve(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::View => {
-            app.limit.sampled = !app.limit.sampled;
+            app.pages.limit.sampled = !app.pages.limit.sampled;
             return Some(find(app));
         }
         Action::Down | Action::PageDown => turn(app, 1),
         Action::Up | Action::PageUp => turn(app, -1),
-        Action::Left => app.limit.move_cursor(-1),
-        Action::Right => app.limit.move_cursor(1),
-        Action::FarLeft => app.limit.move_cursor(-FAR),
-        Action::FarRight => app.limit.move_cursor(FAR),
-        Action::First => app.limit.cursor = (!app.limit.shots().is_empty()).then_some(0),
-        Action::Last => app.limit.cursor = app.limit.shots().len().checked_sub(1),
-        Action::LogX => app.limit.log.0 = !app.limit.log.0,
-        Action::LogY => app.limit.log.1 = !app.limit.log.1,
+        Action::Left => app.pages.limit.move_cursor(-1),
+        Action::Right => app.pages.limit.move_cursor(1),
+        Action::FarLeft => app.pages.limit.move_cursor(-FAR),
+        Action::FarRight => app.pages.limit.move_cursor(FAR),
+        Action::First => {
+            app.pages.limit.cursor = (!app.pages.limit.shots().is_empty()).then_some(0)
+        }
+        Action::Last => app.pages.limit.cursor = app.pages.limit.shots().len().checked_sub(1),
+        Action::LogX => app.pages.limit.log.0 = !app.pages.limit.log.0,
+        Action::LogY => app.pages.limit.log.1 = !app.pages.limit.log.1,
         Action::Enter => return Some(load_shot(app)),
         _ => return None,
     }
@@ -78,7 +76,7 @@ fn load_shot(app: &mut App) -> Vec<Effect> {
     if app.limit_is_old() {
         return app.refuse("these results belong to another scene: press r to find its limit");
     }
-    let Some(velocity_m_s) = app.limit.shot().map(|shot| shot.impact_m_s) else {
+    let Some(velocity_m_s) = app.pages.limit.shot().map(|shot| shot.impact_m_s) else {
         app.say(Severity::Note, "no shot under the cursor: h and l move it");
         return Vec::new();
     };
@@ -91,7 +89,7 @@ fn load_shot(app: &mut App) -> Vec<Effect> {
 fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::View => {
-            app.limit.absorber = wrap(app.limit.absorber, 1, app.absorbers().len() + 1);
+            app.pages.limit.absorber = wrap(app.pages.limit.absorber, 1, app.absorbers().len() + 1);
             Some(compare(app))
         }
         Action::Enter => Some(match (app.compared_scene(), app.absorber()) {
@@ -101,7 +99,7 @@ fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
             }
             (Ok(scene), Some(absorber)) => {
                 let name = format!("absorber {}", absorber.name);
-                app.limit.absorber = 0;
+                app.pages.limit.absorber = 0;
                 edit::load_scene(app, scene, &name)
             }
             (Err(why), _) => app.refuse(why),
@@ -124,7 +122,7 @@ fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
             let last = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
             at.saturating_add_signed(by).min(last)
         };
-        app.limit.map_cursor = Some((moved(at.0, x, across), moved(at.1, y, up)));
+        app.pages.limit.map_cursor = Some((moved(at.0, x, across), moved(at.1, y, up)));
     }
     Some(Vec::new())
 }
@@ -136,41 +134,16 @@ fn compare(app: &mut App) -> Vec<Effect> {
             return app.refuse(why);
         }
     };
-    let kind = StudyKind::Search(Arc::new(Request::Compare));
-    let (comparing, effects) = jobs::study(app, kind, scene);
-    app.limit.comparing = Some(comparing);
-    effects
-}
-
-/// A report of the comparison.
-pub(in crate::tui) fn report_comparison(app: &mut App, body: ReportBody) {
-    let found = jobs::found(app, body, |app| &mut app.limit.comparing);
-    if let Some(Found { running, finding: Finding::Search(Answer::Compare(found)), .. }) = found {
-        app.limit.comparison = Some((running.scene, found));
-    }
+    jobs::study(app, Tab::Limit, &scene, EqualMass)
 }
 
 /// Turn from the curve through the pages of words, in a circle.
 fn turn(app: &mut App, by: isize) {
     let pages = app.limit_pages().map_or(0, |(_, pages)| pages);
-    app.limit.page = wrap(app.limit.page.min(pages), by, pages + 1);
+    app.pages.limit.page = wrap(app.pages.limit.page.min(pages), by, pages + 1);
 }
 
 fn find(app: &mut App) -> Vec<Effect> {
-    let (kind, scene) = (StudyKind::Limit(app.limit.effort()), Arc::clone(&app.scene));
-    let (finding, effects) = jobs::study(app, kind, scene);
-    app.limit.finding = Some(finding);
-    effects
-}
-
-/// A report of the limit.
-pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
-    let found = jobs::found(app, body, |app| &mut app.limit.finding);
-    if let Some(Found { finding: Finding::Limit(report), .. }) = found {
-        // Another curve has its shots elsewhere.
-        if app.limit.shots() != report.shots {
-            app.limit.cursor = None;
-        }
-        app.limit.report = Some(report);
-    }
+    let (effort, scene) = (app.pages.limit.effort(), Arc::clone(&app.scene));
+    jobs::study(app, Tab::Limit, &scene, LimitSearch(effort))
 }

@@ -1,22 +1,26 @@
 //! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
 
+use std::error::Error;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
 use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
+use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
-use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
+use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot, words};
 use crate::tui::app::App;
-use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::ViewRange;
 use crate::tui::pages::Progress;
+use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::layout::panes;
-use crate::worker::searches::Comparison;
+use crate::worker::Finding;
+use crate::worker::reporter::Reporter;
+use crate::worker::study::{Lane, Study};
 
 /// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {
@@ -33,13 +37,27 @@ pub const FACTS: u16 = 40;
 /// Columns of a fact's label where it stands before the words.
 pub const LABEL: u16 = 15;
 
+/// Finds the ballistic limit.
+#[derive(Debug, PartialEq)]
+pub struct LimitSearch(pub Effort);
+
+impl Study for LimitSearch {
+    fn lane(&self) -> Lane {
+        Lane::Searches
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let watch = &mut reporter.progress();
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(Finding::new(limit::find(scene, self.0, context)?))
+    }
+}
+
 /// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
     /// What was found.
     pub report: Option<Arc<Report>>,
-    /// What is being looked for.
-    pub finding: Option<Running>,
     /// V50 and spread are requested, too.
     pub sampled: bool,
     /// The shot the crosshair stands on, by its place in the curve.
@@ -50,8 +68,6 @@ pub struct Ballistic {
     pub log: (bool, bool),
     /// The comparison at equal areal mass, with the scene it belongs to.
     pub comparison: Option<(Arc<Scene>, Arc<Comparison>)>,
-    /// The comparison that is being computed.
-    pub comparing: Option<Running>,
     /// The absorber it is made with: 0 the scene's own, then those of the library.
     pub absorber: usize,
     /// The first line shown of the comparison.
@@ -66,6 +82,14 @@ pub struct Ballistic {
 pub type Fact = (&'static str, Severity, String);
 
 impl Ballistic {
+    /// Show a limit; another curve has its shots elsewhere.
+    pub fn show(&mut self, report: Arc<Report>) {
+        if self.shots() != report.shots {
+            self.cursor = None;
+        }
+        self.report = Some(report);
+    }
+
     /// What is requested.
     pub fn effort(&self) -> Effort {
         Effort { criterion: Criterion::Passage, sampling: self.sampled.then_some(SAMPLING) }
@@ -208,7 +232,7 @@ fn ends(shot: &Shot) -> String {
 impl App {
     /// The lines of the facts for a body of this width.
     pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
-        let mut facts = self.limit.facts();
+        let mut facts = self.pages.limit.facts();
         if width >= BESIDE {
             if facts.iter().any(|fact| fact.0 == "Lambert-Jonas") {
                 let law = "left of v: v_r = a (v^p - v_bl^p)^(1/p)".to_owned();
@@ -235,18 +259,18 @@ impl App {
     /// The page of words that is shown in place of the curve, from 1, and whether it is the last one.
     pub fn limit_page(&self) -> Option<(usize, bool)> {
         let (_, pages) = self.limit_pages()?;
-        let page = self.limit.page.min(pages);
+        let page = self.pages.limit.page.min(pages);
         (page > 0).then_some((page, page == pages))
     }
 
     /// Whether what was found belongs to another scene than the one on the screen.
     pub fn limit_is_old(&self) -> bool {
-        self.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+        self.pages.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
     }
 
     /// The limit and the margin of the scene it belongs to, in one line of so many columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
-        let report = self.limit.report.as_ref()?;
+        let report = self.pages.limit.report.as_ref()?;
         let of = if self.limit_is_old() { " of another scene: press r" } else { "" };
         let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
             return Some(fitting([report.limit.absence()? + of], width));
@@ -266,8 +290,8 @@ impl App {
 
     /// The shot at the crosshair in words, with what the laws say there.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
-        let report = self.limit.report.as_ref()?;
-        let Some(shot) = self.limit.shot() else {
+        let report = self.pages.limit.report.as_ref()?;
+        let Some(shot) = self.pages.limit.shot() else {
             let hint = match self.limit_page() {
                 None => "j: laws",
                 Some((_, false)) => "j: more",
@@ -309,8 +333,8 @@ impl App {
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn limit_status(&self) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
-        let tab = &self.limit;
-        let progress = match (&tab.finding, &tab.report) {
+        let tab = &self.pages.limit;
+        let progress = match (self.jobs.running::<LimitSearch>(), &tab.report) {
             (Some(finding), _) => Progress::Running(format!(
                 "finding the limit{}",
                 finding.counted("of about", " shots")
@@ -325,7 +349,7 @@ impl App {
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(same(Severity::Note, format!("by {}", basis.words())));
             }
-            parts.extend(tab.comparing.as_ref().map(|comparing| {
+            parts.extend(self.jobs.running::<EqualMass>().map(|comparing| {
                 Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
             }));
             parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));

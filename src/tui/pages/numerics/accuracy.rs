@@ -3,6 +3,7 @@
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 
+use std::error::Error;
 use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
@@ -10,23 +11,45 @@ use crate::model::scene::Scene;
 use crate::model::units::Engineering;
 use crate::report::accuracy::{TARGETS, by, percent, seconds};
 use crate::study::accuracy::method::{Knob, Method};
-use crate::study::accuracy::{Measured, MethodReport, Report};
+use crate::study::accuracy::{self, Effort, Measured, MethodReport, Report};
+use crate::study::context::Context;
 use crate::tui::app::App;
-use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
 use crate::tui::pages::Progress;
+use crate::worker::reporter::Reporter;
+use crate::worker::study::{Lane, Study};
+use crate::worker::{Finding, clock};
 
 /// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
 const FLOOR_NEAR: f64 = 1e-4;
+
+/// Measures error and run time of every method.
+#[derive(Debug)]
+pub struct Measurements(pub Effort);
+
+impl Study for Measurements {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn measures(&self) -> bool {
+        true
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let watch = &mut reporter.watch(Report::clone);
+        let context = &mut Context::new(1, watch);
+        let report = accuracy::compare(scene, self.0, &mut clock::processor_s, context)?;
+        Ok(Finding::new(report))
+    }
+}
 
 /// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
     /// What was measured so far.
     pub report: Option<Arc<Report>>,
-    /// What is being measured.
-    pub measuring: Option<Running>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
     /// Methods that are not drawn.
@@ -200,16 +223,23 @@ impl Accuracy {
 impl App {
     /// Whether what was measured belongs to another scene than the one on the screen.
     pub fn accuracy_is_old(&self) -> bool {
-        self.accuracy.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+        self.pages
+            .numerics
+            .accuracy
+            .report
+            .as_ref()
+            .is_some_and(|report| *report.scene != *self.scene)
     }
 
     /// What every method gives at the crosshair, in one line.
     pub fn accuracy_readout(&self) -> Option<String> {
-        let time_s = self.accuracy.cursor_s?;
-        let shown = Method::ALL.into_iter().filter(|one| !self.accuracy.hidden.contains(one));
+        let time_s = self.pages.numerics.accuracy.cursor_s?;
+        let shown = Method::ALL
+            .into_iter()
+            .filter(|one| !self.pages.numerics.accuracy.hidden.contains(one));
         let values: Vec<String> = shown
             .filter_map(|method| {
-                let (_, best) = self.accuracy.best_within(method, time_s)?;
+                let (_, best) = self.pages.numerics.accuracy.best_within(method, time_s)?;
                 Some(format!("{}={:.0e}", method.letter(), best.error()))
             })
             .collect();
@@ -219,12 +249,12 @@ impl App {
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn accuracy_status(&self) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
-        let tab = &self.accuracy;
+        let tab = &self.pages.numerics.accuracy;
         let count = tab
             .report
             .as_ref()
             .map_or(0, |report| report.methods.iter().map(|one| one.points.len()).sum());
-        let progress = match (&tab.measuring, &tab.report) {
+        let progress = match (self.jobs.running::<Measurements>(), &tab.report) {
             (Some(measuring), _) => {
                 Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
             }
@@ -284,7 +314,7 @@ impl App {
     }
 
     fn costs(&self) -> Vec<String> {
-        let Some(report) = &self.accuracy.report else {
+        let Some(report) = &self.pages.numerics.accuracy.report else {
             return Vec::new();
         };
         TARGETS
@@ -299,14 +329,14 @@ impl App {
                     format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
                 None if !report.is_complete => {
-                    let (done, total) =
-                        self.accuracy.measuring.as_ref().and_then(|it| it.points).unwrap_or_else(
-                            || {
-                                let points =
-                                    report.methods.iter().map(|one| one.points.len()).sum();
-                                (points, self.accuracy.points_in_all.max(points))
-                            },
-                        );
+                    let (done, total) = self
+                        .jobs
+                        .running::<Measurements>()
+                        .and_then(|it| it.points)
+                        .unwrap_or_else(|| {
+                            let points = report.methods.iter().map(|one| one.points.len()).sum();
+                            (points, self.pages.numerics.accuracy.points_in_all.max(points))
+                        });
                     format!("error {target:.0e}: not computed yet ({done} of {total})")
                 }
                 None => format!("error {target:.0e}: no method reaches it"),
@@ -316,14 +346,14 @@ impl App {
 
     /// All about the selected method: its example point, then what it refused and why.
     pub fn accuracy_details(&self) -> Vec<(Severity, String)> {
-        let method = self.accuracy.method();
+        let method = self.pages.numerics.accuracy.method();
         let mut lines = vec![(Severity::Note, format!("{} {}", method.letter(), method.name()))];
         let mut add = |severity, text: String| lines.push((severity, text));
-        let Some(report) = self.accuracy.of(method) else {
+        let Some(report) = self.pages.numerics.accuracy.of(method) else {
             add(Severity::Note, "not measured yet".to_owned());
             return lines;
         };
-        if let Some((knob, it)) = self.accuracy.example() {
+        if let Some((knob, it)) = self.pages.numerics.accuracy.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
             let knob = knob.to_string();
             let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
@@ -340,7 +370,7 @@ impl App {
         for (words, count) in reasons {
             add(Severity::Warning, format!("{count} of {total}: {words}"));
         }
-        if let Some((_, it)) = self.accuracy.example() {
+        if let Some((_, it)) = self.pages.numerics.accuracy.example() {
             let spread = it
                 .timing
                 .spread()

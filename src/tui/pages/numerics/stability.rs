@@ -3,25 +3,74 @@
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 
+use std::error::Error;
 use std::sync::Arc;
+use std::time::Instant;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, table};
-use crate::study::stability::Row;
-use crate::study::stability::map::{Axis, Map, Method};
+use crate::study::context::Context;
+use crate::study::stability::map::{self, Axis, Map, Method};
+use crate::study::stability::{self, Row};
 use crate::tui::app::App;
-use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::pages::Progress;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::widgets::table::Sorting;
+use crate::worker::Finding;
+use crate::worker::reporter::Reporter;
+use crate::worker::study::{Lane, Rows, Study};
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
     "expl, D: DOP853, impl, R: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
 const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
+
+/// Computes where a fixed-step method is stable.
+#[derive(Debug, PartialEq)]
+pub struct StabilityMap {
+    /// The method.
+    pub method: Method,
+    /// The variable.
+    pub axis: Axis,
+}
+
+impl Study for StabilityMap {
+    fn lane(&self) -> Lane {
+        Lane::Searches
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        map::accepts(scene)?;
+        let watch = &mut reporter.watch(Map::clone);
+        let context = &mut Context::new(1, watch);
+        Ok(Finding::new(map::map(scene, (self.method, self.axis), map::CELLS, context)))
+    }
+}
+
+/// Runs the battery of stiff and extreme scenes; the scene plays no part.
+#[derive(Debug)]
+pub struct StiffScenes;
+
+impl Study for StiffScenes {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let started = Instant::now();
+        let cases = stability::battery(false);
+        let part = |rows: &[Row]| Rows { rows: rows.to_vec(), is_complete: false };
+        let watch = &mut reporter.watch(part);
+        // A run of an edited scene has its turn beside it.
+        let context = &mut Context::new(reporter.threads().min(2), watch);
+        let rows = stability::run(&cases, &|| started.elapsed().as_secs_f64(), context)?;
+        let is_complete = rows.len() == cases.len();
+        Ok(Finding::new(Rows { rows, is_complete }))
+    }
+}
 
 /// The columns of the table of stiff scenes.
 pub fn keys() -> Vec<&'static str> {
@@ -37,16 +86,12 @@ pub struct Stability {
     pub axis: Axis,
     /// The map with the scene it belongs to.
     pub map: Option<(Arc<Scene>, Arc<Map>)>,
-    /// The map that is being computed.
-    pub mapping: Option<Running>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is sorted.
     pub sorting: Sorting,
-    /// The rows of the battery, and whether these are all.
-    pub battery: Option<(Arc<Vec<Row>>, bool)>,
-    /// The battery that is being run.
-    pub running: Option<Running>,
+    /// The rows of the battery.
+    pub battery: Option<Arc<Rows<Row>>>,
     /// The selected row of the battery.
     pub selected: usize,
     /// The page of its columns.
@@ -59,11 +104,9 @@ impl Default for Stability {
             method: Method::Thesis,
             axis: Axis::K,
             map: None,
-            mapping: None,
             cursor: None,
             sorting: Sorting::default(),
             battery: None,
-            running: None,
             selected: 0,
             table_page: 0,
         }
@@ -115,21 +158,21 @@ impl Stability {
 
     /// The rows of the battery there are.
     pub fn rows(&self) -> &[Row] {
-        self.battery.as_ref().map_or(&[], |(rows, _)| rows)
+        self.battery.as_ref().map_or(&[], |battery| &battery.rows)
     }
 }
 
 impl App {
     /// Whether the map belongs to another scene than the one on the screen.
     pub fn map_is_old(&self) -> bool {
-        self.stability.map.as_ref().is_some_and(|(scene, _)| **scene != *self.scene)
+        self.pages.numerics.stability.map.as_ref().is_some_and(|(scene, _)| **scene != *self.scene)
     }
 
     /// The cell at the crosshair in words.
     pub fn map_readout(&self) -> Option<String> {
-        let (_, map) = self.stability.map.as_ref()?;
-        let (row, column) = self.stability.cursor()?;
-        let here = if self.stability.present() == Some((row, column)) {
+        let (_, map) = self.pages.numerics.stability.map.as_ref()?;
+        let (row, column) = self.pages.numerics.stability.cursor()?;
+        let here = if self.pages.numerics.stability.present() == Some((row, column)) {
             // In one row of 80 columns: a second one would move the map.
             "; the scene"
         } else {
@@ -148,7 +191,8 @@ impl App {
 
     /// The selected row of the battery in words.
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
-        let row = *self.stability.sorted().get(self.stability.selected)?;
+        let row =
+            *self.pages.numerics.stability.sorted().get(self.pages.numerics.stability.selected)?;
         Some(match row.shortfall {
             None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
             Some(shortfall) => (
@@ -161,20 +205,20 @@ impl App {
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn stability_status(&self) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
-        let tab = &self.stability;
+        let tab = &self.pages.numerics.stability;
         let mut parts = Vec::new();
         if self.pane() == STIFF_SCENES {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
-            let progress = match (&tab.running, &tab.battery) {
+            let progress = match (self.jobs.running::<StiffScenes>(), &tab.battery) {
                 (Some(running), _) => Some(Progress::Running(format!(
                     "running the battery{}",
                     running.counted("of", "")
                 ))),
                 (None, None) => Some(Progress::Nothing),
-                (None, Some((_, false))) => Some(Progress::Cut(String::new())),
-                (None, Some((_, true))) => None,
+                (None, Some(battery)) if !battery.is_complete => Some(Progress::Cut(String::new())),
+                (None, Some(_)) => None,
             };
             parts.extend(progress.map(Progress::part));
             if tab.battery.is_some() {
@@ -183,7 +227,7 @@ impl App {
             }
             return parts;
         }
-        let progress = match (&tab.mapping, &tab.map) {
+        let progress = match (self.jobs.running::<StabilityMap>(), &tab.map) {
             (Some(mapping), _) => Some(Progress::Running(format!(
                 "computing the map{}",
                 mapping.counted("of", " rows")

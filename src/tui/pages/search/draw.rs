@@ -13,6 +13,7 @@ use crate::tui::app::status::clip;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
+use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Page, Row, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
@@ -20,7 +21,6 @@ use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::text::{columns, first_row, paint_row, put, put_centred, text_role};
-use crate::worker::searches::Answer;
 
 /// Where a row's label and value begin.
 const LABEL: u16 = 2;
@@ -33,22 +33,22 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
     canvas.pane(right, RESULTS);
     setup(app, left, canvas);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
-    let Some(found) = app.searching.shown() else {
+    let Some(found) = app.pages.search.shown() else {
         nothing(app, right, canvas);
         return;
     };
-    let below = app.searching.words_height(right.height, lines.len());
+    let below = app.pages.search.words_height(right.height, lines.len());
     if below == right.height {
         lines_below(app, &lines, right, canvas);
         return;
     }
     let top = Rect { height: right.height - below, ..right };
     let focused = below == 0 && app.has_focus(RESULTS);
-    match &found.answer {
+    match &*found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
         Answer::Front(_) => front(app, top, focused, canvas),
         Answer::MonteCarlo(_) => histogram(app, top, focused, canvas),
-        Answer::Sensitivity(_) | Answer::Compare(_) => {}
+        Answer::Sensitivity(_) => {}
     }
     if below == 0 {
         turn(app, top, canvas);
@@ -95,11 +95,11 @@ fn setup_row(app: &App, row: Row, line: Rect, canvas: &mut Canvas<'_>) {
 
 /// What stands where nothing has been found yet.
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = app.searching.page.title();
+    let title = app.pages.search.page.title();
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { "Tab: setup" } else { "" };
     let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
-    let text = match (&app.searching.running, &app.searching.problem) {
+    let text = match (app.jobs.running::<Request>(), &app.pages.search.problem) {
         (Some(_), _) => "searching",
         (None, Some(_)) => "see the message below",
         (None, None) => "No results yet. Press r to search.",
@@ -109,25 +109,25 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
-    let title = format!("{}{old}", app.searching.page.title());
+    let title = format!("{}{old}", app.pages.search.page.title());
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
-    let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
+    let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
     let hint = if more && !has_choices { "j/k: more" } else { "" };
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
     let inner = PaneFrame::new(title).right(hint).focused(focused).render(area, canvas, app.theme);
     // The heading of a table stays.
-    let is_table = app.searching.page == Page::Front && has_choices;
+    let is_table = app.pages.search.page == Page::Front && has_choices;
     let (head, lines) =
         if is_table { lines.split_at(1.min(lines.len())) } else { (&[][..], lines) };
     let height = height.saturating_sub(head.len());
-    let selected = app.searching.selected();
+    let selected = app.pages.search.selected();
     let first = match (more, has_choices) {
         (false, _) => 0,
         (true, true) => first_row(selected.min(lines.len()), height, lines.len()),
-        (true, false) => app.searching.scrolled().min(lines.len().saturating_sub(height)),
+        (true, false) => app.pages.search.scrolled().min(lines.len().saturating_sub(height)),
     };
     if let Some((_, text)) = head.first() {
         put(
@@ -173,7 +173,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
     let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-    let y = measure_axis(report.measure, values, app.searching.log.1, String::new());
+    let y = measure_axis(report.measure, values, app.pages.search.log.1, String::new());
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
         return lines_below(
             app,
@@ -183,11 +183,11 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         );
     };
     let x = axis_of(&report.axis);
-    let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
+    let x = Axis { view: app.pages.search.zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
-    let selected = report.solutions.get(app.searching.selected());
+    let selected = report.solutions.get(app.pages.search.selected());
     let lines = report.solutions.iter().map(|found| Mark::new(found.place.at, ""));
     let chart = Chart {
         focused,
@@ -221,7 +221,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
 
 /// The axis across of the chart shown, all of it, and where the selected point is on it.
 pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
-    match &tab.shown()?.answer {
+    match &*tab.shown()?.answer {
         Answer::Seek(report) => {
             let about = report.solutions.get(tab.selected()).map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
@@ -241,7 +241,7 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
 
 /// Designs as points, the scene and the thesis's designs as letters.
 fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let tab = &app.searching;
+    let tab = &app.pages.search;
     let Some((found, task)) = tab.front() else { return };
     let (across, up) = tab.across(task);
     let measures = task.measures();

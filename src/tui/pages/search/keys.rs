@@ -10,23 +10,23 @@ use crate::study::search::seek::SCAN;
 use crate::tui::app::App;
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::{Edit, Setting};
+use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::wrap;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
 use crate::tui::pages::explore::state::numeric;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::search;
 use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
+use crate::tui::pages::search::request::Request;
 use crate::tui::pages::search::setup::Setup;
 use crate::tui::pages::search::state;
 use crate::tui::pages::search::state::{Page, Row};
 use crate::tui::update::act::move_by;
-use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, field, jobs};
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, ReportBody};
 
 /// Far along a front, in designs.
 const FAR: isize = 10;
@@ -39,8 +39,8 @@ const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000
 
 /// The tab is shown: search, unless there are results or a search is running.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    let tab = &app.searching;
-    let there = tab.shown().is_some() || tab.running.is_some();
+    let tab = &app.pages.search;
+    let there = tab.shown().is_some() || app.jobs.running::<Request>().is_some();
     if there { Vec::new() } else { look(app) }
 }
 
@@ -53,21 +53,21 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::Enter => return Some(edit::load_design(app, app.search_design())),
         Action::Mark => return Some(runs::keys::pin_design(app, app.search_design())),
         Action::View => return Some(view(app)),
-        Action::Sort => app.searching.sort_next(),
-        Action::LogX if app.searching.page != Page::Front => {
+        Action::Sort => app.pages.search.sort_next(),
+        Action::LogX if app.pages.search.page != Page::Front => {
             app.say(
                 Severity::Note,
                 "only the chart of the Pareto front has a scale across to choose",
             );
         }
-        Action::LogY if !matches!(app.searching.page, Page::Front | Page::Seek) => {
+        Action::LogY if !matches!(app.pages.search.page, Page::Front | Page::Seek) => {
             app.say(
                 Severity::Note,
                 "no scale to choose here: goal seek and the Pareto front have one",
             );
         }
-        Action::LogX => app.searching.log.0 = !app.searching.log.0,
-        Action::LogY => app.searching.log.1 = !app.searching.log.1,
+        Action::LogX => app.pages.search.log.0 = !app.pages.search.log.0,
+        Action::LogY => app.pages.search.log.1 = !app.pages.search.log.1,
         _ => {
             let by = match action {
                 Action::Left => -1,
@@ -93,28 +93,28 @@ fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 
 /// Another page, which searches at once unless it has something to show.
 pub(in crate::tui) fn turn_to(app: &mut App, page: usize) -> Vec<Effect> {
-    app.searching.page = Page::ALL[page.min(Page::ALL.len() - 1)];
-    app.searching.problem = None;
+    app.pages.search.page = Page::ALL[page.min(Page::ALL.len() - 1)];
+    app.pages.search.problem = None;
     app.field = None;
-    app.searching.row = app.search_row();
-    if app.searching.shown().is_some() { Vec::new() } else { look(app) }
+    app.pages.search.row = app.search_row();
+    if app.pages.search.shown().is_some() { Vec::new() } else { look(app) }
 }
 
 /// The next pair of objectives on the axes of a front.
 fn view(app: &mut App) -> Vec<Effect> {
-    if app.searching.page != Page::Front {
+    if app.pages.search.page != Page::Front {
         app.say(Severity::Note, "one view here: only the Pareto front has axes to choose");
         return Vec::new();
     }
     let count = app.chosen_objectives().len();
-    let before = app.searching.setup.clone();
-    let setup = &mut app.searching.setup;
+    let before = app.pages.search.setup.clone();
+    let setup = &mut app.pages.search.setup;
     let (across, up) = setup.axes;
     setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
     if setup.axes.1 >= count {
         setup.axes = (0, 1.min(count.saturating_sub(1)));
     }
-    app.searching.zoomed = None;
+    app.pages.search.zoomed = None;
     note(app, Row::Up, before, false);
     Vec::new()
 }
@@ -124,54 +124,44 @@ pub(in crate::tui) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = search::panes(app, body);
     let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
-    match app.searching.words_height(area.height, lines) {
+    match app.pages.search.words_height(area.height, lines) {
         0 => 0,
         below => lines.saturating_sub(usize::from(below.saturating_sub(2))),
     }
 }
 
 fn look(app: &mut App) -> Vec<Effect> {
-    let page = app.searching.page;
+    let page = app.pages.search.page;
     let request = match app.search_request(page) {
-        Ok(request) => Arc::new(request),
+        Ok(request) => request,
         Err(problem) => {
             app.say(Severity::Error, problem.clone());
-            app.searching.problem = Some(problem);
+            app.pages.search.problem = Some(problem);
             return Vec::new();
         }
     };
-    app.searching.problem = None;
-    app.searching.asked = Some((page, Arc::clone(&request)));
+    app.pages.search.problem = None;
     let scene = Arc::clone(&app.scene);
-    let (running, effects) = jobs::study(app, StudyKind::Search(request), scene);
-    app.searching.running = Some(running);
-    effects
+    jobs::study(app, Tab::Search, &scene, request)
 }
 
-/// A report of the search.
-pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
-    if let ReportBody::Failed(text) = &body {
-        app.searching.problem = Some(text.clone());
+/// News of the search.
+pub(in crate::tui) fn report(app: &mut App, running: &Running, news: &News) {
+    if matches!(news, News::Failed) {
+        app.pages.search.problem = app.notice.as_ref().map(|notice| notice.text.clone());
     }
-    let found = jobs::found(app, body, |app| &mut app.searching.running);
-    let asked = app.searching.asked.clone();
-    if app.searching.running.is_none() {
-        app.searching.asked = None;
+    if let (Some(request), Some(answer)) = (running.study.of::<Request>(), news.found()) {
+        let (scene, request) = (Arc::clone(&running.scene), request.clone());
+        let page = request.page().index();
+        app.pages.search.found[page] = Some(state::Found { scene, request, answer });
     }
-    let Some((Found { running, finding: Finding::Search(answer), .. }, (page, request))) =
-        found.zip(asked)
-    else {
-        return;
-    };
-    let found = state::Found { scene: running.scene, request, answer };
-    app.searching.found[page.index()] = Some(found);
 }
 
 /// The next value of the selected row, as one edit with the steps just before.
 fn step(app: &mut App, by: isize) -> Vec<Effect> {
     let row = app.search_row();
-    app.searching.row = row;
-    let before = app.searching.setup.clone();
+    app.pages.search.row = row;
+    let before = app.pages.search.setup.clone();
     change(app, row, by);
     note(app, row, before, true);
     after_edit(app)
@@ -179,17 +169,17 @@ fn step(app: &mut App, by: isize) -> Vec<Effect> {
 
 /// After an edit of the setup: a search that takes less than a second follows at once.
 fn after_edit(app: &mut App) -> Vec<Effect> {
-    let quick = app.searching.page == Page::Seek && app.auto_run;
+    let quick = app.pages.search.page == Page::Seek && app.auto_run;
     if quick && app.search_is_old() { look(app) } else { Vec::new() }
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
 fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
-    if app.searching.setup == before {
+    if app.pages.search.setup == before {
         return;
     }
     let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
-    let stepping = stepped.then_some(STEPPING + 100 * app.searching.page.index() + at);
+    let stepping = stepped.then_some(STEPPING + 100 * app.pages.search.page.index() + at);
     // Held arrows: from where they began.
     let first = match app.history.edits.last() {
         Some(Edit { stepping: last, setting: Some((Setting::Search(first), _)), .. })
@@ -199,9 +189,9 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
         }
         Some(_) | None => before.clone(),
     };
-    let after = std::mem::replace(&mut app.searching.setup, first);
+    let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_shown(row);
-    app.searching.setup = after.clone();
+    app.pages.search.setup = after.clone();
     let new = app.search_shown(row);
     let label = match (old.1.is_empty(), new.1.is_empty()) {
         // A result stands in the place of its label.
@@ -215,7 +205,7 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
 fn change(app: &mut App, row: Row, by: isize) {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
-    let setup = &mut app.searching.setup;
+    let setup = &mut app.pages.search.setup;
     let within = |value: usize, (least, most, each): (usize, usize, usize)| {
         let moved = if by > 0 { value + each } else { value.saturating_sub(each) };
         moved.clamp(least, most)
@@ -269,17 +259,17 @@ fn change(app: &mut App, row: Row, by: isize) {
 
 fn open_field(app: &mut App) -> Vec<Effect> {
     let row = app.search_row();
-    app.searching.row = row;
+    app.pages.search.row = row;
     match row {
         Row::Spacing | Row::Across | Row::Up => return step(app, 1),
         Row::Objective(at) => {
-            let before = app.searching.setup.clone();
-            app.searching.setup.objectives[at] = !before.objectives[at];
+            let before = app.pages.search.setup.clone();
+            app.pages.search.setup.objectives[at] = !before.objectives[at];
             note(app, row, before, false);
         }
         Row::Feasible => {
-            let before = app.searching.setup.clone();
-            app.searching.setup.feasible = !before.feasible;
+            let before = app.pages.search.setup.clone();
+            app.pages.search.setup.feasible = !before.feasible;
             note(app, row, before, false);
         }
         Row::Heading(_) => {}
@@ -296,7 +286,7 @@ fn open_field(app: &mut App) -> Vec<Effect> {
 /// # Errors
 /// Why it is refused.
 pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, String> {
-    let (row, before) = (app.search_row(), app.searching.setup.clone());
+    let (row, before) = (app.search_row(), app.pages.search.setup.clone());
     read(app, row, text)?;
     note(app, row, before, false);
     Ok(after_edit(app))
@@ -315,7 +305,7 @@ fn count<T: FromStr + PartialOrd + Display>(
 fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
-    let setup = &mut app.searching.setup;
+    let setup = &mut app.pages.search.setup;
     let name = |text: &str| quantity_called(text).map(|column| column.name);
     match row {
         Row::Name => setup.seek = bound(&scene, text)?,

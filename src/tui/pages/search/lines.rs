@@ -13,10 +13,10 @@ use crate::study::{monte_carlo, search::seek};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
+use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Found, Page};
+use crate::tui::pages::search::state::Page;
 use crate::tui::widgets::table::Grid;
-use crate::worker::searches::{Answer, Request};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
@@ -31,31 +31,34 @@ fn note(text: String) -> Line {
 impl App {
     /// The lines of the page shown; with what is drawn beside them left out.
     pub fn search_lines(&self, width: usize) -> Vec<Line> {
-        let Some(found) = self.searching.shown() else { return Vec::new() };
-        match (&found.answer, &*found.request) {
-            (Answer::Seek(report), _) => wrapped(sought(report, self.searching.selected()), width),
+        let Some(found) = self.pages.search.shown() else { return Vec::new() };
+        match (&*found.answer, &found.request) {
+            (Answer::Seek(report), _) => {
+                wrapped(sought(report, self.pages.search.selected()), width)
+            }
             (Answer::Front(front), Request::Front(task)) => {
                 let mut lines = self.designs_table(front, task, width);
                 lines.extend(wrapped(candidates(front, task, width), width));
                 lines
             }
-            (Answer::Front(_) | Answer::Compare(_), _) => Vec::new(),
+            (Answer::Front(_), _) => Vec::new(),
             (Answer::Sensitivity(report), _) if is_empty(report) => {
                 wrapped(matters(report, width), width)
             }
             (Answer::Sensitivity(report), _) => matters(report, width),
-            (Answer::MonteCarlo(report), _) => sampled(report, self.searching.setup.output, width),
+            (Answer::MonteCarlo(report), _) => {
+                sampled(report, self.pages.search.setup.output, width)
+            }
         }
     }
 
     /// The measure that the Monte Carlo page draws, with its values.
     pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
-        let Some(Found { answer: Answer::MonteCarlo(report), .. }) =
-            self.searching.found[Page::MonteCarlo.index()].as_ref()
-        else {
+        let found = self.pages.search.found[Page::MonteCarlo.index()].as_ref();
+        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
             return None;
         };
-        let name = self.searching.setup.output;
+        let name = self.pages.search.setup.output;
         let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
         Some((report, summary))
     }
@@ -64,7 +67,7 @@ impl App {
 impl App {
     /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
     fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<Line> {
-        let tab = &self.searching;
+        let tab = &self.pages.search;
         let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
         let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
         let axes = task.axes.iter().map(Axis::symbol);

@@ -12,8 +12,8 @@ use crate::study::sensitivity;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::pages::search::bounds::{Bound, axis, bound, range};
+use crate::tui::pages::search::request::Request;
 use crate::tui::pages::search::state::Page;
-use crate::worker::searches::Request;
 
 /// What is looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -149,7 +149,7 @@ fn usual_bounds(scene: &Scene) -> Vec<Bound> {
 impl App {
     /// The variables of fronts and sensitivity.
     pub fn search_bounds(&self) -> Vec<Bound> {
-        let kept = &self.searching.setup.bounds;
+        let kept = &self.pages.search.setup.bounds;
         if kept.is_empty() { usual_bounds(&self.scene) } else { kept.clone() }
     }
 
@@ -157,7 +157,7 @@ impl App {
     pub fn search_rows(&self) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
         let mut rows = Vec::new();
-        match self.searching.page {
+        match self.pages.search.page {
             Page::Seek => rows.extend([
                 Row::Heading("Goal"),
                 Row::Result,
@@ -202,8 +202,8 @@ impl App {
     /// The selected row; where the selection is not there any more, what a person changes first: the goal, else the first row.
     pub fn search_row(&self) -> Row {
         let rows = self.search_choices();
-        if rows.contains(&self.searching.row) {
-            return self.searching.row;
+        if rows.contains(&self.pages.search.row) {
+            return self.pages.search.row;
         }
         let goal = Some(Row::Goal).filter(|row| rows.contains(row));
         goal.or_else(|| rows.first().copied()).unwrap_or_default()
@@ -211,7 +211,7 @@ impl App {
 
     /// What a row shows: its label and its value.
     pub fn search_shown(&self, row: Row) -> (String, String) {
-        let setup = &self.searching.setup;
+        let setup = &self.pages.search.setup;
         let text = |label: &str, value: String| (label.to_owned(), value);
         let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
         let number = |value: f64| significant(value, 5);
@@ -256,12 +256,12 @@ impl App {
 
     /// The places of the objectives that count.
     pub fn chosen_objectives(&self) -> Vec<usize> {
-        (0..OBJECTIVES.len()).filter(|at| self.searching.setup.objectives[*at]).collect()
+        (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
     /// The text a field opens with.
     pub fn search_text(&self, row: Row) -> String {
-        let setup = &self.searching.setup;
+        let setup = &self.pages.search.setup;
         match row {
             Row::Name => setup.seek.name.to_owned(),
             Row::From => units::shortest(setup.seek.ends.0),
@@ -307,9 +307,9 @@ impl App {
         };
         match self.search_row() {
             Row::Heading(_) => String::new(),
-            Row::Name | Row::From | Row::To | Row::Spacing => of(self.searching.setup.seek.name),
+            Row::Name | Row::From | Row::To | Row::Spacing => of(self.pages.search.setup.seek.name),
             Row::Points => "points of the scan: solutions closer together may be missed".to_owned(),
-            Row::Result | Row::Goal => result(self.searching.setup.goal.0),
+            Row::Result | Row::Goal => result(self.pages.search.setup.goal.0),
             Row::Bound(at) => {
                 let name = self.search_bounds().get(at).map_or("", |bound| bound.name);
                 format!("{} (Enter: LO..HI, LO..HI:log; h/l held or varied)", of(name))
@@ -324,7 +324,7 @@ impl App {
             }
             Row::Generations => "generations after the first".to_owned(),
             Row::Across | Row::Up => "which objective the chart shows along this axis".to_owned(),
-            Row::Output => result(self.searching.setup.output),
+            Row::Output => result(self.pages.search.setup.output),
             Row::Percent => "standard deviation of every input, lognormal".to_owned(),
             Row::Samples => "random scenes: the interval narrows with their root".to_owned(),
         }
@@ -335,7 +335,7 @@ impl App {
     /// # Errors
     /// Why it cannot be looked for.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
-        let setup = &self.searching.setup;
+        let setup = &self.pages.search.setup;
         let axes = || {
             let bounds = self.search_bounds();
             bounds
@@ -366,7 +366,7 @@ impl App {
     }
 
     fn front_task(&self, axes: Vec<Axis>) -> Result<Task, String> {
-        let setup = &self.searching.setup;
+        let setup = &self.pages.search.setup;
         let chosen: Vec<&str> = self.chosen_objectives().iter().map(|at| USUAL[*at]).collect();
         if chosen.is_empty() {
             return Err(

@@ -9,15 +9,14 @@ use crate::report;
 use crate::study::monte_carlo::Summary;
 use crate::study::search::front::{Design, Front, Task};
 use crate::tui::app::App;
-use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::ViewRange;
 use crate::tui::pages::Progress;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search::SETUP;
+use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
-use crate::worker::searches::{Answer, Request};
 
 pub use crate::tui::pages::search::bounds::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -75,9 +74,9 @@ pub struct Found {
     /// Of which scene.
     pub scene: Arc<Scene>,
     /// What was asked.
-    pub request: Arc<Request>,
+    pub request: Request,
     /// The answer, as far as it is.
-    pub answer: Answer,
+    pub answer: Arc<Answer>,
 }
 
 /// The state of the tab.
@@ -91,10 +90,6 @@ pub struct Searching {
     pub setup: Setup,
     /// What was found, page by page.
     pub found: [Option<Found>; 4],
-    /// What is being looked for, its page, and the request.
-    pub running: Option<Running>,
-    /// See `running`.
-    pub asked: Option<(Page, Arc<Request>)>,
     /// Why the present page cannot be computed.
     pub problem: Option<String>,
     /// The selected design or solution, page by page.
@@ -115,7 +110,7 @@ impl Searching {
 
     /// The front shown, with what was asked.
     pub fn front(&self) -> Option<(&Front, &Task)> {
-        match self.found[Page::Front.index()].as_ref().map(|found| (&found.answer, &*found.request))
+        match self.found[Page::Front.index()].as_ref().map(|found| (&*found.answer, &found.request))
         {
             Some((Answer::Front(front), Request::Front(task))) => Some((front, task)),
             Some(_) | None => None,
@@ -151,23 +146,22 @@ impl Searching {
 
     /// How many things the cursor can stand on.
     pub fn choices(&self) -> usize {
-        match self.shown().map(|found| &found.answer) {
+        match self.shown().map(|found| &*found.answer) {
             Some(Answer::Seek(report)) => report.solutions.len(),
             Some(Answer::Front(front)) => front.designs.len(),
-            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_) | Answer::Compare(_)) | None => 0,
+            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => 0,
         }
     }
 
     /// Whether there is something to draw on the page shown.
     fn draws(&self) -> bool {
-        match self.shown().map(|found| &found.answer) {
+        match self.shown().map(|found| &*found.answer) {
             Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
             Some(Answer::Front(front)) => !front.designs.is_empty(),
             Some(Answer::MonteCarlo(report)) => {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
             }
-            Some(Answer::Compare(found)) => found.map.is_some(),
             Some(Answer::Sensitivity(_)) | None => false,
         }
     }
@@ -251,18 +245,18 @@ impl App {
     /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do
     /// not count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
-        let Some(found) = self.searching.shown() else { return false };
-        let request = self.search_request(self.searching.page).ok();
+        let Some(found) = self.pages.search.shown() else { return false };
+        let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
-        match &*found.request {
+        match &found.request {
             Request::Seek(goal) => copy_value(&goal.axis, &found.scene, &mut scene),
             Request::Front(task) => {
                 task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
             }
-            Request::Sensitivity { .. } | Request::MonteCarlo(_) | Request::Compare => {}
+            Request::Sensitivity { .. } | Request::MonteCarlo(_) => {}
         }
-        *found.scene != scene || request.as_ref() != Some(&*found.request)
+        *found.scene != scene || request.as_ref() != Some(&found.request)
     }
 
     /// The design under the cursor as a scene, and what it is.
@@ -270,7 +264,7 @@ impl App {
     /// # Errors
     /// Why there is none to load.
     pub fn search_design(&self) -> Result<(Scene, String), String> {
-        let tab = &self.searching;
+        let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
             return Err("no results yet: press r to search".to_owned());
         };
@@ -278,7 +272,7 @@ impl App {
             return Err("these results belong to another setup: press r to search again".to_owned());
         }
         let mut scene = (*self.scene).clone();
-        match (&found.answer, &*found.request) {
+        match (&*found.answer, &found.request) {
             (Answer::Seek(report), _) => {
                 let Some(solution) = report.solutions.get(tab.selected()) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
@@ -311,7 +305,7 @@ impl App {
 
     /// What is selected, in words.
     pub fn search_readout(&self) -> Option<String> {
-        let tab = &self.searching;
+        let tab = &self.pages.search;
         if self.pane() == SETUP {
             return Some(self.search_row_words());
         }
@@ -319,7 +313,7 @@ impl App {
             return Some(problem.clone());
         }
         let found = tab.shown()?;
-        match (&found.answer, &*found.request) {
+        match (&*found.answer, &found.request) {
             (Answer::Seek(report), _) => {
                 let solution = report.solutions.get(tab.selected())?;
                 let at =
@@ -357,11 +351,12 @@ impl App {
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn search_status(&self) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
-        let tab = &self.searching;
-        let mine = tab.asked.as_ref().filter(|(page, _)| *page == tab.page);
+        let tab = &self.pages.search;
+        let running = self.jobs.study::<Request>();
+        let mine = running.filter(|(_, request)| request.page() == tab.page);
         let mut parts = Vec::new();
-        match (&tab.running, mine, tab.shown()) {
-            (Some(running), Some(_), _) => {
+        match (running, mine, tab.shown()) {
+            (_, Some((running, _)), _) => {
                 let of = running.points.map_or_else(String::new, |(done, total)| {
                     format!(": about {} of {total} runs", done.min(total))
                 });
@@ -378,7 +373,7 @@ impl App {
                 parts.push(Progress::Old("setup").part());
             }
             (None, _, Some(found)) => {
-                let (done, runs) = completeness(&found.answer);
+                let (done, runs) = completeness(&*found.answer);
                 let progress = if done {
                     Progress::Done("done".to_owned())
                 } else {
@@ -396,17 +391,16 @@ impl App {
 
     /// What is shown as a table; `None` where there is nothing.
     pub fn search_csv(&self) -> Option<String> {
-        let found = self.searching.shown()?;
+        let found = self.pages.search.shown()?;
         let name = self.name_of(&found.scene);
-        Some(match (&found.answer, &*found.request) {
+        Some(match (&*found.answer, &found.request) {
             (Answer::Seek(it), _) => report::seek::table(&name, it).csv(),
             (Answer::Front(front), Request::Front(task)) => {
-                report::front::table(&name, task, std::slice::from_ref(&**front)).csv()
+                report::front::table(&name, task, std::slice::from_ref(front)).csv()
             }
             (Answer::Front(_), _) => return None,
             (Answer::Sensitivity(it), _) => report::sensitivity::table(&name, it).csv(),
             (Answer::MonteCarlo(it), _) => report::monte_carlo::table(&name, it).csv(),
-            (Answer::Compare(found), _) => report::compare::table(&name, &found.report).csv(),
         })
     }
 }
@@ -423,6 +417,5 @@ fn completeness(answer: &Answer) -> (bool, Option<String>) {
         Answer::MonteCarlo(report) => {
             (report.is_complete, Some(format!("{} samples", report.samples)))
         }
-        Answer::Compare(found) => (found.report.is_complete, None),
     }
 }

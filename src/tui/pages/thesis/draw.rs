@@ -9,6 +9,7 @@ use crate::study::thesis::Verdict;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::message::Target;
+use crate::tui::pages::thesis::state::Claims;
 use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -54,7 +55,7 @@ fn role(verdict: Verdict) -> Role {
 
 /// Draw the claims.
 fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.thesis;
+    let tab = &app.pages.thesis;
     let (list, detail) = split(area, 11);
     let shown = app.claims();
     let title = match tab.filter {
@@ -65,7 +66,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.render(list, canvas, app.theme);
     if shown.is_empty() {
-        let text = match (&tab.running, tab.rows().is_empty()) {
+        let text = match (app.jobs.running::<Claims>(), tab.rows().is_empty()) {
             (_, false) => "no row has this verdict: v for the next",
             (Some(_), true) => "checking the first claims",
             (None, true) => "r checks every claim",
@@ -163,7 +164,7 @@ fn listed() -> Vec<Line> {
 
 /// Draw the principles.
 fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.thesis;
+    let tab = &app.pages.thesis;
     let (list, detail) = split(area, 8);
     let pane = PaneFrame::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
     let inner = pane.render(list, canvas, app.theme);
@@ -208,7 +209,7 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// Draw the matrix.
 fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.thesis;
+    let tab = &app.pages.thesis;
     let pane = PaneFrame::new("Screening matrix (Table 7.1), weights h/l")
         .right("Tab: claims")
         .focused(app.dialog.is_none());

@@ -11,16 +11,15 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::state::{Picture, Spread};
 use crate::tui::pages::run;
 use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::thesis::state::Claims;
 use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
-use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, ReportBody};
 
 /// A step of a weight, percent.
 const STEP: f64 = 1.0;
@@ -31,8 +30,9 @@ const WEIGHT_MAX: f64 = 100.0;
 
 /// The tab is shown: check the claims, unless they have been or are being.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    let tab = &app.thesis;
-    let there = tab.report.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
+    let tab = &app.pages.thesis;
+    let there = tab.report.as_ref().is_some_and(|report| report.is_complete)
+        || app.jobs.running::<Claims>().is_some();
     if there || app.pane() != CLAIMS { Vec::new() } else { check(app) }
 }
 
@@ -45,7 +45,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
             Size::Coarse => 10.0 * STEP,
             Size::Fine => 0.1 * STEP,
         };
-        let (mut weights, at) = (app.thesis.weights, app.thesis.criterion);
+        let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
         weights[at] = (weights[at] + if up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
         weigh(app, weights, Some(at));
         return Some(Vec::new());
@@ -53,10 +53,10 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(check(app)),
         Action::Enter => return Some(open(app)),
-        Action::View if pane == CLAIMS => app.thesis.next_filter(),
-        Action::Sort => app.thesis.by_verdict = !app.thesis.by_verdict,
+        Action::View if pane == CLAIMS => app.pages.thesis.next_filter(),
+        Action::Sort => app.pages.thesis.by_verdict = !app.pages.thesis.by_verdict,
         Action::Reset => {
-            let (mut weights, at) = (app.thesis.weights, app.thesis.criterion);
+            let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
             weights[at] = WEIGHTS_PERCENT[at];
             weigh(app, weights, None);
             app.say(Severity::Note, "the weight is that of Table 7.1 again (u undoes)");
@@ -68,7 +68,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 
 /// Other weights, as one edit; steps of one criterion join.
 fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
-    let before = std::mem::replace(&mut app.thesis.weights, weights);
+    let before = std::mem::replace(&mut app.pages.thesis.weights, weights);
     if weights.map(f64::to_bits) == before.map(f64::to_bits) {
         return;
     }
@@ -93,14 +93,12 @@ fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
 
 fn check(app: &mut App) -> Vec<Effect> {
     let scene = Arc::clone(&app.scene);
-    let (running, effects) = jobs::study(app, StudyKind::Thesis, scene);
-    app.thesis.running = Some(running);
-    effects
+    jobs::study(app, Tab::Thesis, &scene, Claims)
 }
 
 /// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) -> Vec<Effect> {
-    let tab = &app.thesis;
+    let tab = &app.pages.thesis;
     let row = app.claim();
     let opens = match app.pane() {
         thesis::PRINCIPLES => {
@@ -142,22 +140,14 @@ pub(in crate::tui) fn show(app: &mut App, base: Base) -> Vec<Effect> {
         return effects;
     }
     app.focus_on(explore::RESULTS);
-    app.sweeping.output = 0;
-    app.sweeping.cursor = [None; 2];
-    app.sweeping.zoomed = None;
+    app.pages.explore.output = 0;
+    app.pages.explore.cursor = [None; 2];
+    app.pages.explore.zoomed = None;
     // The sweep as the preset has it, whatever was looked at before.
-    let visits = &mut app.sweeping.visits;
+    let visits = &mut app.pages.explore.visits;
     visits.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
     visits.spreads = [Spread::Grid; 2];
     effects.extend(explore::keys::enter(app));
     app.say(Severity::Note, format!("{name} loaded, here is its sweep (u undoes)"));
     effects
-}
-
-/// A report of the claims.
-pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
-    let found = jobs::found(app, body, |app| &mut app.thesis.running);
-    if let Some(Found { finding: Finding::Thesis(rows, all), .. }) = found {
-        app.thesis.report = Some((rows, all));
-    }
 }

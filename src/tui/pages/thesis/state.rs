@@ -1,25 +1,46 @@
 //! The Thesis tab: the reproduction report, the families of principles, the screening matrix, and what is selected in them.
 
+use std::error::Error;
 use std::sync::Arc;
 
+use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::study::context::Context;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CRITERIA, WEIGHTS_PERCENT};
-use crate::study::thesis::{Opens, Row, Verdict, tally};
+use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::pages::Progress;
 use crate::tui::pages::thesis::{self, CLAIMS};
+use crate::worker::Finding;
+use crate::worker::reporter::Reporter;
+use crate::worker::study::{Lane, Rows, Study};
+
+/// Checks every claim of the thesis; the scene plays no part.
+#[derive(Debug)]
+pub struct Claims;
+
+impl Study for Claims {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let part = |rows: &[Row]| Rows { rows: rows.to_vec(), is_complete: false };
+        let watch = &mut reporter.watch(part);
+        let rows = reproduce(&mut Context::new(reporter.threads(), watch));
+        let is_complete = rows.len() == claims().len();
+        Ok(Finding::new(Rows { rows, is_complete }))
+    }
+}
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Thesis {
-    /// The rows so far, and whether these are all.
-    pub report: Option<(Arc<Vec<Row>>, bool)>,
-    /// The report that is being made.
-    pub running: Option<Running>,
+    /// The claims checked so far.
+    pub report: Option<Arc<Rows<Row>>>,
     /// Only rows with this verdict are shown.
     pub filter: Option<Verdict>,
     /// The rows are sorted by verdict.
@@ -38,7 +59,6 @@ impl Default for Thesis {
     fn default() -> Self {
         Self {
             report: None,
-            running: None,
             filter: None,
             by_verdict: false,
             selected: 0,
@@ -52,7 +72,7 @@ impl Default for Thesis {
 impl Thesis {
     /// All rows there are.
     pub fn rows(&self) -> &[Row] {
-        self.report.as_ref().map_or(&[], |(rows, _)| rows)
+        self.report.as_ref().map_or(&[], |report| &report.rows)
     }
 
     /// The next verdict to filter by; after the last one, all rows.
@@ -69,7 +89,7 @@ impl Thesis {
 impl App {
     /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
     pub fn claims(&self) -> Vec<&Row> {
-        let tab = &self.thesis;
+        let tab = &self.pages.thesis;
         let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
         let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
             let claim = &row.claim;
@@ -84,12 +104,12 @@ impl App {
 
     /// The selected claim.
     pub fn claim(&self) -> Option<&Row> {
-        self.claims().get(self.thesis.selected).copied()
+        self.claims().get(self.pages.thesis.selected).copied()
     }
 
     /// What is selected, in words, for the message row.
     pub fn thesis_readout(&self) -> Option<String> {
-        let tab = &self.thesis;
+        let tab = &self.pages.thesis;
         match self.pane() {
             CLAIMS => {
                 let row = self.claim()?;
@@ -125,19 +145,19 @@ impl App {
 
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn thesis_status(&self) -> Vec<(Severity, String, String)> {
-        let tab = &self.thesis;
+        let tab = &self.pages.thesis;
         let mut parts = Vec::new();
-        let progress = match (&tab.running, &tab.report) {
+        let progress = match (self.jobs.running::<Claims>(), &tab.report) {
             (Some(running), _) => {
                 Some(Progress::Running(format!("checking the claims{}", running.counted("of", ""))))
             }
             (None, None) => Some(Progress::Nothing),
-            (None, Some((_, false))) => Some(Progress::Cut(String::new())),
-            (None, Some((_, true))) => None,
+            (None, Some(report)) if !report.is_complete => Some(Progress::Cut(String::new())),
+            (None, Some(_)) => None,
         };
         parts.extend(progress.map(Progress::part));
-        if let Some((rows, _)) = &tab.report {
-            let counts = tally(rows);
+        if tab.report.is_some() {
+            let (rows, counts) = (tab.rows(), tally(tab.rows()));
             let listed = |show: fn(Verdict) -> &'static str| {
                 let parts = Verdict::ALL.iter().zip(counts);
                 let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));

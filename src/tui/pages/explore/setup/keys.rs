@@ -36,7 +36,7 @@ const CURVES: RangeInclusive<u64> = 2..=7;
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let picture = app.picture();
     let row = app.setup_row(picture);
-    app.sweeping.row = row;
+    app.pages.explore.row = row;
     if let SetupRow::Held(index) = row {
         app.editor.selected = index;
     }
@@ -121,7 +121,7 @@ pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, Str
         }
         SetupRow::Output => {
             let output = quantity_called(text)?;
-            let at = app.sweeping.output.min(sweep.outputs.len() - 1);
+            let at = app.pages.explore.output.min(sweep.outputs.len() - 1);
             return Ok(choose_output(app, sweep, at, output.name));
         }
         SetupRow::Held(index) => return edit::type_value(app, index, text),
@@ -135,7 +135,7 @@ pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, Str
 /// Show another output in the place of one; where it is among them already, just that one.
 fn choose_output(app: &mut App, mut sweep: Sweep, at: usize, name: &str) -> Vec<Effect> {
     if let Some(there) = sweep.outputs.iter().position(|one| one == name) {
-        app.sweeping.output = there;
+        app.pages.explore.output = there;
         return Vec::new();
     }
     name.clone_into(&mut sweep.outputs[at]);
@@ -173,18 +173,18 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         }
         SetupRow::Design => {
             let all = Spread::ALL;
-            let here = app.sweeping.spread(picture);
+            let here = app.pages.explore.spread(picture);
             let at = all.iter().position(|one| *one == here).unwrap_or(0);
             let next = all[wrap(at, by, all.len())];
             tried(app, picture, |sweeping| sweeping.set_spread(picture, next))
         }
         SetupRow::Curves => {
-            let curves = app.sweeping.visits.curves.saturating_add_signed(by as i64);
+            let curves = app.pages.explore.visits.curves.saturating_add_signed(by as i64);
             let next = curves.clamp(*CURVES.start(), *CURVES.end());
             tried(app, picture, |sweeping| sweeping.visits.curves = next)
         }
         SetupRow::Output => {
-            let at = app.sweeping.output.min(sweep.outputs.len() - 1);
+            let at = app.pages.explore.output.min(sweep.outputs.len() - 1);
             let here = QUANTITIES.iter().position(|column| column.name == sweep.outputs[at]);
             let next = wrap(here.unwrap_or(0), by, QUANTITIES.len());
             Ok(choose_output(app, sweep, at, QUANTITIES[next].name))
@@ -296,13 +296,13 @@ fn tried(
     picture: Picture,
     change: impl FnOnce(&mut Sweeping),
 ) -> Result<Vec<Effect>, String> {
-    let (before, old) = (app.sweeping.visits, app.sweeping.spread(picture));
-    change(&mut app.sweeping);
+    let (before, old) = (app.pages.explore.visits, app.pages.explore.spread(picture));
+    change(&mut app.pages.explore);
     if let Err(error) = app.sweep_plan(picture) {
-        app.sweeping.visits = before;
+        app.pages.explore.visits = before;
         return Err(error.to_string());
     }
-    let (after, new) = (app.sweeping.visits, app.sweeping.spread(picture));
+    let (after, new) = (app.pages.explore.visits, app.pages.explore.spread(picture));
     if after == before {
         return Ok(Vec::new());
     }

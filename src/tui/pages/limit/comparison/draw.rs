@@ -9,6 +9,7 @@ use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::chart::heatmap;
 use crate::tui::message::Target;
+use crate::tui::pages::limit::comparison::EqualMass;
 use crate::tui::pages::limit::comparison::GOES_ON;
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::search::lines::Line;
@@ -36,7 +37,7 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if lines.is_empty() {
         nothing(app, inner, canvas);
     }
-    let first = app.limit.scrolled.min(lines.len().saturating_sub(height));
+    let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
     let shown = whole(&lines[first..], height);
     for (line, (severity, text)) in inner.rows().zip(shown) {
         put(canvas, line, (0, 0), text, app.theme.style(text_role(*severity)));
@@ -51,7 +52,7 @@ fn whole(lines: &[Line], height: usize) -> &[Line] {
 }
 
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let text = match app.limit.comparing {
+    let text = match app.jobs.running::<EqualMass>() {
         Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
         None => "no results yet: press r",
     };
@@ -66,7 +67,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((found, map)) = found.and_then(|it| Some((it, efficiency::map(it)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.render(area, canvas, app.theme);
-        let text = match (app.limit.comparing.is_some(), found) {
+        let text = match (app.jobs.running::<EqualMass>().is_some(), found) {
             (true, _) => "computing the map",
             (false, Some(_)) => "no point has a mass efficiency",
             (false, None) => "no map: press r",

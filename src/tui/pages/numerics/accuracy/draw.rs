@@ -11,6 +11,7 @@ use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::ACCURACY;
+use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
@@ -79,12 +80,12 @@ pub(in crate::tui) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.accuracy;
+    let tab = &app.pages.numerics.accuracy;
     let curves = tab.curves();
     let title = "Relative error";
     let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
         let inner = PaneFrame::new(title).render(area, canvas, app.theme);
-        let text = match (&tab.measuring, &tab.report) {
+        let text = match (app.jobs.running::<Measurements>(), &tab.report) {
             (Some(_), _) => "measuring the first points",
             (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
             (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
@@ -145,7 +146,7 @@ type Line = Vec<(f64, f64)>;
 
 /// Dashed lines of the slopes that orders make, from the upper left corner, each drawn with its order.
 fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
-    let view = app.accuracy.view;
+    let view = app.pages.numerics.accuracy.view;
     let logarithmic = view.time_scale == Scale::Log10 && view.error_scale == Scale::Log10;
     if !(view.guides && logarithmic) {
         return Vec::new();
@@ -168,7 +169,7 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
 
 /// The table, and below it what is to be said of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.accuracy;
+    let tab = &app.pages.numerics.accuracy;
     let methods: &[MethodReport] = tab.report.as_ref().map_or(&[], |report| &report.methods);
     let cells = accuracy::methods(methods).cells(&KEYS);
     let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), tab.table_page);

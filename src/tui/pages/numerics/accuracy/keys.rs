@@ -4,26 +4,30 @@ use std::sync::Arc;
 
 use crate::model::scene::ContactModel;
 use crate::report::accuracy::TARGETS;
-use crate::study::accuracy::Effort;
 use crate::study::accuracy::method::Method;
+use crate::study::accuracy::{Effort, Report};
 use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
+use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::update::{edit, jobs};
 use crate::tui::view::plot_columns;
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, ReportBody};
 
 /// Columns of a plot that is not drawn.
 const FEW_COLUMNS: u16 = 40;
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    let tab = &app.accuracy;
+    let tab = &app.pages.numerics.accuracy;
     let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
-    let under_way = tab.measuring.as_ref().is_some_and(|study| study.scene == app.scene);
-    if measured || under_way { Vec::new() } else { measure(app) }
+    if measured || app.jobs.is_coming::<Measurements>(&app.scene) {
+        Vec::new()
+    } else {
+        measure(app)
+    }
 }
 
 /// What an action does here; `None` where it means nothing of its own.
@@ -32,11 +36,11 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(measure(app)),
         Action::Enter => return Some(use_method(app)),
-        Action::Left => app.accuracy.move_cursor(-1, columns),
-        Action::Right => app.accuracy.move_cursor(1, columns),
-        Action::FarLeft => app.accuracy.move_cursor(-10, columns),
-        Action::FarRight => app.accuracy.move_cursor(10, columns),
-        Action::View => app.accuracy.table_page += 1,
+        Action::Left => app.pages.numerics.accuracy.move_cursor(-1, columns),
+        Action::Right => app.pages.numerics.accuracy.move_cursor(1, columns),
+        Action::FarLeft => app.pages.numerics.accuracy.move_cursor(-10, columns),
+        Action::FarRight => app.pages.numerics.accuracy.move_cursor(10, columns),
+        Action::View => app.pages.numerics.accuracy.table_page += 1,
         Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         Action::ShowHide | Action::Mark => show_or_hide(app),
         _ => return None,
@@ -46,8 +50,8 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 
 /// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
 fn use_method(app: &mut App) -> Vec<Effect> {
-    let method = app.accuracy.method();
-    if app.accuracy_is_old() || app.accuracy.report.is_none() {
+    let method = app.pages.numerics.accuracy.method();
+    if app.accuracy_is_old() || app.pages.numerics.accuracy.report.is_none() {
         return app.refuse("no results of this scene: press r to measure");
     }
     let mut scene = (*app.scene).clone();
@@ -61,7 +65,8 @@ fn use_method(app: &mut App) -> Vec<Effect> {
         | Method::Full
         | Method::Auto
         | Method::ClosedForm => {
-            let Some(tolerance) = app.accuracy.tolerance_for(method, TARGETS[0]) else {
+            let Some(tolerance) = app.pages.numerics.accuracy.tolerance_for(method, TARGETS[0])
+            else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);
             };
@@ -87,7 +92,7 @@ fn use_method(app: &mut App) -> Vec<Effect> {
 
 /// Another way to look at the chart.
 fn look(app: &mut App, action: Action) {
-    let view = &mut app.accuracy.view;
+    let view = &mut app.pages.numerics.accuracy.view;
     let word = |scale| match scale {
         Scale::Linear => "linear",
         Scale::Log10 => "logarithmic",
@@ -124,13 +129,11 @@ fn look(app: &mut App, action: Action) {
 
 fn measure(app: &mut App) -> Vec<Effect> {
     let scene = Arc::clone(&app.scene);
-    let (measuring, effects) = jobs::study(app, StudyKind::Accuracy(Effort::FULL), scene);
-    app.accuracy.measuring = Some(measuring);
-    effects
+    jobs::study(app, Tab::Numerics, &scene, Measurements(Effort::FULL))
 }
 
 fn show_or_hide(app: &mut App) {
-    let tab = &mut app.accuracy;
+    let tab = &mut app.pages.numerics.accuracy;
     let method = tab.method();
     if tab.hidden.contains(&method) {
         tab.hidden.retain(|hidden| *hidden != method);
@@ -139,16 +142,14 @@ fn show_or_hide(app: &mut App) {
     }
 }
 
-/// A report of the measurements.
-pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
-    let Some(found) = jobs::found(app, body, |app| &mut app.accuracy.measuring) else { return };
-    let Finding::Accuracy(report) = found.finding else { return };
-    if let Some((_, total)) = found.running.points {
-        app.accuracy.points_in_all = total;
+/// News of the measurements.
+pub(in crate::tui) fn report(app: &mut App, running: &Running, report: Arc<Report>, is_last: bool) {
+    if let Some((_, total)) = running.points {
+        app.pages.numerics.accuracy.points_in_all = total;
     }
-    if found.is_last && !report.is_complete {
+    if is_last && !report.is_complete {
         let text = "Cancelled. Partial results are shown; press r to measure again.";
         app.say(Severity::Note, text);
     }
-    app.accuracy.report = Some(report);
+    app.pages.numerics.accuracy.report = Some(report);
 }

@@ -10,6 +10,7 @@ use crate::tui::app::App;
 use crate::tui::chart::heatmap::role;
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::stability::keys;
+use crate::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -19,7 +20,7 @@ use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put, put_centred};
 
 /// Draw the map.
 pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.stability;
+    let tab = &app.pages.numerics.stability;
     let old = if app.map_is_old() { ", old" } else { "" };
     let title = match &tab.map {
         Some((_, map)) => {
@@ -31,7 +32,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((_, found)) = &tab.map else {
         let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(focused);
         let inner = pane.render(area, canvas, app.theme);
-        let text = match tab.mapping {
+        let text = match app.jobs.running::<StabilityMap>() {
             Some(_) => "computing the map",
             None if app.needs_single_plate() => NEEDS_SINGLE,
             None => "no results yet: press r",
@@ -84,7 +85,7 @@ fn legend(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// Draw the battery.
 pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.stability;
+    let tab = &app.pages.numerics.stability;
     let rows = tab.sorted();
     let table = table(rows.iter().copied());
     let keys = keys();
@@ -107,7 +108,11 @@ pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let dim = app.theme.style(Role::Dim);
     put(canvas, inner, (0, 0), &grid.line(None), dim);
     if rows.is_empty() {
-        let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
+        let text = if app.jobs.running::<StiffScenes>().is_some() {
+            "running the first scenes"
+        } else {
+            "r runs it"
+        };
         put(canvas, inner, (1, 2), text, dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

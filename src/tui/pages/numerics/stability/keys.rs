@@ -9,29 +9,28 @@ use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::Tab;
 use crate::tui::pages::numerics::STIFF_SCENES;
+use crate::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use crate::tui::update::act::cursor_moved;
-use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
-use crate::worker::studies::StudyKind;
-use crate::worker::{Finding, ReportBody};
 
 /// Far along the map.
 const FAR: isize = 10;
 
 /// What is shown is computed, unless it has been or is being.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    let tab = &app.stability;
+    let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {
-        let there = tab.battery.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
+        let there = tab.battery.as_ref().is_some_and(|battery| battery.is_complete)
+            || app.jobs.running::<StiffScenes>().is_some();
         return if there { Vec::new() } else { battery(app) };
     }
     let there = tab.map.as_ref().is_some_and(|(scene, map)| {
         let is_wanted = map.method == tab.method && map.axis == tab.axis;
         *scene == app.scene && is_wanted && map.is_complete()
     });
-    let coming = tab.mapping.as_ref().is_some_and(|study| study.scene == app.scene);
-    if there || coming { Vec::new() } else { map(app) }
+    if there || app.jobs.is_coming::<StabilityMap>(&app.scene) { Vec::new() } else { map(app) }
 }
 
 /// What an action does here; `None` where it means nothing of its own.
@@ -42,15 +41,15 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::Run => return Some(battery(app)),
-        Action::View => app.stability.table_page += 1,
-        Action::Sort => app.stability.sort_next(),
+        Action::View => app.pages.numerics.stability.table_page += 1,
+        Action::Sort => app.pages.numerics.stability.sort_next(),
         _ => return None,
     }
     Some(Vec::new())
 }
 
 fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    let tab = &mut app.stability;
+    let tab = &mut app.pages.numerics.stability;
     match action {
         Action::Run => return Some(map(app)),
         Action::View => {
@@ -74,10 +73,11 @@ fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 
 /// Load the value of the row under the cursor into the scene.
 fn load(app: &mut App) -> Vec<Effect> {
-    if app.map_is_old() || app.stability.map.is_none() {
+    if app.map_is_old() || app.pages.numerics.stability.map.is_none() {
         return app.refuse("no map of this scene: press r to compute it");
     }
-    let found = app.stability.map.as_ref().zip(app.stability.cursor());
+    let found =
+        app.pages.numerics.stability.map.as_ref().zip(app.pages.numerics.stability.cursor());
     let Some(((_, map), (row, _))) = found else { return Vec::new() };
     let (symbol, value) = (map.axis.symbol(), map.values[row]);
     let Some(index) = VARIABLES.iter().position(|one| one.symbol == symbol) else {
@@ -94,32 +94,15 @@ fn load(app: &mut App) -> Vec<Effect> {
 }
 
 fn map(app: &mut App) -> Vec<Effect> {
-    let kind = StudyKind::Map(app.stability.method, app.stability.axis);
+    let map = StabilityMap {
+        method: app.pages.numerics.stability.method,
+        axis: app.pages.numerics.stability.axis,
+    };
     let scene = Arc::clone(&app.scene);
-    let (mapping, effects) = jobs::study(app, kind, scene);
-    app.stability.mapping = Some(mapping);
-    effects
+    jobs::study(app, Tab::Numerics, &scene, map)
 }
 
 fn battery(app: &mut App) -> Vec<Effect> {
     let scene = Arc::clone(&app.scene);
-    let (running, effects) = jobs::study(app, StudyKind::Battery, scene);
-    app.stability.running = Some(running);
-    effects
-}
-
-/// A report of the map.
-pub(in crate::tui) fn report_map(app: &mut App, body: ReportBody) {
-    let found = jobs::found(app, body, |app| &mut app.stability.mapping);
-    if let Some(Found { running, finding: Finding::Map(map), .. }) = found {
-        app.stability.show_map(running.scene, map);
-    }
-}
-
-/// A report of the battery.
-pub(in crate::tui) fn report_battery(app: &mut App, body: ReportBody) {
-    let found = jobs::found(app, body, |app| &mut app.stability.running);
-    if let Some(Found { finding: Finding::Battery(rows, all), .. }) = found {
-        app.stability.battery = Some((rows, all));
-    }
+    jobs::study(app, Tab::Numerics, &scene, StiffScenes)
 }
