@@ -94,7 +94,7 @@ impl<T: Any + Send + Sync> From<Arc<T>> for Finding {
 
 /// Rows of a study, as far as it is.
 #[derive(Clone, Debug)]
-pub struct Rows<R> {
+pub struct RowsSoFar<R> {
     /// The rows there are.
     pub rows: Vec<R>,
     /// Whether these are all.

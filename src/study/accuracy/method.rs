@@ -16,33 +16,6 @@ use crate::numerics::explicit::rk4::Crossing;
 /// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.
 const BEYOND_CONTACT: f64 = 1.01;
 
-/// A way to compute the contact phase.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Closed form, where nothing but inertia answers.
-    ClosedForm,
-    /// Appendix A as printed.
-    ThesisPrinted,
-    /// Appendix A with its coupling and damper corrected.
-    ThesisCorrected,
-    /// Classical Runge-Kutta, fixed step, events only noticed.
-    Rk4,
-    /// The same with events located and joints restarted at.
-    Rk4Events,
-    /// DOP853 with events located and joints restarted at.
-    Dop853,
-    /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
-    Radau,
-    /// The engine held to Taylor steps.
-    Taylor,
-    /// The contact kernel, as sweeps and searches use it.
-    ContactKernel,
-    /// The engine held to its general path: nothing is left out.
-    Full,
-    /// What `simulate` does.
-    Auto,
-}
-
 /// What makes a method more accurate and more expensive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Knob {
@@ -92,103 +65,130 @@ pub enum Ladder {
     Quick,
 }
 
-impl Method {
-    /// All of them, in the order of tables.
-    pub const ALL: [Self; 11] = [
-        Self::ThesisPrinted,
-        Self::ThesisCorrected,
-        Self::Rk4,
-        Self::Rk4Events,
-        Self::Dop853,
-        Self::Radau,
-        Self::Taylor,
-        Self::ClosedForm,
-        Self::ContactKernel,
-        Self::Full,
-        Self::Auto,
-    ];
+/// The values that a knob is turned to.
+#[derive(Clone, Copy)]
+enum Range {
+    /// It has none.
+    None,
+    /// Time steps that make so many steps per contact at the most, and how many of a decade are taken.
+    Steps(f64, i32),
+    /// Tolerances down to this power of ten, every power or every second.
+    Tolerances(i32, i32),
+}
 
+/// What there is to know of a method.
+struct About {
+    /// The letter on charts.
+    letter: char,
+    /// The name in tables and files.
+    name: &'static str,
+    /// It has its areas and equations in common with the engine.
+    is_of_engine: bool,
+    /// The values of its knob on the full ladder and on the quick one.
+    ranges: [Range; 2],
+    run: fn(&Job) -> Result<Answer, Refusal>,
+}
+
+/// Whether a method is of the engine.
+const ENGINE: bool = true;
+const OTHER: bool = false;
+
+/// The knobs of those who choose their steps.
+const TIGHT: [Range; 2] = [Range::Tolerances(13, 1), Range::Tolerances(11, 2)];
+
+macro_rules! methods {
+    ($($(#[$doc:meta])* $method:ident:
+        $letter:literal, $name:literal, $is_of_engine:expr, $ranges:expr, $run:expr;)*) => {
+        /// A way to compute the contact phase.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Method {
+            $($(#[$doc])* $method,)*
+        }
+
+        impl Method {
+            /// All of them, in the order of tables.
+            pub const ALL: [Self; [$(Self::$method),*].len()] = [$(Self::$method),*];
+
+            fn about(self) -> &'static About {
+                match self {
+                    $(Self::$method => &const {
+                        About {
+                            letter: $letter,
+                            name: $name,
+                            is_of_engine: $is_of_engine,
+                            ranges: $ranges,
+                            run: $run,
+                        }
+                    },)*
+                }
+            }
+        }
+    };
+}
+
+methods! {
+    /// Appendix A as printed.
+    ThesisPrinted: 'T', "thesis as printed", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        |job| appendix::contact(&job.scene, job.value(), Coupling::Printed, job.steps_max);
+    /// Appendix A with its coupling and damper corrected.
+    ThesisCorrected: 'M', "thesis, corrected", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        |job| appendix::contact(&job.scene, job.value(), Coupling::Corrected, job.steps_max);
+    /// Classical Runge-Kutta, fixed step, events only noticed.
+    Rk4: 'R', "RK4, no events", OTHER, [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
+        |job| job.phase(Scheme::Rk4 { dt_s: job.value(), crossing: Crossing::Notice });
+    /// The same with events located and joints restarted at.
+    Rk4Events: 'E', "RK4 + events", OTHER, [Range::Steps(1e4, 2), Range::Steps(1.5e3, 2)],
+        |job| job.phase(Scheme::Rk4 { dt_s: job.value(), crossing: Crossing::Locate });
+    /// DOP853 with events located and joints restarted at.
+    Dop853: 'D', "DOP853 + events", OTHER, TIGHT,
+        |job| job.phase(Scheme::Dop853 { tolerance: job.value() });
+    /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
+    Radau: 'I', "Radau IIA 5", OTHER, [Range::Tolerances(12, 1), Range::Tolerances(11, 2)],
+        |job| job.phase(Scheme::Radau { tolerance: job.value() });
+    /// The engine held to Taylor steps.
+    Taylor: 'S', "Taylor series 16", ENGINE, TIGHT,
+        |job| forced(Forced::Taylor, &job.scene);
+    /// Closed form, where nothing but inertia answers.
+    ClosedForm: 'C', "closed form", ENGINE, [Range::None; 2],
+        |job| exact::solve(&job.scene);
+    /// The contact kernel, as sweeps and searches use it.
+    ContactKernel: 'L', "sweep kernel", ENGINE, TIGHT,
+        |job| contact_kernel(&job.scene, job.value());
+    /// The engine held to its general path: nothing is left out.
+    Full: 'N', "no term omitted", ENGINE, TIGHT,
+        |job| forced(Forced::General, &job.scene);
+    /// What `simulate` does.
+    Auto: 'A', "auto", ENGINE, TIGHT,
+        |job| auto(&job.scene);
+}
+
+impl Method {
     /// The letter on charts.
     pub fn letter(self) -> char {
-        match self {
-            Self::ClosedForm => 'C',
-            Self::ThesisPrinted => 'T',
-            Self::ThesisCorrected => 'M',
-            Self::Rk4 => 'R',
-            Self::Rk4Events => 'E',
-            Self::Dop853 => 'D',
-            Self::Radau => 'I',
-            Self::Taylor => 'S',
-            Self::ContactKernel => 'L',
-            Self::Full => 'N',
-            Self::Auto => 'A',
-        }
+        self.about().letter
     }
 
     /// The name in tables and files.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::ClosedForm => "closed form",
-            Self::ThesisPrinted => "thesis as printed",
-            Self::ThesisCorrected => "thesis, corrected",
-            Self::Rk4 => "RK4, no events",
-            Self::Rk4Events => "RK4 + events",
-            Self::Dop853 => "DOP853 + events",
-            Self::Radau => "Radau IIA 5",
-            Self::Taylor => "Taylor series 16",
-            Self::ContactKernel => "sweep kernel",
-            Self::Full => "no term omitted",
-            Self::Auto => "auto",
-        }
+        self.about().name
     }
 
     /// Whether it is one of the engine's own, which have their areas and equations in common.
     pub fn is_of_engine(self) -> bool {
-        match self {
-            Self::ClosedForm | Self::Taylor | Self::ContactKernel | Self::Full | Self::Auto => true,
-            Self::ThesisPrinted
-            | Self::ThesisCorrected
-            | Self::Rk4
-            | Self::Rk4Events
-            | Self::Dop853
-            | Self::Radau => false,
-        }
+        self.about().is_of_engine
     }
 
     /// The values of its knob for a contact of about `end_s`, the coarsest first.
     pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
-        // Steps per contact at the most; fewer than ten are no computation.
-        let (steps_max, per_decade, tightest) = match (self, ladder) {
-            (Self::ClosedForm, _) => return vec![Knob::None],
-            (Self::ThesisPrinted | Self::ThesisCorrected, Ladder::Full) => (3e5, 1, 0),
-            (Self::ThesisPrinted | Self::ThesisCorrected, Ladder::Quick) => (3e3, 1, 0),
-            (Self::Rk4, Ladder::Full) => (3e4, 2, 0),
-            (Self::Rk4Events, Ladder::Full) => (1e4, 2, 0),
-            (Self::Rk4 | Self::Rk4Events, Ladder::Quick) => (1.5e3, 2, 0),
-            (Self::Radau, Ladder::Full) => (0.0, 1, 12),
-            (
-                Self::Dop853 | Self::Taylor | Self::ContactKernel | Self::Full | Self::Auto,
-                Ladder::Full,
-            ) => (0.0, 1, 13),
-            (
-                Self::Dop853
-                | Self::Radau
-                | Self::Taylor
-                | Self::ContactKernel
-                | Self::Full
-                | Self::Auto,
-                Ladder::Quick,
-            ) => (0.0, 2, 11),
-        };
-        if tightest == 0 {
-            steps(end_s, steps_max, per_decade)
-        } else {
-            tolerances(tightest, per_decade)
+        match self.about().ranges[ladder as usize] {
+            Range::None => vec![Knob::None],
+            Range::Steps(most, per_decade) => steps(end_s, most, per_decade),
+            Range::Tolerances(tightest, every) => tolerances(tightest, every),
         }
     }
 }
 
-/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps.
+/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps: fewer are no computation.
 fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Knob> {
     let mut list = Vec::new();
     for power in (-60..20).rev() {
@@ -236,31 +236,22 @@ impl Job {
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
     pub fn run(&self) -> Result<Answer, Refusal> {
-        let scene = &self.scene;
-        let knob = self.knob.value().unwrap_or(f64::NAN);
-        let steps_max = self.steps_max;
-        let phase = |method: Scheme| Phase::of(scene).solve(method, steps_max);
-        match self.method {
-            Method::ClosedForm => exact::solve(scene),
-            Method::ThesisPrinted => appendix::contact(scene, knob, Coupling::Printed, steps_max),
-            Method::ThesisCorrected => {
-                appendix::contact(scene, knob, Coupling::Corrected, steps_max)
-            }
-            Method::Rk4 => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Notice }),
-            Method::Rk4Events => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Locate }),
-            Method::Dop853 => phase(Scheme::Dop853 { tolerance: knob }),
-            Method::Radau => phase(Scheme::Radau { tolerance: knob }),
-            Method::Taylor => forced(Forced::Taylor, scene),
-            Method::ContactKernel => contact_kernel(scene, knob),
-            Method::Full => forced(Forced::General, scene),
-            Method::Auto => {
-                let settings = Settings { series: false, estimate: false };
-                let observer = &mut |_| ControlFlow::Continue(());
-                let run = simulate(scene, &settings, observer);
-                answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
-            }
-        }
+        (self.method.about().run)(self)
     }
+
+    fn value(&self) -> f64 {
+        self.knob.value().unwrap_or(f64::NAN)
+    }
+
+    fn phase(&self, scheme: Scheme) -> Result<Answer, Refusal> {
+        Phase::of(&self.scene).solve(scheme, self.steps_max)
+    }
+}
+
+fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
+    let settings = Settings { series: false, estimate: false };
+    let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
+    answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
 }
 
 fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {

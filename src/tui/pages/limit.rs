@@ -12,6 +12,7 @@ use ratatui::layout::Rect;
 
 use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
+use crate::study::limit::Report;
 use crate::tui::app::App;
 use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
@@ -20,6 +21,7 @@ use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
+use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
@@ -86,9 +88,9 @@ impl Page for LimitTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &News) {
-        if let Some(comparison) = news.found() {
+        if let Some(comparison) = news.found::<Comparison>() {
             app.pages.limit.comparison = Some((Arc::clone(&running.scene), comparison));
-        } else if let Some(report) = news.found() {
+        } else if let Some(report) = news.found::<Report>() {
             app.pages.limit.show(report);
         }
     }

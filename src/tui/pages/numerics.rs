@@ -8,7 +8,10 @@ use std::sync::Arc;
 use ratatui::layout::Rect;
 
 use crate::report::stability as stability_table;
+use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
+use crate::study::stability::Row;
+use crate::study::stability::map::Map;
 use crate::tui::app::App;
 use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
@@ -19,6 +22,7 @@ use crate::tui::message::{Content, Effect};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
+use crate::worker::study::RowsSoFar;
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
@@ -128,11 +132,11 @@ impl Page for NumericsTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &News) {
-        if let Some(report) = news.found() {
+        if let Some(report) = news.found::<Report>() {
             accuracy::keys::report(app, running, report, matches!(news, News::Ended(..)));
-        } else if let Some(map) = news.found() {
+        } else if let Some(map) = news.found::<Map>() {
             app.pages.numerics.stability.show_map(Arc::clone(&running.scene), map);
-        } else if let Some(rows) = news.found() {
+        } else if let Some(rows) = news.found::<RowsSoFar<Row>>() {
             app.pages.numerics.stability.battery = Some(rows);
         }
     }

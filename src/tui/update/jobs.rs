@@ -167,13 +167,14 @@ fn run_report(app: &mut App, report: Report) -> Vec<Effect> {
             app.jobs.failure = Some(text.clone());
             app.say(Severity::Error, text);
         }
-        ReportBody::Ended { found, took } => match found.and_then(|found| found.get()) {
-            Some(run) => ended(app, run, took),
-            None => {
+        ReportBody::Ended { found, took } => {
+            if let Some(run) = found.and_then(|found| found.get()) {
+                ended(app, run, took);
+            } else {
                 app.jobs.cancelled = true;
                 app.say(Severity::Note, "cancelled: r runs again");
             }
-        },
+        }
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;

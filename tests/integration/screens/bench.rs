@@ -44,7 +44,7 @@ pub(crate) struct Job {
 pub(crate) struct Study {
     pub(crate) id: u64,
     pub(crate) scene: Arc<Scene>,
-    pub(crate) study: Arc<dyn cmra::worker::study::Study>,
+    pub(crate) asked: Arc<dyn cmra::worker::study::Study>,
 }
 
 impl Bench {
@@ -108,7 +108,7 @@ impl Bench {
     pub(crate) fn studies(&mut self) -> Vec<Study> {
         self.tasks(|task| match &task.work {
             Work::Study(scene, study) if study.of::<PictureSweep>().is_none() => {
-                Some(Study { id: task.id, scene: Arc::clone(scene), study: Arc::clone(study) })
+                Some(Study { id: task.id, scene: Arc::clone(scene), asked: Arc::clone(study) })
             }
             _ => None,
         })
@@ -177,7 +177,7 @@ impl Bench {
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
         self.tasks(|task| match &task.work {
             Work::Run(_, scene) => Some(Job { id: task.id, scene: Arc::clone(scene) }),
-            _ => None,
+            Work::Study(..) => None,
         })
     }
 

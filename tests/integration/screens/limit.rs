@@ -59,7 +59,7 @@ fn plain() -> Effort {
 
 fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
-        let Some(LimitSearch(effort)) = study.study.of() else { continue };
+        let Some(LimitSearch(effort)) = study.asked.of() else { continue };
         let mut report = found(&study.scene, *effort);
         change(&mut report);
         let body = ended(Finding::new(report));
@@ -130,7 +130,7 @@ fn the_limit_is_found_once_a_scene_and_again_when_asked() {
     // Leaving and coming back does not ask twice.
     bench.keys("13");
     let again = bench.studies();
-    assert!(again.iter().all(|study| study.study.of::<LimitSearch>().is_none()));
+    assert!(again.iter().all(|study| study.asked.of::<LimitSearch>().is_none()));
 }
 
 #[test]
@@ -156,11 +156,11 @@ fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
 fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
-    let asked = bench.studies().remove(0).study;
+    let asked = bench.studies().remove(0).asked;
     let sampled = LimitSearch(Effort { sampling: Some(SAMPLING), ..plain() });
     assert_eq!(asked.of(), Some(&sampled));
     bench.keys("v");
-    let asked = bench.studies().remove(0).study;
+    let asked = bench.studies().remove(0).asked;
     assert_eq!(asked.of(), Some(&LimitSearch(plain())));
 }
 

@@ -61,7 +61,7 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     let context = &mut Context::new(1, &mut watch);
     match request {
         Request::Seek(goal) => Answer::Seek(seek::seek(scene, goal, context).unwrap()),
-        Request::Front(task) => Answer::Front(front(scene, task)),
+        Request::Front(task) => Answer::Front(Box::new(front(scene, task))),
         Request::Sensitivity { axes, output, effort } => {
             let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
             let report = sensitivity::study(scene, axes.clone(), output, effort, context);
@@ -86,9 +86,9 @@ fn compared(scene: &Arc<Scene>) -> Comparison {
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let found = if let Some(request) = study.study.of::<Request>() {
+        let found = if let Some(request) = study.asked.of::<Request>() {
             Finding::new(made(&study.scene, request))
-        } else if study.study.of::<EqualMass>().is_some() {
+        } else if study.asked.of::<EqualMass>().is_some() {
             Finding::new(compared(&study.scene))
         } else {
             continue;
@@ -198,7 +198,7 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     let study = bench.studies().remove(0);
-    let request = study.study.of::<Request>().expect("a search");
+    let request = study.asked.of::<Request>().expect("a search");
     let Answer::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
     (front.is_complete, front.generations) = (false, 7);
     front.candidates.clear();

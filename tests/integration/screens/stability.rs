@@ -13,7 +13,7 @@ use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
-use cmra::worker::study::Rows;
+use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: Method, axis: Axis) -> Map {
@@ -64,10 +64,10 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
-        let found = if let Some(asked) = study.study.of::<StabilityMap>() {
+        let found = if let Some(asked) = study.asked.of::<StabilityMap>() {
             Finding::new(map(asked.method, asked.axis))
-        } else if study.study.of::<StiffScenes>().is_some() {
-            Finding::new(Rows { rows: rows(12), is_complete: true })
+        } else if study.asked.of::<StiffScenes>().is_some() {
+            Finding::new(RowsSoFar { rows: rows(12), is_complete: true })
         } else {
             continue;
         };
@@ -98,12 +98,12 @@ fn variable_and_method_are_chosen_and_mapped_anew() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
     assert_eq!(
-        bench.studies()[0].study.of(),
+        bench.studies()[0].asked.of(),
         Some(&StabilityMap { method: Method::Thesis, axis: Axis::N })
     );
     bench.keys("vv");
     assert_eq!(
-        bench.studies()[1].study.of(),
+        bench.studies()[1].asked.of(),
         Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
     );
     // A map that came back belongs to what was asked for last.
@@ -112,7 +112,7 @@ fn variable_and_method_are_chosen_and_mapped_anew() {
     bench.effects.clear();
     bench.keys("5");
     assert_eq!(
-        bench.studies()[0].study.of(),
+        bench.studies()[0].asked.of(),
         Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
     );
 }
@@ -132,13 +132,13 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
-    assert!(study.study.of::<StiffScenes>().is_some());
-    let part = Finding::new(Rows { rows: rows(4), is_complete: false });
+    assert!(study.asked.of::<StiffScenes>().is_some());
+    let part = Finding::new(RowsSoFar { rows: rows(4), is_complete: false });
     bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("running the battery: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let body = ended(Finding::new(Rows { rows: rows(5), is_complete: false }));
+    let body = ended(Finding::new(RowsSoFar { rows: rows(5), is_complete: false }));
     bench.reply(study.id, body);
     assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
     bench.keys("jj");

@@ -7,7 +7,7 @@ use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::thesis::state::Claims;
 use cmra::worker::Finding;
-use cmra::worker::study::Rows;
+use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;
 
 /// The tab with the quick claims of the first chapters answered.
@@ -16,14 +16,14 @@ fn bench(columns: u16, rows: u16) -> Bench {
     bench.keys("6");
     let id = asked(&mut bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().iter().take(24).map(check).collect();
-    bench.reply(id, ended(Finding::new(Rows { rows, is_complete: true })));
+    bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
     bench
 }
 
 /// The number of the study of the claims that was asked for.
 fn asked(bench: &mut Bench) -> Option<u64> {
     let studies = bench.studies();
-    Some(studies.iter().rev().find(|it| it.study.of::<Claims>().is_some())?.id)
+    Some(studies.iter().rev().find(|it| it.asked.of::<Claims>().is_some())?.id)
 }
 
 #[test]
@@ -49,12 +49,12 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().iter().take(2).map(check).collect();
-    let part = Finding::new(Rows { rows: some.clone(), is_complete: false });
+    let part = Finding::new(RowsSoFar { rows: some.clone(), is_complete: false });
     bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    bench.reply(id, ended(Finding::new(Rows { rows: some, is_complete: false })));
+    bench.reply(id, ended(Finding::new(RowsSoFar { rows: some, is_complete: false })));
     assert!(bench.screen().contains("cancelled: press r"));
 }
 
@@ -96,7 +96,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let rows =
             claims().iter().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
-        bench.reply(id, ended(Finding::new(Rows { rows, is_complete: true })));
+        bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
         bench.press("<Enter>");
         assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
         let (_, _, plan) = bench.sweeps().pop().expect("a sweep");

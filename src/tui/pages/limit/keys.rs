@@ -61,7 +61,7 @@ fn in_curve(app: &mut App, action: Action) -> Option<Vec<Effect>> {
         Action::FarLeft => app.pages.limit.move_cursor(-FAR),
         Action::FarRight => app.pages.limit.move_cursor(FAR),
         Action::First => {
-            app.pages.limit.cursor = (!app.pages.limit.shots().is_empty()).then_some(0)
+            app.pages.limit.cursor = (!app.pages.limit.shots().is_empty()).then_some(0);
         }
         Action::Last => app.pages.limit.cursor = app.pages.limit.shots().len().checked_sub(1),
         Action::LogX => app.pages.limit.log.0 = !app.pages.limit.log.0,

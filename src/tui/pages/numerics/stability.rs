@@ -21,7 +21,7 @@ use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::widgets::table::Sorting;
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Rows, Study};
+use crate::worker::study::{Lane, RowsSoFar, Study};
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -62,13 +62,13 @@ impl Study for StiffScenes {
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let started = Instant::now();
         let cases = stability::battery(false);
-        let part = |rows: &[Row]| Rows { rows: rows.to_vec(), is_complete: false };
+        let part = |rows: &[Row]| RowsSoFar { rows: rows.to_vec(), is_complete: false };
         let watch = &mut reporter.watch(part);
         // A run of an edited scene has its turn beside it.
         let context = &mut Context::new(reporter.threads().min(2), watch);
         let rows = stability::run(&cases, &|| started.elapsed().as_secs_f64(), context)?;
         let is_complete = rows.len() == cases.len();
-        Ok(Finding::new(Rows { rows, is_complete }))
+        Ok(Finding::new(RowsSoFar { rows, is_complete }))
     }
 }
 
@@ -91,7 +91,7 @@ pub struct Stability {
     /// How the table of stiff scenes is sorted.
     pub sorting: Sorting,
     /// The rows of the battery.
-    pub battery: Option<Arc<Rows<Row>>>,
+    pub battery: Option<Arc<RowsSoFar<Row>>>,
     /// The selected row of the battery.
     pub selected: usize,
     /// The page of its columns.

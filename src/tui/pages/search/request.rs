@@ -53,7 +53,7 @@ pub enum Answer {
     /// See [`Request::Seek`].
     Seek(seek::Report),
     /// See [`Request::Front`]; the first law's.
-    Front(Front),
+    Front(Box<Front>),
     /// See [`Request::Sensitivity`].
     Sensitivity(sensitivity::Report),
     /// See [`Request::MonteCarlo`].
@@ -72,9 +72,11 @@ impl Study for Request {
                 Answer::Seek(seek::seek(scene, goal, &mut Context::new(threads, plain))?)
             }
             Self::Front(task) => {
-                let watch = &mut reporter.watch(|front: &Front| Answer::Front(front.clone()));
+                let watch =
+                    &mut reporter.watch(|front: &Front| Answer::Front(Box::new(front.clone())));
                 let fronts = front::optimise(scene, task, &mut Context::new(threads, watch))?;
-                Answer::Front(fronts.into_iter().next().ok_or("no interface law was given")?)
+                let front = fronts.into_iter().next().ok_or("no interface law was given")?;
+                Answer::Front(Box::new(front))
             }
             Self::Sensitivity { axes, output, effort } => {
                 let context = &mut Context::new(threads, plain);

@@ -373,7 +373,7 @@ impl App {
                 parts.push(Progress::Old("setup").part());
             }
             (None, _, Some(found)) => {
-                let (done, runs) = completeness(&*found.answer);
+                let (done, runs) = completeness(&found.answer);
                 let progress = if done {
                     Progress::Done("done".to_owned())
                 } else {

@@ -16,7 +16,7 @@ use crate::tui::pages::Progress;
 use crate::tui::pages::thesis::{self, CLAIMS};
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Rows, Study};
+use crate::worker::study::{Lane, RowsSoFar, Study};
 
 /// Checks every claim of the thesis; the scene plays no part.
 #[derive(Debug)]
@@ -28,11 +28,11 @@ impl Study for Claims {
     }
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let part = |rows: &[Row]| Rows { rows: rows.to_vec(), is_complete: false };
+        let part = |rows: &[Row]| RowsSoFar { rows: rows.to_vec(), is_complete: false };
         let watch = &mut reporter.watch(part);
         let rows = reproduce(&mut Context::new(reporter.threads(), watch));
         let is_complete = rows.len() == claims().len();
-        Ok(Finding::new(Rows { rows, is_complete }))
+        Ok(Finding::new(RowsSoFar { rows, is_complete }))
     }
 }
 
@@ -40,7 +40,7 @@ impl Study for Claims {
 #[derive(Clone, Debug)]
 pub struct Thesis {
     /// The claims checked so far.
-    pub report: Option<Arc<Rows<Row>>>,
+    pub report: Option<Arc<RowsSoFar<Row>>>,
     /// Only rows with this verdict are shown.
     pub filter: Option<Verdict>,
     /// The rows are sorted by verdict.

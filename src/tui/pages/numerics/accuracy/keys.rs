@@ -60,11 +60,7 @@ fn use_method(app: &mut App) -> Vec<Effect> {
             scene.contact.model = ContactModel::Appendix;
             "the listing of the thesis (contact model appendix)".to_owned()
         }
-        Method::Taylor
-        | Method::ContactKernel
-        | Method::Full
-        | Method::Auto
-        | Method::ClosedForm => {
+        _ if method.is_of_engine() => {
             let Some(tolerance) = app.pages.numerics.accuracy.tolerance_for(method, TARGETS[0])
             else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
