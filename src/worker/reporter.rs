@@ -62,8 +62,14 @@ impl<'a> Reporter<'a> {
     }
 
     /// How long it has been running.
-    pub fn elapsed(&self) -> Duration {
+    pub(super) fn elapsed(&self) -> Duration {
         self.started.elapsed()
+    }
+
+    /// The time it has been running, s, for all of its threads.
+    pub fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
+        let started = self.started;
+        move || started.elapsed().as_secs_f64()
     }
 
     /// The flag that cancels it.

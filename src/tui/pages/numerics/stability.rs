@@ -5,7 +5,6 @@ pub(in crate::tui) mod keys;
 
 use std::error::Error;
 use std::sync::Arc;
-use std::time::Instant;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
@@ -60,13 +59,12 @@ impl Study for StiffScenes {
     }
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let started = Instant::now();
         let cases = stability::battery(false);
         let part = |rows: &[Row]| RowsSoFar { rows: rows.to_vec(), is_complete: false };
         let watch = &mut reporter.watch(part);
         // A run of an edited scene has its turn beside it.
         let context = &mut Context::new(reporter.threads().min(2), watch);
-        let rows = stability::run(&cases, &|| started.elapsed().as_secs_f64(), context)?;
+        let rows = stability::run(&cases, &reporter.clock(), context)?;
         let is_complete = rows.len() == cases.len();
         Ok(Finding::new(RowsSoFar { rows, is_complete }))
     }
