@@ -8,6 +8,7 @@
 
 pub mod cache;
 pub mod clock;
+mod memory;
 pub mod quiet;
 pub mod reporter;
 mod runs;
@@ -27,6 +28,9 @@ use runs::{Compute, Runs};
 use study::{Lane, Study};
 
 pub use study::Finding;
+
+/// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond.
+const LONG: Duration = Duration::from_millis(100);
 
 /// Work for a background thread.
 #[derive(Clone, Debug)]
@@ -287,6 +291,9 @@ impl Shared {
             // Free before the report: whoever acts on it may submit at once.
             queue.lock().running = None;
             send(body);
+            if reporter.elapsed() > LONG {
+                memory::give_back();
+            }
         }
     }
 }
