@@ -171,7 +171,12 @@ impl Destination {
     }
 }
 
-impl Beside<'_> {
+impl<'a> Beside<'a> {
+    /// The one scene of a table that tells by itself what came out.
+    pub fn of(scene: &'a Scene) -> Self {
+        Self { run: None, scene, notes: Box::new(|_| String::new()) }
+    }
+
     /// The scene file beside this table.
     pub fn file(&self, csv: &Path) -> String {
         let own = sidecar_path(csv, self.run);

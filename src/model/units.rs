@@ -396,34 +396,51 @@ impl fmt::Display for Engineering {
         if !self.value.is_finite() {
             return f.write_str(NO_NUMBER);
         }
-        let (factor, prefix) = prefix_of(self.value);
-        let scaled = self.value / factor;
-        let text = fixed_significant(scaled, self.digits);
-        write!(f, "{text} {prefix}{}", self.unit)
+        let prefix = Prefix::of(self.value);
+        let text = fixed_significant(self.value / prefix.size, self.digits);
+        write!(f, "{text} {}{}", prefix.letter, self.unit)
     }
 }
 
-/// The SI prefix (its factor and letter) that brings `value` between 1 and 1000.
-pub fn prefix_of(value: f64) -> (f64, &'static str) {
-    const PREFIXES: [(f64, &str); 9] = [
-        (1e9, "G"),
-        (1e6, "M"),
-        (1e3, "k"),
-        (1.0, ""),
-        (1e-3, "m"),
-        (1e-6, "u"),
-        (1e-9, "n"),
-        (1e-12, "p"),
-        (1e-15, "f"),
+/// An SI prefix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prefix {
+    /// What one of it is: 1e-3.
+    pub size: f64,
+    /// How many of it make one: 1e3, written out because 1/1e-6 is not 1e6.
+    pub in_one: f64,
+    /// Its letter: m.
+    pub letter: &'static str,
+}
+
+impl Prefix {
+    /// None.
+    pub const NONE: Self = Self::new(1.0, 1.0, "");
+    const ALL: [Self; 9] = [
+        Self::new(1e9, 1e-9, "G"),
+        Self::new(1e6, 1e-6, "M"),
+        Self::new(1e3, 1e-3, "k"),
+        Self::NONE,
+        Self::new(1e-3, 1e3, "m"),
+        Self::new(1e-6, 1e6, "u"),
+        Self::new(1e-9, 1e9, "n"),
+        Self::new(1e-12, 1e12, "p"),
+        Self::new(1e-15, 1e15, "f"),
     ];
-    let magnitude = value.abs();
-    if magnitude == 0.0 || !magnitude.is_finite() {
-        return (1.0, "");
+
+    const fn new(size: f64, in_one: f64, letter: &'static str) -> Self {
+        Self { size, in_one, letter }
     }
-    PREFIXES
-        .into_iter()
-        .find(|(factor, _)| magnitude >= factor * 0.999_999_5)
-        .unwrap_or(PREFIXES[PREFIXES.len() - 1])
+
+    /// The one that brings a value between 1 and 1000.
+    pub fn of(value: f64) -> Self {
+        let magnitude = value.abs();
+        if magnitude == 0.0 || !magnitude.is_finite() {
+            return Self::NONE;
+        }
+        let fits = |prefix: &Self| magnitude >= prefix.size * 0.999_999_5;
+        Self::ALL.into_iter().find(fits).unwrap_or(Self::ALL[Self::ALL.len() - 1])
+    }
 }
 
 /// `digits` significant figures in plain notation, zeros kept: `7.113`, `50.00`.

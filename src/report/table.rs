@@ -9,7 +9,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
 use thiserror::Error;
 
-use crate::model::units::{NO_NUMBER, fixed_significant, prefix_of, shortest, significant};
+use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
 /// Digits of a number on a page.
 const DIGITS: i32 = 4;
@@ -222,24 +222,19 @@ impl<'c, R> Table<'c, R> {
         };
         let of = |(column, values): &(&Column<'c, R>, Vec<Value>)| {
             let takes_prefix = matches!(column.unit, "m" | "s" | "N" | "J" | "Pa");
-            let scale = if takes_prefix { prefix_of(size(column.unit)) } else { (1.0, "") };
-            self.column_cells(column, values, scale)
+            let prefix = if takes_prefix { Prefix::of(size(column.unit)) } else { Prefix::NONE };
+            self.column_cells(column, values, prefix)
         };
         columns.iter().map(of).collect()
     }
 
-    fn column_cells(
-        &self,
-        column: &Column<'c, R>,
-        values: &[Value],
-        (factor, prefix): (f64, &str),
-    ) -> Cells {
+    fn column_cells(&self, column: &Column<'c, R>, values: &[Value], prefix: Prefix) -> Cells {
         let text = |(row, value): (&R, &Value)| {
             let shown = column.shown.as_ref().and_then(|shown| shown(row, value));
             shown.unwrap_or_else(|| match value {
                 Value::Null => NO_NUMBER.to_owned(),
                 Value::Number(number) if number.is_f64() => {
-                    rounded(number.as_f64().unwrap_or(f64::NAN) / factor)
+                    rounded(number.as_f64().unwrap_or(f64::NAN) / prefix.size)
                 }
                 Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
                 value => field(value).into_owned(),
@@ -247,7 +242,7 @@ impl<'c, R> Table<'c, R> {
         };
         let gap = if column.unit.is_empty() { "" } else { ", " };
         Cells {
-            head: format!("{}{gap}{prefix}{}", column.label, column.unit),
+            head: format!("{}{gap}{}{}", column.label, prefix.letter, column.unit),
             is_text: values.iter().any(Value::is_string),
             cells: self.rows.iter().zip(values).map(text).collect(),
         }

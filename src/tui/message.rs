@@ -226,8 +226,8 @@ pub enum FileTask {
 pub enum Content {
     /// Runs, with their scenes.
     Runs(RunTable),
-    /// This text.
-    Text(String),
+    /// This text, with the scene it is of, where that is one.
+    Text(String, Option<Arc<Scene>>),
     /// What a sweep found, with the scene's name.
     Grid(String, Arc<Grid>),
     /// What was measured of the methods, with the scene's name.
@@ -238,7 +238,7 @@ impl Content {
     /// Whether nothing is missing in it.
     pub(in crate::tui) fn is_complete(&self) -> bool {
         match self {
-            Self::Runs(_) | Self::Text(_) => true,
+            Self::Runs(_) | Self::Text(..) => true,
             Self::Grid(_, grid) => grid.is_complete(),
             Self::Accuracy(found) => found.1.is_complete,
         }
@@ -251,7 +251,7 @@ impl Content {
     pub fn table(&self, meta: Meta) -> Result<String, FileError> {
         Ok(match self {
             Self::Runs(runs) => runs.text(meta)?,
-            Self::Text(text) => text.clone(),
+            Self::Text(text, _) => text.clone(),
             Self::Grid(name, grid) => sweep::grid_csv(name, grid),
             Self::Accuracy(found) => accuracy::table(std::slice::from_ref(&**found)).csv(),
         })
@@ -261,7 +261,9 @@ impl Content {
     pub(in crate::tui) fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => runs.scenes(),
-            Self::Text(_) | Self::Grid(..) | Self::Accuracy(_) => Vec::new(),
+            Self::Text(_, scene) => scene.iter().map(|scene| Beside::of(scene)).collect(),
+            Self::Grid(_, grid) => vec![Beside::of(grid.plan().base())],
+            Self::Accuracy(found) => vec![Beside::of(&found.1.scene)],
         }
     }
 }

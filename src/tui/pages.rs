@@ -9,9 +9,12 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
+use std::sync::Arc;
+
 use crossterm::event::{KeyCode, KeyModifiers};
 use ratatui::layout::Rect;
 
+use crate::model::scene::Scene;
 use crate::tui::app::App;
 use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
@@ -62,9 +65,19 @@ pub(in crate::tui) struct Table {
 }
 
 impl Table {
-    /// A table that is a text already.
+    /// A table that is a text already, of no scene in particular.
     pub(in crate::tui) fn text(title: &'static str, file: String, text: String) -> Self {
-        Self { title, file, content: Content::Text(text) }
+        Self { title, file, content: Content::Text(text, None) }
+    }
+
+    /// A table that is a text already, of this scene.
+    pub(in crate::tui) fn of_scene(
+        title: &'static str,
+        file: String,
+        text: String,
+        scene: &Arc<Scene>,
+    ) -> Self {
+        Self { title, file, content: Content::Text(text, Some(Arc::clone(scene))) }
     }
 }
 

@@ -49,7 +49,7 @@ fn a_run_is_drawn_with_the_law_of_its_mechanism() {
         "contact force F [kN]",
         "force of the mechanism F(x) [kN]",
         "stiffness of the mechanism dF/dx [kN/m]",
-        "t [µs]",
+        "t [us]",
     ];
     check(&svg, &axes);
     // The spring is linear: two points tell its stiffness, 100 kN/m.

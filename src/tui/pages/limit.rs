@@ -103,17 +103,27 @@ impl Page for LimitTab {
                     app.pages.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
                 let text = limit::shots(&app.name_of(&report.scene), report).csv();
                 let file = format!("{}-limit.csv", ask::stem(app, &report.scene));
-                Table::text("Export the shots to CSV", file, text)
+                Table::of_scene("Export the shots to CSV", file, text, &report.scene)
             }
             COMPARISON => {
                 let (scene, found) = app.pages.limit.comparison.as_ref()?;
                 let text = compare::table(&app.name_of(scene), &found.report).csv();
-                Table::text("Export the comparison to CSV", format!("{stem}-compare.csv"), text)
+                Table::of_scene(
+                    "Export the comparison to CSV",
+                    format!("{stem}-compare.csv"),
+                    text,
+                    scene,
+                )
             }
             _ => {
                 let (scene, found) = app.pages.limit.comparison.as_ref()?;
                 let text = compare::map_table(&app.name_of(scene), found.map.as_ref()?).csv();
-                Table::text("Export the map to CSV", format!("{stem}-mass-efficiency.csv"), text)
+                Table::of_scene(
+                    "Export the map to CSV",
+                    format!("{stem}-mass-efficiency.csv"),
+                    text,
+                    scene,
+                )
             }
         };
         Some(table)

@@ -161,7 +161,7 @@ impl Page for NumericsTab {
                 let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
                 let text = stability_table::map_table(&app.name_of(scene), map).csv();
                 let file = format!("{}-map.csv", ask::stem(app, scene));
-                Table::text("Export the map to CSV", file, text)
+                Table::of_scene("Export the map to CSV", file, text, scene)
             }
         })
     }

@@ -110,7 +110,8 @@ impl Page for SearchTab {
 
     fn table(&self, app: &App) -> Option<Table> {
         let file = app.pages.search.page.file().to_owned();
-        Some(Table::text("Export the results to CSV", file, app.search_csv()?))
+        let scene = &app.pages.search.shown()?.scene;
+        Some(Table::of_scene("Export the results to CSV", file, app.search_csv()?, scene))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -185,11 +185,14 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     bench.keys("<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).find_map(|effect| match effect {
-            Effect::Files(FileTask::Export(to, Content::Text(text))) => Some((to, text)),
+            Effect::Files(FileTask::Export(to, Content::Text(text, scene))) => {
+                Some((to, text, scene))
+            }
             _ => None,
         })
     };
-    let (to, text) = sent(&mut bench).expect("an export");
+    let (to, text, scene) = sent(&mut bench).expect("an export");
+    assert_eq!(scene.as_deref(), Some(&*bench.app.scene));
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
     assert_eq!(to.existing, Existing::Keep);
     assert_eq!(text.lines().count(), 31);

@@ -217,7 +217,7 @@ fn what_was_found_is_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let text = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, Content::Text(text))) => {
+        Effect::Files(FileTask::Export(to, Content::Text(text, Some(_)))) => {
             Some((text.clone(), to.path.clone()))
         }
         _ => None,

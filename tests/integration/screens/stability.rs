@@ -153,7 +153,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
 /// The table written last, and its path.
 fn exported(bench: &Bench) -> (String, String) {
     let last = bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, Content::Text(text)))
+        Effect::Files(FileTask::Export(to, Content::Text(text, _)))
             if to.existing == Existing::Keep =>
         {
             Some((to.path.display().to_string(), text.clone()))

@@ -117,7 +117,7 @@ fn each_page_is_exported() {
     ] {
         bench.keys("e<Enter>");
         let written = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::Files(FileTask::Export(to, Content::Text(text))) => {
+            Effect::Files(FileTask::Export(to, Content::Text(text, None))) => {
                 Some((text.clone(), to.path.clone()))
             }
             _ => None,

@@ -118,7 +118,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let spreads = bars.iter().map(|(method, points)| {
         Curve::new('-', "spread", points).colour(colour(*method)).emphasis(Emphasis::Normal)
     });
-    let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "µs"));
+    let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "us"));
     let y = Axis::new("", errors).scale(tab.view.error_scale);
     let title = if old { "Relative error, of another scene" } else { title };
     let targets = TARGETS.iter().map(|y| Mark::new(*y, ""));
