@@ -19,7 +19,7 @@ use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::model::scene::Scene;
 use quiet::Quiet;
@@ -271,6 +271,7 @@ impl Shared {
     fn serve(&self, lane: Lane, mut runs: Option<&mut Runs>) {
         let queue = &self.lanes[lane as usize];
         while let Some((task, cancel)) = queue.next() {
+            let begun = Instant::now();
             let (id, slot) = (task.id, task.slot());
             let send = |body| (self.sink)(Report { id, slot, body });
             let reporter = Reporter::new(&send, &cancel, task.threads);
@@ -291,7 +292,7 @@ impl Shared {
             // Free before the report: whoever acts on it may submit at once.
             queue.lock().running = None;
             send(body);
-            if reporter.elapsed() > LONG {
+            if begun.elapsed() > LONG {
                 memory::give_back();
             }
         }
