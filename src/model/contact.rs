@@ -382,7 +382,7 @@ impl Piece {
 
     /// The same for any area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
     fn swept_by_rule_m3(&self, nose: &Nose, from_m: f64, width: f64) -> f64 {
-        gauss(0.0, 1.0, 4, |s| {
+        gauss(0.0, 1.0, 2, |s| {
             let q_m = from_m + width * s * s * (3.0 - 2.0 * s);
             self.law.area_m2(nose, q_m) * width * 6.0 * s * (1.0 - s)
         })

@@ -10,7 +10,7 @@
 
 use std::sync::LazyLock;
 
-use crate::numerics::{larger, minimum};
+use crate::numerics::larger;
 
 /// The power by which the points are drawn together at the singular end.
 const GRADE: i32 = 5;
@@ -22,11 +22,6 @@ const ROUNDS_MAX: usize = 40;
 const SETTLED: f64 = 2e-16;
 /// What a round may still change, relative to the scale, when it no longer becomes less.
 const ROUNDING: f64 = 1e-15;
-/// By what part a value between the points may be greater than that at the points.
-const EXCESS: f64 = 5e-2;
-/// The same of the polynomials between the points.
-const LOCATED: f64 = 1e-6;
-
 /// A rule on (0, 1) and the integrals of the polynomials through its points.
 struct Rule<const N: usize> {
     node: [f64; N],
@@ -101,36 +96,6 @@ pub fn part_at(point: usize) -> f64 {
 }
 
 impl<const D: usize> Graded<D> {
-    /// Where on the way a function of z and y is greatest, as z, and its value there by the polynomials; nothing where it cannot
-    /// exceed `known`.
-    pub fn greatest_at(
-        &self,
-        known: f64,
-        value: impl Fn(f64, &[f64; D]) -> f64,
-    ) -> Option<(f64, f64)> {
-        let values = self.points.map(|Point { z, y, .. }| value(z, &y));
-        let mut top = 0;
-        for (place, value) in values.iter().enumerate() {
-            top = if *value > values[top] { place } else { top };
-        }
-        let most = values[top] + EXCESS * values[top].abs();
-        if most <= known {
-            return None;
-        }
-        let node = &RULE.node;
-        let from = if top == 0 { 0.0 } else { node[top - 1] };
-        let to = if top == POINTS - 1 { 1.0 } else { node[top + 1] };
-        let at = |s: f64| {
-            let (z, y) = self.between(s);
-            value(z, &y)
-        };
-        let s = minimum::in_bracket(from, to, |s| -at(s));
-        let between = at(s);
-        let (best, most) =
-            if between >= values[top] { (s, between) } else { (node[top], values[top]) };
-        (most + LOCATED * most.abs() > known).then(|| (self.way.at(best).0, most))
-    }
-
     /// (z, y) at a part s of the way, by the polynomials through the points: second barycentric form with the weights of Gauss
     /// points (J.-P. Berrut and L. N. Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004), section 5).
     pub fn between(&self, s: f64) -> (f64, [f64; D]) {
@@ -294,21 +259,13 @@ mod tests {
         assert!((way - 2.0).abs() < 1e-14);
     }
 
-    /// With y = z: z^0.3 - y is greatest where z^0.7 = 0.3.
     #[test]
-    fn the_greatest_value_is_found_between_the_points() {
-        for (from, to) in [(0.0, 1.0), (1.0, 0.0), (0.01, 1.0)] {
-            let solved = solve(from, to, &[from], &[1.0], |_, _| [1.0]).unwrap();
-            let z = 0.3f64.powf(1.0 / 0.7);
-            let (at, most) =
-                solved.greatest_at(f64::NEG_INFINITY, |z, y| z.powf(0.3) - y[0]).unwrap();
-            assert!((at - z).abs() < 1e-6 && (most - z.powf(0.3) + z).abs() < 1e-12, "{at}");
-            let (_, [at_point]) = solved.between(part_at(7));
-            assert_eq!(at_point.to_bits(), solved.points[7].y[0].to_bits());
-            let (rising, _) = solved.greatest_at(f64::NEG_INFINITY, |z, _| z).unwrap();
-            assert!((rising - 1.0).abs() < 1e-12);
-            assert_eq!(solved.greatest_at(1.1, |z, _| z), None);
-        }
+    fn the_dense_output_goes_through_the_points() {
+        let solved = solve(0.01, 1.0, &[0.01], &[1.0], |_, _| [1.0]).unwrap();
+        let (_, [at_point]) = solved.between(part_at(7));
+        assert_eq!(at_point.to_bits(), solved.points[7].y[0].to_bits());
+        let (z, [between]) = solved.between(0.3);
+        assert!((between / z - 1.0).abs() < 1e-13, "{between} {z}");
     }
 
     #[test]

@@ -6,6 +6,8 @@
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
 
+use crate::model::closed_form::Passage;
+use crate::model::contact::Geometry;
 use crate::model::contact_kernel::law::{Damping, Law, product_before, square_at, square_before};
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
@@ -79,6 +81,17 @@ impl Constants {
             plate_mobility,
             cos,
             velocity_m_s: scene.projectile.velocity_m_s,
+        }
+    }
+
+    /// The relative motion alone, where the contact force slows the slip by so much, 1/kg.
+    pub(super) fn passage<'a>(&self, geometry: &'a Geometry, mobility_per_kg: f64) -> Passage<'a> {
+        Passage {
+            geometry,
+            mobility_per_kg,
+            strength_pa: self.strength_pa,
+            drag_kg_m3: self.drag_kg_m3,
+            velocity_m_s: self.velocity_m_s,
         }
     }
 }

@@ -121,13 +121,7 @@ fn closed(
     tolerance: f64,
 ) -> Option<ContactEnd> {
     let c = constants;
-    let passage = Passage {
-        geometry,
-        mobility_per_kg: c.slip_mobility,
-        strength_pa: c.strength_pa,
-        drag_kg_m3: c.drag_kg_m3,
-        velocity_m_s: c.velocity_m_s,
-    };
+    let passage = c.passage(geometry, c.slip_mobility);
     let ending = passage.ending();
     let (t_s, travel_m, slip) = match ending {
         Ending::Exit { velocity_m_s } => {

@@ -6,7 +6,6 @@
 //! singular perturbation). A pass gains as much as the plate swings fast against the motion; where two passes no longer
 //! agree, the contact goes on by plain steps from there.
 
-use crate::model::closed_form::Passage;
 use crate::model::contact_kernel::expansion::{Area, Clock, Constants, Series};
 use crate::model::contact_kernel::integration::{Plan, Track};
 use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
@@ -320,13 +319,7 @@ impl Contact {
     /// Where a plate on the manifold is so early that the projectile has not felt it move.
     fn at_balance(&self, manifold: &SpringManifold, part: f64, tolerance: f64) -> Option<Track> {
         let c = &self.constants;
-        let passage = Passage {
-            geometry: &self.geometry,
-            mobility_per_kg: c.slip_mobility - c.cos * c.cos * c.plate_mobility,
-            strength_pa: c.strength_pa,
-            drag_kg_m3: c.drag_kg_m3,
-            velocity_m_s: c.velocity_m_s,
-        };
+        let passage = c.passage(&self.geometry, c.slip_mobility - c.cos * c.cos * c.plate_mobility);
         let travel_m = c.velocity_m_s * self.scale_s? * part;
         let travel_m = smaller(travel_m, self.geometry.pieces().first()?.to_m);
         let (t_s, slip) = free::at_travel(&passage, travel_m, tolerance)?;

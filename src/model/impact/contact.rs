@@ -3,23 +3,16 @@
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::record::Setting;
 use crate::model::impact::track::Track;
 use crate::model::motion::State;
 use crate::model::plan::{IMMOBILE, holds_still};
 use crate::model::run::Mode;
-use crate::numerics::root::in_bracket;
-use crate::numerics::{larger, smaller};
+use crate::numerics::{larger, maximum, smaller};
 
 /// Shots that leave more slowly than this part of their velocity are integrated: the closed form's slip loses digits there.
 const LIMIT_MARGIN: f64 = 0.05;
 /// Points to draw on each stretch of the closed form.
 const POINTS: usize = 16;
-/// Parts of a stretch of the area law on each of which the contact force has at most one maximum, and the part of one over which
-/// its slope is taken.
-const PARTS: usize = 16;
-const SLOPE: f64 = 1e-5;
-
 /// How the plate answers during the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
@@ -120,73 +113,36 @@ impl Track<'_> {
     fn pass(&mut self, moment: &Moment, share: f64) {
         let problem = self.body.problem;
         let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
-        self.body.state = State {
+        let state = State {
             t_s: moment.t_s,
             travel_m: moment.travel_m,
             slip_m_s: moment.slip_m_s,
             plate_m: problem.start_m + share * gone,
             plate_m_s: share * (problem.velocity_m_s - moment.slip_m_s),
         };
-        self.body.deepest_m = larger(moment.travel_m, self.body.deepest_m);
-        self.body.speed_scale_m_s =
-            larger(self.body.state.plate_m_s.abs(), self.body.speed_scale_m_s);
-        self.body.plate_scale_m = larger(self.body.state.plate_m.abs(), self.body.plate_scale_m);
-        let motion = self.body.motion();
-        let setting = Setting {
-            problem,
-            motion: &motion,
-            mode: Mode::Penetrating,
-            still: share == 0.0,
-            rests_on_stop: false,
-            interface_n: 0.0,
-        };
-        self.record.reach(&self.body.state);
-        self.record.point(&setting, &self.body.state, false);
         let at_joint =
             problem.geometry.pieces().iter().any(|piece| {
                 (piece.to_m - moment.travel_m).abs() <= 4.0 * f64::EPSILON * piece.to_m
             });
+        self.reach(state, at_joint.then_some(EventId::PieceEnd));
+        let motion = self.body.motion();
+        self.record.point(&self.body.setting(&motion), &self.body.state, false);
         if at_joint {
-            let end = problem.geometry.pieces().iter().map(|piece| piece.to_m);
-            let nearest = end
-                .into_iter()
-                .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
-            self.body.state.travel_m = nearest.unwrap_or(moment.travel_m);
             self.handle(EventId::PieceEnd);
         }
     }
 }
 
-/// The greatest contact force: at a joint of the area law, at the end, or where its slope along the travel, which has the sign of
-/// A' - 2 c A²/mu, falls through zero.
+/// The greatest contact force.
 fn peak_n(passage: &Passage<'_>, moments: &[Moment]) -> f64 {
     let geometry = passage.geometry;
     let end = moments.last().map_or(0.0, |moment| moment.travel_m);
-    let mut peak = 0.0;
-    for piece in geometry.pieces().iter().filter(|piece| piece.from_m < end) {
-        let area = |q: f64| piece.law.area_m2(&geometry.nose, q);
-        let mut press = |q: f64| {
+    let pieces = geometry.pieces().iter().filter(|piece| piece.from_m < end);
+    pieces.fold(0.0, |peak, piece| {
+        let force = |q: f64| {
             let drag = passage.drag_kg_m3 * larger(passage.slip_squared(q), 0.0);
-            peak = larger(peak, area(q) * (passage.strength_pa + drag));
+            piece.law.area_m2(&geometry.nose, q) * (passage.strength_pa + drag)
         };
-        let to = smaller(piece.to_m, end);
-        let part_m = (to - piece.from_m) / PARTS as f64;
-        let h = SLOPE * part_m;
-        let turning = |q: f64| {
-            let slope = (area(q + h) - area(q - h)) / (2.0 * h);
-            slope - 2.0 * passage.drag_kg_m3 * area(q) * area(q) * passage.mobility_per_kg
-        };
-        press(piece.from_m);
-        press(to);
-        // A hair inside, so that the slope is taken on the piece.
-        let place =
-            |part: usize| (piece.from_m + part_m * part as f64).clamp(piece.from_m + h, to - h);
-        let slopes: [f64; PARTS + 1] = std::array::from_fn(|part| turning(place(part)));
-        for part in 0..PARTS {
-            if slopes[part] > 0.0 && slopes[part + 1] <= 0.0 {
-                press(in_bracket(place(part), place(part + 1), turning));
-            }
-        }
-    }
-    peak
+        larger(peak, maximum::greatest(piece.from_m, smaller(piece.to_m, end), peak, force))
+    })
 }

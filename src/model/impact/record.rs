@@ -10,7 +10,7 @@ use crate::numerics::root::each_fall;
 use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
 
-/// Points drawn within each step of the solver, its end included.
+/// Points drawn within each Taylor step, its end included.
 const POINTS_PER_STEP: usize = 8;
 
 /// Rows after which only the solver's own steps are kept, and rows at which what follows those is thinned: memory stays bounded
@@ -62,6 +62,13 @@ pub(super) struct Record<'a> {
     pub(super) push_exceeded_s: Option<f64>,
     pub(super) pull_exceeded_s: Option<f64>,
     pub(super) no_strength: bool,
+}
+
+/// When a step begins and ends, s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Times {
+    pub(super) from_s: f64,
+    pub(super) to_s: f64,
 }
 
 /// What a sample needs besides the state.
@@ -184,15 +191,28 @@ impl Record<'_> {
             };
             greatest(series, span, known, |s| setting.motion.force(force, &e.state(s)))
         });
-        if let Some(window) = self.window.filter(|_| self.keep_series) {
-            let at = |t_s: f64| setting.sample(&State { t_s, ..e.state((t_s - e.t_s) / h) }, false);
-            window.fill(e.t_s + span * h, at);
+        let times = Times { from_s: e.t_s, to_s: e.t_s + span * h };
+        self.draw(setting, times, POINTS_PER_STEP, |part| e.state(span * part));
+    }
+
+    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of so many equal parts.
+    pub(super) fn draw(
+        &mut self,
+        setting: &Setting<'_>,
+        Times { from_s, to_s }: Times,
+        parts: usize,
+        dense: impl Fn(f64) -> State,
+    ) {
+        if !self.keep_series {
+            return;
         }
-        if self.keep_series && self.series.len() < POINTS_MAX {
-            for point in 1..POINTS_PER_STEP {
-                let s = span * point as f64 / POINTS_PER_STEP as f64;
-                self.series.push(setting.sample(&e.state(s), false));
-            }
+        if let Some(window) = self.window {
+            let at = |t_s: f64| State { t_s, ..dense((t_s - from_s) / (to_s - from_s)) };
+            window.fill(to_s, |t_s| setting.sample(&at(t_s), false));
+        }
+        if self.series.len() < POINTS_MAX {
+            let between = (1..parts).map(|part| dense(part as f64 / parts as f64));
+            self.series.extend(between.map(|state| setting.sample(&state, false)));
         }
     }
 

@@ -16,7 +16,7 @@ use crate::model::run::Mode;
 use crate::numerics::arc::Arc;
 use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
-use crate::numerics::{larger, smaller};
+use crate::numerics::{larger, maximum, smaller};
 
 mod independent_variable;
 
@@ -232,15 +232,11 @@ impl Track<'_> {
                 record.point(&setting, state, false);
             }
         }
-        // At the place where the polynomial through the points is greatest: another stretch leads there.
+        let taken = Taken { track: self, variable, whole: stretch };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
-            let ends = larger(value(&self.body.state), value(end));
-            let Some((z, most)) = graded.greatest_at(known, |z, y| value(&variable.state(z, y)))
-            else {
-                return ends;
-            };
-            larger(self.unbroken(variable, z).map_or(most, |within| value(&within.end)), ends)
+            let close = |part: f64| value(&taken.dense(part));
+            maximum::greatest_at(0.0, 1.0, known, close, |part| value(&taken.exact(part)))
         });
         self.record = record;
         if self.body.mode != Mode::Fused || self.body.problem.plastic {

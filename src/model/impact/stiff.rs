@@ -7,6 +7,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
+use crate::model::impact::record::Times;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Motion, State};
@@ -22,8 +23,8 @@ mod unknowns;
 
 use unknowns::{Carrier, Unknowns};
 
-/// Points drawn within a step.
-const POINTS_PER_STEP: usize = 3;
+/// Points drawn within a step, its end included.
+const POINTS_PER_STEP: usize = 4;
 /// How far from zero an event function may be where it has fallen, relative to its variation over the step.
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
@@ -302,17 +303,8 @@ impl Track<'_> {
         });
         let penetrates = self.body.mode == Mode::Penetrating;
         let at = |part: f64| if penetrates { taken.exact(part) } else { taken.dense(part) };
-        if let Some(window) = record.window.filter(|_| record.keep_series) {
-            let from_s = self.body.state.t_s;
-            let sample = |t_s: f64| setting.sample(&State { t_s, ..at((t_s - from_s) / h) }, false);
-            window.fill(from_s + h, sample);
-        }
-        if record.keep_series {
-            for point in 1..=POINTS_PER_STEP {
-                let part = point as f64 / (POINTS_PER_STEP + 1) as f64;
-                record.point(&setting, &at(part), false);
-            }
-        }
+        let from_s = self.body.state.t_s;
+        record.draw(&setting, Times { from_s, to_s: from_s + h }, POINTS_PER_STEP, at);
     }
 }
 

@@ -205,8 +205,14 @@ impl<'a> Track<'a> {
         self.record.point(&self.body.setting(&motion), &self.body.state, true);
     }
 
-    /// The state at the end of a step, put exactly on the event that ended it.
+    /// Records the state at the end of a step, put exactly on the event that ended it.
     pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, fired: Option<EventId>) {
+        self.reach(state, fired);
+        self.record.point(&self.body.setting(motion), &self.body.state, true);
+    }
+
+    /// Takes a state, put exactly on the event that led to it.
+    pub(super) fn reach(&mut self, state: State, fired: Option<EventId>) {
         let before = self.body.state;
         self.body.state = state;
         self.body.compensation_m = 0.0;
@@ -221,7 +227,6 @@ impl<'a> Track<'a> {
         self.body.plate_scale_m = larger(x, self.body.plate_scale_m);
         self.body.speed_scale_m_s = larger(w, self.body.speed_scale_m_s);
         self.record.reach(&self.body.state);
-        self.record.point(&self.body.setting(motion), &self.body.state, true);
     }
 }
 

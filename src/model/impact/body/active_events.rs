@@ -35,16 +35,15 @@ impl Body<'_> {
     }
 
     fn watch_interface(&self, events: &mut ActiveEvents, noted: Noted) {
-        let (strength, share) = (self.interface_n(), self.problem.share);
-        let pull = self.problem.grip * strength;
-        let at_bottom = self.state.travel_m >= self.deepest_m;
-        let push = if at_bottom { strength } else { pull };
-        if self.problem.plastic || (strength > 0.0 && !noted.push) {
+        let (push, pull) = self.interface_limits_n();
+        let watches = |noted: bool| self.problem.plastic || (self.interface_n() > 0.0 && !noted);
+        let share = self.problem.share;
+        if watches(noted.push) {
             let form =
                 EventFunction { offset: push, mechanism: -share, ..EventFunction::default() };
             events.watch(EventId::PushLimit, form);
         }
-        if self.problem.plastic || (strength > 0.0 && !noted.pull) {
+        if watches(noted.pull) {
             let form = EventFunction { offset: pull, mechanism: share, ..EventFunction::default() };
             events.watch(EventId::PullLimit, form);
         }
