@@ -181,15 +181,8 @@ impl EventFunction {
     /// The same where contact, mechanism and damper hold with these forces, N.
     fn rounding_of(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
         let mechanism_n = motion.mechanism_size(state, forces.mechanism, forces.damper);
-        let size = self.offset.abs()
-            + (self.time * state.t_s).abs()
-            + (self.travel * state.travel_m).abs()
-            + (self.slip * state.slip_m_s).abs()
-            + (self.plate * state.plate_m).abs()
-            + (self.plate_speed * state.plate_m_s).abs()
-            + (self.contact * forces.contact).abs()
-            + (self.mechanism * mechanism_n).abs();
-        8.0 * f64::EPSILON * size
+        let terms = self.terms(state, Forces { mechanism: mechanism_n, ..forces });
+        8.0 * f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>()
     }
 
     /// The form at a state.
@@ -198,14 +191,20 @@ impl EventFunction {
     }
 
     fn value(&self, state: &State, forces: Forces) -> f64 {
-        self.offset
-            + self.time * state.t_s
-            + self.travel * state.travel_m
-            + self.slip * state.slip_m_s
-            + self.plate * state.plate_m
-            + self.plate_speed * state.plate_m_s
-            + self.contact * forces.contact
-            + self.mechanism * forces.mechanism
+        self.terms(state, forces).iter().sum()
+    }
+
+    fn terms(&self, state: &State, forces: Forces) -> [f64; 8] {
+        [
+            self.offset,
+            self.time * state.t_s,
+            self.travel * state.travel_m,
+            self.slip * state.slip_m_s,
+            self.plate * state.plate_m,
+            self.plate_speed * state.plate_m_s,
+            self.contact * forces.contact,
+            self.mechanism * forces.mechanism,
+        ]
     }
 
     /// The forces at a state, as far as they are in the form; else zero.

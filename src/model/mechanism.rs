@@ -61,6 +61,11 @@ impl PowerLaw {
         if acts { self } else { Self { coefficient: 0.0, ..self } }
     }
 
+    /// Whether its tangent at zero is infinite.
+    pub fn is_steep_at_zero(self) -> bool {
+        !self.is_absent() && self.exponent < 1.0
+    }
+
     /// How it is expanded.
     #[expect(
         clippy::cast_possible_truncation,

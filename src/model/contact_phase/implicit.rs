@@ -38,8 +38,7 @@ fn unfold(law: PowerLaw, y: f64) -> Unfolded {
 
 impl<'a, 'p> Unknowns<'a, 'p> {
     fn of(stretch: &'a Stretch<'p>) -> Self {
-        let singular =
-            |law: PowerLaw| Some(law).filter(|law| !law.is_absent() && law.exponent < 1.0);
+        let singular = |law: PowerLaw| Some(law).filter(|law| law.is_steep_at_zero());
         let spring = match &stretch.phase.spring {
             Spring::Power(law) => singular(*law),
             Spring::Curve(..) => None,

@@ -39,6 +39,15 @@ impl NearZero {
     fn on_side_of(z: f64) -> Self {
         Self { side: if z < 0.0 { -1.0 } else { 1.0 }, omitted: false, clear: 0.0 }
     }
+
+    /// Takes the side of an argument that is resolved, and restores the law once the argument is clear of zero.
+    fn leave(&mut self, z: f64, resolved: f64) {
+        let is_clear = self.omitted && z.abs() > self.clear;
+        if z.abs() > resolved || is_clear {
+            self.side = sign(z);
+        }
+        self.omitted &= !is_clear;
+    }
 }
 
 /// Projectile and plate.

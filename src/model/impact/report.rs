@@ -30,8 +30,6 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
         Outcome::Moving => None,
     };
-    let mut warnings = warnings(problem, &track, end, &ledger);
-    warnings.extend(notes(problem, &track, final_penetration_m).map(Warning::Model));
     let penetration_at_most_m =
         if outcome == Outcome::Moving { track.body.depth_at_most_m() } else { None };
     // What can only get deeper by less than the run's own error is as deep as it gets.
@@ -48,6 +46,8 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         }
         MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     };
+    let mut warnings = warnings(problem, &track, end, &ledger, farthest.unwrap_or(so_far_m));
+    warnings.extend(notes(problem, &track, final_penetration_m).map(Warning::Model));
     let at_least = AtLeast {
         penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
         plate_displacement_m: (farthest.is_none()
@@ -140,6 +140,7 @@ fn warnings(
     track: &Track<'_>,
     end: EndReason,
     ledger: &EnergyLedger,
+    far: f64,
 ) -> Vec<Warning> {
     let record = &track.record;
     let mut list = Vec::new();
@@ -170,12 +171,6 @@ fn warnings(
     }
     list.extend(Warning::of_ledger(ledger));
     if !problem.rigid {
-        let far = match track.termination.farthest {
-            MaximumDisplacement::Known(x) => larger(x, record.max_displacement_m),
-            MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => {
-                record.max_displacement_m
-            }
-        };
         let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
     }

@@ -141,14 +141,18 @@ impl Track<'_> {
             return true;
         }
         // Coasting to a greatest displacement that is already known in closed form.
-        matches!(self.termination.farthest, MaximumDisplacement::Known(known) if self.record.max_displacement_m < known * (1.0 - 1e-9))
-            && self.body.state.plate_m_s > FADED * self.body.speed_scale_m_s
+        self.goes_farther() && self.body.state.plate_m_s > FADED * self.body.speed_scale_m_s
+    }
+
+    /// Whether the plate is on its way to a greatest displacement that is known already.
+    fn goes_farther(&self) -> bool {
+        let reached = self.record.max_displacement_m;
+        matches!(self.termination.farthest, MaximumDisplacement::Known(far) if reached < far * (1.0 - 1e-9))
     }
 
     /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
     fn is_swinging(&self) -> bool {
-        matches!(self.termination.farthest, MaximumDisplacement::Known(known) if self.record.max_displacement_m < known * (1.0 - 1e-9))
-            && !self.body.problem.mechanism.spring.is_absent()
+        self.goes_farther() && !self.body.problem.mechanism.spring.is_absent()
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to

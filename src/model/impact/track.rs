@@ -163,14 +163,10 @@ impl<'a> Track<'a> {
     /// through zero with speed to spare: its unknown, the spring's force, changes sign there at once.
     fn pass_zero_under_implicit_steps(&mut self) {
         let (x, w) = (self.body.state.plate_m, self.body.state.plate_m_s);
-        let steep = self
-            .body
-            .problem
-            .mechanism
-            .spring
-            .power()
-            .is_some_and(|law| law.coefficient > 0.0 && law.exponent < 1.0);
-        if !(self.control.stiff && steep) || self.body.is_still() || self.body.x_zero.omitted {
+        if !(self.control.stiff && self.body.spring().is_steep_at_zero())
+            || self.body.is_still()
+            || self.body.x_zero.omitted
+        {
             return;
         }
         let (spring, damper) = (self.body.spring(), self.body.problem.mechanism.damper);

@@ -11,7 +11,7 @@ const LOOKS: usize = 64;
 /// How far beyond the last knot zeros and extremes are sought, in sizes of the law.
 const FAR: f64 = 20.0;
 /// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
-const DOUBLINGS: usize = 80;
+const DOUBLINGS: i32 = 80;
 
 /// Pieces between knots: one piece more than knots.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,31 +122,33 @@ impl Curve {
 
     fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
         let missing = |x: f64| self.energy(x) - energy_j;
+        let marks = ahead(&self.stations_m, x, way);
+        self.first_place(x, way, marks, |x| missing(x) > 0.0, missing)
+            .unwrap_or(way * f64::INFINITY)
+    }
+
+    /// The first place on the way from x, past these marks and on beyond them, where a function that is below zero before has risen to
+    /// zero, as `is_past` says; x itself where it has already.
+    fn first_place(
+        &self,
+        x: f64,
+        way: f64,
+        marks: Vec<f64>,
+        is_past: impl Fn(f64) -> bool,
+        function: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        let last = marks.last().copied().unwrap_or(x);
+        // Steps that double: 1, 3, 7, ... sizes of the law.
+        let beyond = (1..=DOUBLINGS).map(|i| last + way * self.scale_m * (2f64.powi(i) - 1.0));
         let mut from = x;
-        let ahead = |station: &&f64| way * (**station - x) > 0.0;
-        let mut stations: Vec<f64> = self.stations_m.iter().filter(ahead).copied().collect();
-        if way < 0.0 {
-            stations.reverse();
-        }
-        for station in stations {
-            if missing(station) > 0.0 {
-                return if missing(from) >= 0.0 {
-                    from
-                } else {
-                    in_bracket(from, station, missing)
-                };
+        for to in marks.into_iter().chain(beyond) {
+            if is_past(to) {
+                let is_there = function(from) >= 0.0;
+                return Some(if is_there { from } else { in_bracket(from, to, function) });
             }
-            from = station;
+            from = to;
         }
-        let mut step = self.scale_m;
-        for _ in 0..DOUBLINGS {
-            let to = from + way * step;
-            if missing(to) > 0.0 {
-                return if missing(from) >= 0.0 { from } else { in_bracket(from, to, missing) };
-            }
-            (from, step) = (to, 2.0 * step);
-        }
-        way * f64::INFINITY
+        None
     }
 
     /// Which way, 1 or -1, the law drives the plate on from x for ever: beyond the end of a table whose force runs away.
@@ -190,44 +192,18 @@ impl Curve {
     /// The least |x| on one side (`way` 1 or -1) at which the force is `force_n` that way; infinite where it never is.
     pub fn at_force(&self, force_n: f64, way: f64) -> f64 {
         let missing = |x: f64| way * self.force(x) - force_n;
-        let mut from = 0.0;
-        let mut marks: Vec<f64> = self
-            .stations_m
-            .iter()
-            .chain(&self.extremes_m)
-            .map(|x| way * x)
-            .filter(|x| *x > 0.0)
-            .collect();
-        marks.sort_by(f64::total_cmp);
-        for mark in marks {
-            if missing(way * mark) >= 0.0 {
-                return in_bracket(from, mark, |x| missing(way * x));
-            }
-            from = mark;
-        }
-        let mut step = self.scale_m;
-        for _ in 0..DOUBLINGS {
-            if missing(way * (from + step)) >= 0.0 {
-                return in_bracket(from, from + step, |x| missing(way * x));
-            }
-            (from, step) = (from + step, 2.0 * step);
-        }
-        f64::INFINITY
+        let all: Vec<f64> = self.stations_m.iter().chain(&self.extremes_m).copied().collect();
+        let marks = ahead(&all, 0.0, way);
+        let place = self.first_place(0.0, way, marks, |x| missing(x) >= 0.0, missing);
+        place.map_or(f64::INFINITY, f64::abs)
     }
 
     /// The displacement at which a law that rises everywhere has this force, m.
     pub fn displaced_by(&self, force_n: f64) -> f64 {
-        let missing = |x: f64| self.force(x) - force_n;
-        let way = if missing(0.0) < 0.0 { 1.0 } else { -1.0 };
-        let (mut from, mut step) = (0.0, self.scale_m);
-        for _ in 0..DOUBLINGS {
-            let to = from + way * step;
-            if way * missing(to) >= 0.0 {
-                return in_bracket(from, to, missing);
-            }
-            (from, step) = (to, 2.0 * step);
-        }
-        from
+        let way = if self.force(0.0) < force_n { 1.0 } else { -1.0 };
+        let missing = |x: f64| way * (self.force(x) - force_n);
+        let place = self.first_place(0.0, way, Vec::new(), |x| missing(x) >= 0.0, missing);
+        place.unwrap_or(way * f64::INFINITY)
     }
 
     /// Whether the force rises everywhere, so that each force belongs to one displacement.
@@ -276,4 +252,11 @@ impl Curve {
             (false, false) => (-far, far),
         }
     }
+}
+
+/// The places of a list that lie ahead of x, in their order on the way.
+fn ahead(places_m: &[f64], x: f64, way: f64) -> Vec<f64> {
+    let mut list: Vec<f64> = places_m.iter().copied().filter(|at| way * (at - x) > 0.0).collect();
+    list.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
+    list
 }

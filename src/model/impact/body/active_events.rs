@@ -1,6 +1,6 @@
 //! The events that may end a stretch of smooth motion, by mode.
 
-use super::Body;
+use super::{Body, NearZero};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::run::Mode;
@@ -114,28 +114,34 @@ impl Body<'_> {
     }
 
     fn watch_zero_of_x(&self, events: &mut ActiveEvents) {
-        let near = if self.x_zero.omitted { self.x_zero.clear } else { self.near_zero_m() };
-        if self.x_zero.omitted {
-            for side in [1.0, -1.0] {
-                events.watch(EventId::PlateClear, EventFunction::plate(near, -side));
-            }
-        } else if !self.spring().is_smooth_at_zero() {
-            let singular = self.problem.mechanism.spring.is_singular();
-            let offset = if singular { -near } else { 0.0 };
-            events.watch(EventId::PlateZero, EventFunction::plate(offset, self.x_zero.side));
+        let singular = self.problem.mechanism.spring.is_singular();
+        if self.x_zero.omitted || !self.spring().is_smooth_at_zero() {
+            let near = if singular { self.near_zero_m() } else { 0.0 };
+            let ids = [EventId::PlateZero, EventId::PlateClear];
+            watch_zero(events, self.x_zero, near, ids, EventFunction::plate);
         }
     }
 
     fn watch_zero_of_w(&self, events: &mut ActiveEvents, singular: bool) {
-        let near = if self.w_zero.omitted { self.w_zero.clear } else { self.near_zero_m_s() };
-        if self.w_zero.omitted {
-            for side in [1.0, -1.0] {
-                events.watch(EventId::PlateSpeedClear, EventFunction::plate_speed(near, -side));
-            }
-            return;
+        let near = if singular { self.near_zero_m_s() } else { 0.0 };
+        let ids = [EventId::PlateSpeedZero, EventId::PlateSpeedClear];
+        watch_zero(events, self.w_zero, near, ids, EventFunction::plate_speed);
+    }
+}
+
+/// Watches for an argument that comes as near to the zero of its law as that, or, where the law is omitted, is clear of it.
+fn watch_zero(
+    events: &mut ActiveEvents,
+    zero: NearZero,
+    near: f64,
+    [comes_near, is_clear]: [EventId; 2],
+    form: fn(f64, f64) -> EventFunction,
+) {
+    if zero.omitted {
+        for side in [1.0, -1.0] {
+            events.watch(is_clear, form(zero.clear, -side));
         }
-        let offset = if singular { -near } else { 0.0 };
-        let form = EventFunction::plate_speed(offset, self.w_zero.side);
-        events.watch(EventId::PlateSpeedZero, form);
+    } else {
+        events.watch(comes_near, form(-near, zero.side));
     }
 }

@@ -1,7 +1,6 @@
 //! A singular power law cannot be expanded at its zero: it is omitted in a neighbourhood so small that this does not matter.
 
 use super::Body;
-use crate::model::mechanism::sign;
 use crate::numerics::{larger, smaller};
 
 /// Half-width of the neighbourhood of zero in which a singular power law is omitted, relative to the greatest value seen.
@@ -19,6 +18,7 @@ const CLOCK: f64 = 1e-13;
 const LEAST: f64 = 1e-13;
 /// The least half-width relative to the greatest displacement seen: less than that is lost in rounding.
 const FINEST: f64 = 1e-12;
+
 impl Body<'_> {
     /// Omits the singular spring until the plate is clear of zero, and gives the time that this takes, s. The distance is fixed
     /// now: one that shrank on the way would never be reached.
@@ -52,20 +52,8 @@ impl Body<'_> {
     /// side on which it is, so that its next passage is not taken for a return.
     pub(in crate::model::impact) fn restore_omitted(&mut self) {
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
-        if x.abs() > FINEST * self.plate_scale_m {
-            self.x_zero.side = sign(x);
-        }
-        if w.abs() > FINEST * self.speed_scale_m_s {
-            self.w_zero.side = sign(w);
-        }
-        if self.x_zero.omitted && x.abs() > self.x_zero.clear {
-            self.x_zero.omitted = false;
-            self.x_zero.side = sign(x);
-        }
-        if self.w_zero.omitted && w.abs() > self.w_zero.clear {
-            self.w_zero.omitted = false;
-            self.w_zero.side = sign(w);
-        }
+        self.x_zero.leave(x, FINEST * self.plate_scale_m);
+        self.w_zero.leave(w, FINEST * self.speed_scale_m_s);
     }
 
     /// How close to zero displacement the singular spring is omitted: so close that it holds little of the plate's energy.

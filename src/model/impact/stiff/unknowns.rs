@@ -36,7 +36,7 @@ pub(super) enum Carrier<'a> {
 impl<'a> Carrier<'a> {
     fn of(law: Elastic<'a>) -> Self {
         match law {
-            Elastic::Power(law) if law.coefficient > 0.0 && law.exponent < 1.0 => Self::Force(law),
+            Elastic::Power(law) if law.is_steep_at_zero() => Self::Force(law),
             Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law, 0.0),
         }
     }
