@@ -283,28 +283,29 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
         found.push(breach(Check::Spring, Direction::Unconservative, text));
     }
     for warning in &run.warnings {
-        let check = match warning {
-            Warning::Limit(_) => Check::Spring,
-            Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => Check::Interface,
-            _ => continue,
-        };
-        found.push(breach(check, Direction::Unconservative, warning.to_string()));
+        if let Some(check) = check_of(warning) {
+            found.push(breach(check, Direction::Unconservative, warning.to_string()));
+        }
     }
     found.sort_by_key(|breach| breach.check);
     found
 }
 
+/// The row of the table that a warning of a run belongs to.
+fn check_of(warning: &Warning) -> Option<Check> {
+    match warning {
+        Warning::Limit(_) => Some(Check::Spring),
+        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => Some(Check::Interface),
+        _ => None,
+    }
+}
+
 /// Everything a careful reader of a run should know: first what is outside the model's validity, then what happened on the way,
 /// then values outside the range the thesis searched.
 pub fn warnings(run: &Run) -> Vec<String> {
-    let is_breach = |warning: &&Warning| {
-        matches!(
-            warning,
-            Warning::Limit(_) | Warning::InterfacePush { .. } | Warning::InterfacePull { .. }
-        )
-    };
     let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
-    list.extend(run.warnings.iter().filter(|it| !is_breach(it)).map(ToString::to_string));
+    let others = run.warnings.iter().filter(|warning| check_of(warning).is_none());
+    list.extend(others.map(ToString::to_string));
     list.extend(variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text));
     list
 }
