@@ -161,8 +161,8 @@ impl Delivery<'_> {
     pub(super) fn deliver_warned<R>(
         &self,
         warnings: &[String],
-        page: impl FnOnce() -> String,
-        object: impl FnOnce() -> String,
+        page: impl Fn() -> String,
+        object: impl Fn() -> String,
         table: Table<'_, R>,
     ) -> Result<(), CliError> {
         let page = || at_top(&page(), warnings);
@@ -173,12 +173,21 @@ impl Delivery<'_> {
     /// The same without warnings.
     pub(super) fn deliver_report<R>(
         &self,
-        page: impl FnOnce() -> String,
-        object: impl FnOnce() -> String,
+        page: impl Fn() -> String,
+        object: impl Fn() -> String,
         rows: &Table<'_, R>,
     ) -> Result<(), CliError> {
+        self.deliver_texts(&page, &object, &|| rows.csv())
+    }
+
+    fn deliver_texts(
+        &self,
+        page: &dyn Fn() -> String,
+        object: &dyn Fn() -> String,
+        csv: &dyn Fn() -> String,
+    ) -> Result<(), CliError> {
         let table = self.table;
-        let text = || table.csv_style.file(&self.comments(), &rows.csv());
+        let text = || table.csv_style.file(&self.comments(), &csv());
         let written = match table.target() {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&text()?),
