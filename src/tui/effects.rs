@@ -355,6 +355,7 @@ fn write_copy(path: &Path, text: &str) -> Result<(), FileError> {
 mod tests {
     use super::*;
     use crate::files::export::Meta;
+    use crate::tui::message::PageTable;
 
     const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -390,7 +391,11 @@ mod tests {
         let path = place.path().join("shots.csv");
         let to = Destination { path: path.clone(), existing: Existing::Keep, meta: Meta::Beside };
         let scene = session_of(2.0).scene;
-        let content = Content::Text("a\n1\n".to_owned(), Some(Arc::new(scene.clone())));
+        let table = |scene: Option<Scene>| {
+            let (scene, csv) = (scene.map(Arc::new), Arc::new(|| "a\n1\n".to_owned()));
+            Content::Page(PageTable { scene, is_complete: true, csv })
+        };
+        let content = table(Some(scene.clone()));
         let beside = place.path().join("shots.toml");
         let ExportOutcome::Written(files) = export(to.clone(), &content) else {
             panic!("not written")
@@ -398,8 +403,7 @@ mod tests {
         assert_eq!(files, [path, beside.clone()]);
         assert_eq!(preset::from_ordinary_file(&beside).unwrap().scene, scene);
         let alone = Destination { path: place.path().join("claims.csv"), ..to };
-        let content = Content::Text("a\n1\n".to_owned(), None);
-        let ExportOutcome::Written(files) = export(alone, &content) else { panic!("not written") };
+        let ExportOutcome::Written(files) = export(alone, &table(None)) else { panic!("not written") };
         assert_eq!(files.len(), 1);
     }
 

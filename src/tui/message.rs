@@ -1,5 +1,6 @@
 //! What can happen to the workbench ([`Message`]) and what it asks the outside to do ([`Effect`]).
 
+use std::fmt;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -11,9 +12,6 @@ use crate::files::export::{Beside, Destination, Meta, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
-use crate::report::accuracy::{self, Named};
-use crate::report::sweep;
-use crate::study::sweep::grid::Grid;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::pages::Tab;
 use crate::worker::{Report, Task};
@@ -226,21 +224,33 @@ pub enum FileTask {
 pub enum Content {
     /// Runs, with their scenes.
     Runs(RunTable),
-    /// This text, with the scene it is of, where that is one.
-    Text(String, Option<Arc<Scene>>),
-    /// What a sweep found, with the scene's name.
-    Grid(String, Arc<Grid>),
-    /// What was measured of the methods, with the scene's name.
-    Accuracy(Box<Named>),
+    /// The table of a page.
+    Page(PageTable),
+}
+
+/// The table of a page, made where it is written: a long one takes a moment.
+#[derive(Clone)]
+pub struct PageTable {
+    /// The scene it is of, where it is of one.
+    pub scene: Option<Arc<Scene>>,
+    /// Whether nothing is missing in it.
+    pub is_complete: bool,
+    /// Makes it.
+    pub csv: Arc<dyn Fn() -> String + Send + Sync>,
+}
+
+impl fmt::Debug for PageTable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PageTable").field("is_complete", &self.is_complete).finish_non_exhaustive()
+    }
 }
 
 impl Content {
     /// Whether nothing is missing in it.
     pub(in crate::tui) fn is_complete(&self) -> bool {
         match self {
-            Self::Runs(_) | Self::Text(..) => true,
-            Self::Grid(_, grid) => grid.is_complete(),
-            Self::Accuracy(found) => found.1.is_complete,
+            Self::Runs(_) => true,
+            Self::Page(table) => table.is_complete,
         }
     }
 
@@ -249,21 +259,17 @@ impl Content {
     /// # Errors
     /// [`FileError`] where it cannot be made.
     pub fn table(&self, meta: Meta) -> Result<String, FileError> {
-        Ok(match self {
-            Self::Runs(runs) => runs.text(meta)?,
-            Self::Text(text, _) => text.clone(),
-            Self::Grid(name, grid) => sweep::grid_csv(name, grid),
-            Self::Accuracy(found) => accuracy::table(std::slice::from_ref(&**found)).csv(),
-        })
+        match self {
+            Self::Runs(runs) => runs.text(meta),
+            Self::Page(table) => Ok((table.csv)()),
+        }
     }
 
     /// The scenes that go beside it.
-    pub(in crate::tui) fn scenes(&self) -> Vec<Beside<'_>> {
+    pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => runs.scenes(),
-            Self::Text(_, scene) => scene.iter().map(|scene| Beside::of(scene)).collect(),
-            Self::Grid(_, grid) => vec![Beside::of(grid.plan().base())],
-            Self::Accuracy(found) => vec![Beside::of(&found.1.scene)],
+            Self::Page(table) => table.scene.as_deref().map(Beside::of).into_iter().collect(),
         }
     }
 }

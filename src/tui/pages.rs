@@ -19,7 +19,7 @@ use crate::tui::app::App;
 use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
-use crate::tui::message::{Content, Effect};
+use crate::tui::message::{Content, Effect, PageTable};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 
@@ -65,19 +65,24 @@ pub(in crate::tui) struct Table {
 }
 
 impl Table {
-    /// A table that is a text already, of no scene in particular.
-    pub(in crate::tui) fn text(title: &'static str, file: String, text: String) -> Self {
-        Self { title, file, content: Content::Text(text, None) }
+    /// A table of a scene, or of none.
+    pub(in crate::tui) fn new(
+        title: &'static str,
+        file: impl Into<String>,
+        scene: Option<&Arc<Scene>>,
+        csv: impl Fn() -> String + Send + Sync + 'static,
+    ) -> Self {
+        let (scene, csv) = (scene.cloned(), Arc::new(csv));
+        let content = Content::Page(PageTable { scene, is_complete: true, csv });
+        Self { title, file: file.into(), content }
     }
 
-    /// A table that is a text already, of this scene.
-    pub(in crate::tui) fn of_scene(
-        title: &'static str,
-        file: String,
-        text: String,
-        scene: &Arc<Scene>,
-    ) -> Self {
-        Self { title, file, content: Content::Text(text, Some(Arc::clone(scene))) }
+    /// The same where something may be missing in it.
+    pub(in crate::tui) fn complete(mut self, is_complete: bool) -> Self {
+        if let Content::Page(table) = &mut self.content {
+            table.is_complete = is_complete;
+        }
+        self
     }
 }
 

@@ -15,6 +15,7 @@ use std::sync::Arc;
 use ratatui::layout::Rect;
 
 use crate::report::figures::axis_of;
+use crate::report::sweep;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::jobs::{News, Running};
@@ -22,7 +23,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::{Content, Effect};
+use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::{Picture, SetupRow};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
@@ -93,12 +94,12 @@ impl Page for ExploreTab {
         let found = app.pages.explore.found(app.picture())?;
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
-        let content = Content::Grid(app.name_of(plan.base()), Arc::clone(&found.grid));
-        Some(Table {
-            title: "Export the sweep to CSV",
-            file: format!("{}-{}.csv", ask::base_stem(app), names.join("-")),
-            content,
-        })
+        let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
+        let (name, scene, grid) =
+            (app.name_of(plan.base()), Arc::new(plan.base().clone()), Arc::clone(&found.grid));
+        let is_complete = grid.is_complete();
+        let csv = move || sweep::grid_csv(&name, &grid);
+        Some(Table::new("Export the sweep to CSV", file, Some(&scene), csv).complete(is_complete))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -97,36 +97,27 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<Table> {
         let stem = ask::base_stem(app);
-        let table = match app.pane() {
-            RESIDUAL => {
-                let report =
-                    app.pages.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
-                let text = limit::shots(&app.name_of(&report.scene), report).csv();
-                let file = format!("{}-limit.csv", ask::stem(app, &report.scene));
-                Table::of_scene("Export the shots to CSV", file, text, &report.scene)
-            }
-            COMPARISON => {
-                let (scene, found) = app.pages.limit.comparison.as_ref()?;
-                let text = compare::table(&app.name_of(scene), &found.report).csv();
-                Table::of_scene(
-                    "Export the comparison to CSV",
-                    format!("{stem}-compare.csv"),
-                    text,
-                    scene,
-                )
-            }
-            _ => {
-                let (scene, found) = app.pages.limit.comparison.as_ref()?;
-                let text = compare::map_table(&app.name_of(scene), found.map.as_ref()?).csv();
-                Table::of_scene(
-                    "Export the map to CSV",
-                    format!("{stem}-mass-efficiency.csv"),
-                    text,
-                    scene,
-                )
-            }
-        };
-        Some(table)
+        if app.pane() == RESIDUAL {
+            let report = app.pages.limit.report.as_ref();
+            let report = Arc::clone(report.filter(|report| !report.shots.is_empty())?);
+            let (name, scene) = (app.name_of(&report.scene), Arc::clone(&report.scene));
+            let file = format!("{}-limit.csv", ask::stem(app, &scene));
+            let is_complete = report.is_complete;
+            let csv = move || limit::shots(&name, &report).csv();
+            let title = "Export the shots to CSV";
+            return Some(Table::new(title, file, Some(&scene), csv).complete(is_complete));
+        }
+        let (scene, found) = app.pages.limit.comparison.as_ref()?;
+        let (name, found) = (app.name_of(scene), Arc::clone(found));
+        if app.pane() == COMPARISON {
+            let is_complete = found.report.is_complete;
+            let csv = move || compare::table(&name, &found.report).csv();
+            let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
+            return Some(Table::new(title, file, Some(scene), csv).complete(is_complete));
+        }
+        let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
+        let csv = move || compare::map_table(&name, &map).csv();
+        Some(Table::new("Export the map to CSV", file, Some(scene), csv))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

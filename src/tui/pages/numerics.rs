@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use ratatui::layout::Rect;
 
+use crate::report::accuracy as accuracy_table;
 use crate::report::stability as stability_table;
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
@@ -18,7 +19,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::{Content, Effect};
+use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
@@ -144,24 +145,30 @@ impl Page for NumericsTab {
     fn table(&self, app: &App) -> Option<Table> {
         Some(match app.pane() {
             ACCURACY => {
-                let report = app.pages.numerics.accuracy.report.as_ref()?;
-                let found = Box::new((app.name_of(&report.scene), (**report).clone()));
-                Table {
-                    title: "Export the measurements to CSV",
-                    file: format!("{}-accuracy.csv", ask::stem(app, &report.scene)),
-                    content: Content::Accuracy(found),
-                }
+                let report = Arc::clone(app.pages.numerics.accuracy.report.as_ref()?);
+                let (name, scene) = (app.name_of(&report.scene), Arc::clone(&report.scene));
+                let file = format!("{}-accuracy.csv", ask::stem(app, &scene));
+                let is_complete = report.is_complete;
+                let named = (name, (*report).clone());
+                let csv = move || accuracy_table::table(std::slice::from_ref(&named)).csv();
+                let title = "Export the measurements to CSV";
+                Table::new(title, file, Some(&scene), csv).complete(is_complete)
             }
             STIFF_SCENES => {
-                let rows = app.pages.numerics.stability.rows();
-                let text = (!rows.is_empty()).then(|| stability_table::table(rows).csv())?;
-                Table::text("Export the stiff scenes to CSV", "battery.csv".to_owned(), text)
+                let battery = app.pages.numerics.stability.battery.as_ref();
+                let battery = Arc::clone(battery.filter(|battery| !battery.rows.is_empty())?);
+                let is_complete = battery.is_complete;
+                let csv = move || stability_table::table(&battery.rows).csv();
+                let title = "Export the stiff scenes to CSV";
+                Table::new(title, "battery.csv", None, csv).complete(is_complete)
             }
             _ => {
                 let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
-                let text = stability_table::map_table(&app.name_of(scene), map).csv();
+                let (name, map) = (app.name_of(scene), Arc::clone(map));
                 let file = format!("{}-map.csv", ask::stem(app, scene));
-                Table::of_scene("Export the map to CSV", file, text, scene)
+                let is_complete = map.is_complete();
+                let csv = move || stability_table::map_table(&name, &map).csv();
+                Table::new("Export the map to CSV", file, Some(scene), csv).complete(is_complete)
             }
         })
     }

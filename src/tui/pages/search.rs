@@ -8,6 +8,8 @@ pub mod request;
 pub mod setup;
 pub mod state;
 
+use std::sync::Arc;
+
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
@@ -109,9 +111,12 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<Table> {
-        let file = app.pages.search.page.file().to_owned();
-        let scene = &app.pages.search.shown()?.scene;
-        Some(Table::of_scene("Export the results to CSV", file, app.search_csv()?, scene))
+        let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
+        let (name, scene) = (app.name_of(&found.scene), Arc::clone(&found.scene));
+        let is_complete = found.is_complete();
+        let csv = move || found.csv(&name);
+        let title = "Export the results to CSV";
+        Some(Table::new(title, file, Some(&scene), csv).complete(is_complete))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -114,7 +114,7 @@ impl Page for ThesisTab {
                 ("claims.csv", (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?)
             }
         };
-        Some(Table::text("Export this page to CSV", file.to_owned(), text))
+        Some(Table::new("Export this page to CSV", file, None, move || text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -11,7 +11,7 @@ use cmra::study::accuracy::reference::{Basis, Reference};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::chart::ViewRange;
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::numerics::accuracy::Measurements;
 use cmra::tui::theme::GlyphSet;
@@ -172,23 +172,17 @@ fn the_crosshair_tells_what_a_run_time_buys() {
 fn the_table_is_written_and_never_over_a_file_unasked() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
-    let sent = |bench: &mut Bench| {
-        bench.effects.drain(..).rev().find_map(|effect| match effect {
-            Effect::Files(FileTask::Export(to, Content::Accuracy(found))) => Some((to, found)),
-            _ => None,
-        })
-    };
-    let (to, found) = sent(&mut bench).expect("an export");
+    let (to, csv, has_scene) = bench.exported().expect("an export");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
     assert_eq!(to.existing, Existing::Keep);
-    assert_eq!(found.0, "thesis-baseline");
-    let points: usize = found.1.methods.iter().map(|method| method.points.len()).sum();
-    let csv = cmra::report::accuracy::table(std::slice::from_ref(&*found)).csv();
+    let report = bench.app.pages.numerics.accuracy.report.as_ref().unwrap();
+    let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
+    assert!(has_scene && csv.lines().nth(1).unwrap().starts_with("thesis-baseline,"));
     assert_eq!(csv.lines().count(), points + 1);
     let done = |outcome| Message::Done(EffectReport::Exported(outcome));
     bench.send(done(ExportOutcome::Exists(to.path.clone())));
     bench.keys("y");
-    assert_eq!(sent(&mut bench).expect("asked again").0.existing, Existing::Replace);
+    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.send(done(ExportOutcome::Written(vec![to.path])));
     assert!(bench.app.dialog.is_none());
 }

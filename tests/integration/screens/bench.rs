@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use std::time::Duration;
 
+use cmra::files::export::Destination;
 use cmra::model::run::{
     Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
     Omission, Outcome, Run, Sample, Warning,
@@ -13,7 +14,7 @@ use cmra::model::run::{
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::{App, Base, Origin};
-use cmra::tui::message::{Effect, EffectReport, Message, PresetEntry};
+use cmra::tui::message::{Effect, EffectReport, FileTask, Message, PresetEntry};
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
@@ -122,6 +123,17 @@ impl Bench {
                 Some((task.id, task.threads, Arc::clone(&sweep.plan)))
             }
             Work::Run(..) => None,
+        })
+    }
+
+    /// Where the last table was asked to be written, its text, and whether its scene goes beside it.
+    pub(crate) fn exported(&mut self) -> Option<(Destination, String, bool)> {
+        self.effects.drain(..).rev().find_map(|effect| match effect {
+            Effect::Files(FileTask::Export(to, content)) => {
+                let text = content.table(to.meta).expect("a table");
+                Some((to, text, !content.scenes().is_empty()))
+            }
+            _ => None,
         })
     }
 

@@ -9,7 +9,7 @@ use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::monte_carlo::SampledLimit;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::limit::state::LimitSearch;
 use cmra::tui::pages::limit::state::SAMPLING;
 use cmra::tui::theme::GlyphSet;
@@ -183,16 +183,8 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     bench.keys("e");
     assert_snapshot!("limit_export", bench.screen());
     bench.keys("<Enter>");
-    let sent = |bench: &mut Bench| {
-        bench.effects.drain(..).find_map(|effect| match effect {
-            Effect::Files(FileTask::Export(to, Content::Text(text, scene))) => {
-                Some((to, text, scene))
-            }
-            _ => None,
-        })
-    };
-    let (to, text, scene) = sent(&mut bench).expect("an export");
-    assert_eq!(scene.as_deref(), Some(&*bench.app.scene));
+    let (to, text, has_scene) = bench.exported().expect("an export");
+    assert!(has_scene, "runs it again");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
     assert_eq!(to.existing, Existing::Keep);
     assert_eq!(text.lines().count(), 31);
@@ -200,7 +192,7 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     let done = |outcome| Message::Done(EffectReport::Exported(outcome));
     bench.send(done(ExportOutcome::Exists(to.path.clone())));
     bench.keys("y");
-    assert_eq!(sent(&mut bench).expect("asked again").0.existing, Existing::Replace);
+    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
     bench.send(done(ExportOutcome::Written(vec![to.path])));
     assert!(bench.app.dialog.is_none());
 }

@@ -12,7 +12,6 @@ use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::sensitivity;
 use cmra::study::sweep::PointOutcome;
 use cmra::study::{monte_carlo, search::seek};
-use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
 use cmra::tui::pages::search;
@@ -216,14 +215,9 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
 fn what_was_found_is_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
-    let text = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, Content::Text(text, Some(_)))) => {
-            Some((text.clone(), to.path.clone()))
-        }
-        _ => None,
-    });
-    let (text, path) = text.expect("an export");
-    assert!(path.ends_with("seek.csv") && text.starts_with("scene,kind,variable,"), "{text}");
+    let (to, text, has_scene) = bench.exported().expect("an export");
+    assert!(to.path.ends_with("seek.csv") && has_scene);
+    assert!(text.starts_with("scene,kind,variable,"), "{text}");
 }
 
 #[test]

@@ -9,7 +9,6 @@ use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
 use cmra::study::stability::others::Verdict;
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
-use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
@@ -151,16 +150,10 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
 }
 
 /// The table written last, and its path.
-fn exported(bench: &Bench) -> (String, String) {
-    let last = bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, Content::Text(text, _)))
-            if to.existing == Existing::Keep =>
-        {
-            Some((to.path.display().to_string(), text.clone()))
-        }
-        _ => None,
-    });
-    last.expect("an export")
+fn exported(bench: &mut Bench) -> (String, String) {
+    let (to, text, _) = bench.exported().expect("an export");
+    assert_eq!(to.existing, Existing::Keep);
+    (to.path.display().to_string(), text)
 }
 
 #[test]
@@ -168,7 +161,7 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.screen().contains("e export"), "{}", bench.screen());
     bench.keys("e<Enter>");
-    let (path, text) = exported(&bench);
+    let (path, text) = exported(&mut bench);
     assert_eq!(path, "/home/ada/work/thesis-baseline-map.csv");
     let shown = map(Method::Thesis, Axis::K);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
@@ -182,7 +175,7 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
     answer(&mut bench);
     bench.keys("e<Enter>");
-    let (path, text) = exported(&bench);
+    let (path, text) = exported(&mut bench);
     assert_eq!(path, "/home/ada/work/battery.csv");
     assert!(text.starts_with("scene,changes,outcome,"), "{text}");
     assert_eq!(text.lines().count(), 13);
@@ -195,7 +188,7 @@ fn the_map_of_a_changed_scene_is_called_so() {
     bench.keys("jjl55");
     answer(&mut bench);
     bench.keys("e<Enter>");
-    assert_eq!(exported(&bench).0, "/home/ada/work/scene-map.csv");
+    assert_eq!(exported(&mut bench).0, "/home/ada/work/scene-map.csv");
 }
 
 #[test]

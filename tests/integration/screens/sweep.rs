@@ -6,14 +6,13 @@ use std::time::Duration;
 
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
-use cmra::files::export::Meta;
 use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::{Base, Origin};
 use cmra::tui::dialogs::Dialog;
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::pages::explore::state::{Picture, SetupRow};
@@ -332,13 +331,8 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     keys(&mut bench, "2e");
     assert_snapshot!("surface_export", bench.screen());
     bench.press("<Enter>");
-    let export = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, content)) => {
-            Some((to.clone(), content.table(Meta::Beside).unwrap()))
-        }
-        _ => None,
-    });
-    let (to, text) = export.expect("an export");
+    let (to, text, has_scene) = bench.exported().expect("an export");
+    assert!(has_scene, "runs it again");
     assert!(to.path.ends_with("figure-9.7-gamma-k.csv") && to.existing == Existing::Keep);
     assert!(
         text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
@@ -347,10 +341,7 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     bench.press("y");
-    let forced = bench.effects.iter().any(|effect| {
-        matches!(effect, Effect::Files(FileTask::Export(to, _)) if to.existing == Existing::Replace)
-    });
-    assert!(forced);
+    assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
 }
 
 /// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.

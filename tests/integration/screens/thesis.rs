@@ -3,7 +3,7 @@
 use super::bench::{Bench, ended};
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
-use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
+use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::thesis::state::Claims;
 use cmra::worker::Finding;
@@ -116,14 +116,8 @@ fn each_page_is_exported() {
         ("screening.csv", "rank,concept,total,rank_printed,total_printed,section,preset", 8),
     ] {
         bench.keys("e<Enter>");
-        let written = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::Files(FileTask::Export(to, Content::Text(text, None))) => {
-                Some((text.clone(), to.path.clone()))
-            }
-            _ => None,
-        });
-        let (text, path) = written.expect("an export");
-        assert!(path.ends_with(file), "{}", path.display());
+        let (to, text, has_scene) = bench.exported().expect("an export");
+        assert!(to.path.ends_with(file) && !has_scene, "{}", to.path.display());
         let mut lines = text.lines();
         assert_eq!(lines.next(), Some(head));
         assert!(rows == 0 || lines.count() == rows, "{text}");

@@ -388,20 +388,26 @@ impl App {
         parts.extend(self.validity_part());
         parts
     }
+}
 
-    /// What is shown as a table; `None` where there is nothing.
-    pub fn search_csv(&self) -> Option<String> {
-        let found = self.pages.search.shown()?;
-        let name = self.name_of(&found.scene);
-        Some(match (&*found.answer, &found.request) {
-            (Answer::Seek(it), _) => report::seek::table(&name, it).csv(),
+impl Found {
+    /// What was found as a table; the scene has this name.
+    pub fn csv(&self, name: &str) -> String {
+        match (&*self.answer, &self.request) {
+            (Answer::Seek(it), _) => report::seek::table(name, it).csv(),
             (Answer::Front(front), Request::Front(task)) => {
-                report::front::table(&name, task, std::slice::from_ref(front)).csv()
+                report::front::table(name, task, std::slice::from_ref(front)).csv()
             }
-            (Answer::Front(_), _) => return None,
-            (Answer::Sensitivity(it), _) => report::sensitivity::table(&name, it).csv(),
-            (Answer::MonteCarlo(it), _) => report::monte_carlo::table(&name, it).csv(),
-        })
+            // A front is found where one was asked for.
+            (Answer::Front(_), _) => String::new(),
+            (Answer::Sensitivity(it), _) => report::sensitivity::table(name, it).csv(),
+            (Answer::MonteCarlo(it), _) => report::monte_carlo::table(name, it).csv(),
+        }
+    }
+
+    /// Whether nothing is missing in it.
+    pub fn is_complete(&self) -> bool {
+        completeness(&self.answer).0
     }
 }
 
