@@ -19,6 +19,7 @@ use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::pages::{self, Tab};
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::Field;
+use crate::tui::widgets::table::Sorting;
 
 pub mod find;
 pub mod history;
@@ -100,6 +101,8 @@ pub struct App {
     pub pins: Vec<Pin>,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected_run: usize,
+    /// How that table is sorted.
+    pub runs_sorted: Sorting,
     /// Whether the current run is drawn.
     pub current_visible: bool,
     /// The charts.
@@ -153,6 +156,7 @@ impl App {
             jobs: Jobs::default(),
             pins: Vec::new(),
             selected_run: 0,
+            runs_sorted: Sorting::default(),
             current_visible: true,
             charts: Charts::default(),
             pages: pages::States::default(),

@@ -50,12 +50,13 @@ const PANES: &[PaneSpec] = &[
         key(A::SecondAxis, "2nd axis", "show another quantity of the same run on an axis at the right, at last none"),
         key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
-    PaneSpec { pane: RUNS, label: "Runs", has: &[], keys: &[
+    PaneSpec { pane: RUNS, label: "Runs", has: &[Part::Table], keys: &[
         key(A::Enter, "load", "load this pinned run's scene"),
         key(A::Mark, "pin/unpin", "pin the current run, or unpin the selected one"),
         key(A::ShowHide, "show/hide", "draw this run or leave it out"),
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
+        key(A::Sort, "sort", "sort the table by the next column"),
     ] },
 ];
 
@@ -106,7 +107,11 @@ impl Page for RunTab {
                 let shown = layout::variable_rows(app);
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
-            RUNS => Some(Rows { count: app.pins.len() + 1, selected: app.selected_run, shown: 8 }),
+            RUNS => {
+                let order = app.run_order();
+                let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
+                Some(Rows { count: order.len(), selected, shown: 8 })
+            }
             _ => Some(Rows {
                 count: app.charts.quantities.len(),
                 selected: app.charts.selected,
@@ -122,13 +127,13 @@ impl Page for RunTab {
                     app.editor.selected = *index;
                 }
             }
-            RUNS => app.selected_run = row,
+            RUNS => app.selected_run = app.run_order().get(row).copied().unwrap_or(0),
             _ => app.charts.selected = row,
         }
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let pins = || app.pins.get(row.checked_sub(1)?);
+        let pins = || app.pins.get(app.run_order().get(row)?.checked_sub(1)?);
         let name = || {
             pins().map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
         };

@@ -444,8 +444,7 @@ fn threads_are_chosen_in_the_options_and_used() {
 #[test]
 fn a_key_that_sorts_nothing_says_so() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys(" <S-Tab>S");
-    assert_eq!(bench.app.pane(), run::RUNS);
+    bench.keys("2S");
     assert!(bench.message().contains("`S` does nothing here"), "{}", bench.message());
 }
 
@@ -521,4 +520,28 @@ fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
     let places: Vec<Option<usize>> =
         names.iter().map(|name| screen.find(&format!("|{name} "))).collect();
     assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{screen}");
+}
+
+/// Pins of a slower and a faster shot beside the present, fastest one: the keys go by the rows as they stand.
+#[test]
+fn the_table_of_runs_is_sorted_and_the_keys_follow_its_order() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys(" jjL L<Tab><Tab>");
+    assert_eq!((bench.app.pins.len(), bench.app.run_order()), (2, vec![0, 1, 2]));
+    // By name, then by the depth at the first arrest.
+    bench.keys("SS");
+    assert_eq!(bench.app.run_order(), [1, 2, 0]);
+    assert!(bench.screen().contains("*p_1st"), "{}", bench.screen());
+    bench.keys("k");
+    assert_eq!(bench.app.selected_run, 2);
+    bench.keys("gV");
+    assert!(bench.app.selected_run == 1 && !bench.app.pins[0].visible);
+}
+
+#[test]
+fn charts_and_sentences_spell_microseconds_alike() {
+    let mut bench = Bench::open(GlyphSet::Braille, (120, 40));
+    bench.keys("<Tab>l");
+    let screen = bench.screen();
+    assert!(screen.contains("[us]") && !screen.contains('µ'), "{screen}");
 }

@@ -72,6 +72,11 @@ fn in_runs(app: &mut App, action: Action) -> Option<Vec<Effect>> {
         Action::Mark => Some(runs::keys::unpin(app)),
         Action::ShowHide => Some(runs::keys::show_or_hide(app)),
         Action::Difference => charts::keys::act(app, action),
+        Action::Sort => {
+            let keys = app.compared_runs().keys();
+            app.runs_sorted = app.runs_sorted.next(&keys);
+            Some(Vec::new())
+        }
         _ => None,
     }
 }

@@ -10,6 +10,8 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::VARIABLES;
+use crate::report::run::{Compared, comparison};
+use crate::report::table::Table;
 use crate::tui::app::App;
 use crate::tui::pages::run::editor::shown_value;
 
@@ -58,6 +60,20 @@ pub struct RunView<'a> {
 }
 
 impl App {
+    /// The current run and the pinned ones beside each other.
+    pub(in crate::tui) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
+        let now = self.shown.as_ref().map(|shown| &*shown.run);
+        let now = Compared { name: self.name_of(&self.scene), run: now };
+        let pins = self.pins.iter();
+        let pins = pins.map(|pin| Compared { name: pin.name.clone(), run: pin.run.as_deref() });
+        comparison(std::iter::once(now).chain(pins))
+    }
+
+    /// The runs in the order of their table: 0 the current one, then the pins.
+    pub fn run_order(&self) -> Vec<usize> {
+        self.runs_sorted.order(&self.compared_runs())
+    }
+
     /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
     pub fn name_of(&self, scene: &Scene) -> String {
         let differing = Self::differing(scene, &self.base.scene);

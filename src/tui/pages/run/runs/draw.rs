@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::model::run::Run;
 use crate::model::variables::VARIABLES;
-use crate::report::run::{Compared, comparison, no_depth};
+use crate::report::run::no_depth;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
@@ -30,15 +30,14 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
     };
     let inner =
         PaneFrame::new("Runs").right(right).focused(focused).render(area, canvas, app.theme);
-    let now = app.shown.as_ref().map(|shown| &*shown.run);
-    let now = Compared { name: app.name_of(&app.scene), run: now };
-    let pins = app.pins.iter();
-    let pins = pins.map(|pin| Compared { name: pin.name.clone(), run: pin.run.as_deref() });
-    let table = comparison(std::iter::once(now).chain(pins));
-    let grid = Grid::shortened(table.cells(&table.keys()), inner.width.saturating_sub(LEAD));
+    let table = app.compared_runs();
+    let mut cells = table.cells(&table.keys());
+    app.runs_sorted.mark(&table.keys(), &mut cells);
+    let grid = Grid::shortened(cells, inner.width.saturating_sub(LEAD));
     put(canvas, inner, (LEAD, 0), &grid.line(None), app.theme.style(Role::Dim));
     let mut row = 1;
-    for (index, compared) in table.rows.iter().enumerate() {
+    for index in app.runs_sorted.order(&table) {
+        let compared = &table.rows[index];
         let pin = index.checked_sub(1).map(|at| &app.pins[at]);
         let visible = pin.map_or(app.current_visible, |pin| pin.visible);
         let letter = pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string());
@@ -52,11 +51,10 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
             let at = LEAD + columns(&line[..at]);
             put(canvas, inner, (at, row), words, style(Role::Warning));
         }
+        if focused && index == app.selected_run {
+            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
+        }
         row += 1;
-    }
-    if focused {
-        let selected = u16::try_from(app.selected_run).unwrap_or(0) + 1;
-        paint_row(canvas, inner, selected, app.theme.style(Role::Selection));
     }
     below(app, inner, row, canvas);
     let count = app.pins.len() + 1;
