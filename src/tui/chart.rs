@@ -27,7 +27,7 @@ pub mod curve;
 pub mod heatmap;
 pub mod layout;
 mod paint;
-pub(in crate::tui) mod titles;
+mod titles;
 mod trace;
 
 pub use crate::report::chart::levels::Levels;

@@ -403,7 +403,9 @@ mod tests {
         assert_eq!(files, [path, beside.clone()]);
         assert_eq!(preset::from_ordinary_file(&beside).unwrap().scene, scene);
         let alone = Destination { path: place.path().join("claims.csv"), ..to };
-        let ExportOutcome::Written(files) = export(alone, &table(None)) else { panic!("not written") };
+        let ExportOutcome::Written(files) = export(alone, &table(None)) else {
+            panic!("not written")
+        };
         assert_eq!(files.len(), 1);
     }
 

@@ -20,11 +20,6 @@ pub(super) struct Plan<'a> {
     pub(super) legend: Line<'a>,
 }
 
-/// A text with its units as sentences on the screen spell them: `us`.
-pub(in crate::tui) fn spelt(text: &str) -> String {
-    text.replace('µ', "u")
-}
-
 impl Chart<'_> {
     /// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
     /// chart, only the curves' markers stay.
@@ -33,7 +28,7 @@ impl Chart<'_> {
         let inner = self.pane().inner(area);
         let room = usize::from(area.width.saturating_sub(8));
         let legend = self.legend_line(theme);
-        let axis = |layout: &Layout| spelt(&self.x.text(layout.x_ticks.exponent));
+        let axis = |layout: &Layout| self.x.text(layout.x_ticks.exponent);
 
         let layout = layout::layout(self, inner, false);
         let title = self.title_text(&layout, left_out);
@@ -75,7 +70,6 @@ impl Chart<'_> {
             text += ", right: ";
             text += &axis.text(layout.right_ticks.exponent);
         }
-        let text = spelt(&text);
         match left_out {
             0 => text,
             1 => text + " (1 point <= 0 not drawn)",

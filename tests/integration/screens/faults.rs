@@ -7,7 +7,6 @@ use cmra::study::stability::map::{Axis, Cell, Method};
 use cmra::tui::message::{Effect, Message, PresetEntry};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore;
-use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
 use cmra::worker::Finding;

@@ -14,7 +14,6 @@ use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, shortened};
 use crate::tui::chart::heatmap::{dot, role, swatch};
-use crate::tui::chart::titles::spelt;
 use crate::tui::chart::{self, Chart, Curve, Levels, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
@@ -193,7 +192,7 @@ impl<'a> ChartView<'a> {
 
     /// The bands from the greatest down, then what the letters mean.
     fn scale(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let unit = spelt(&self.unit.name);
+        let unit = &self.unit.name;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let hint = if app.pages.explore.log_values { "Y linear" } else { "Y log" };
         let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
