@@ -62,3 +62,11 @@ pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, Variabl
         impact::follow(&own, observer)
     })
 }
+
+/// A run without series and estimate, for tests.
+#[cfg(test)]
+pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
+    let settings = Settings { series: false, estimate: false };
+    let go_on = &mut |_: f64| std::ops::ControlFlow::Continue(());
+    simulate(&Arc::new(scene.clone()), &settings, go_on).expect("a valid scene")
+}

@@ -108,11 +108,8 @@ impl Work<'_> {
 
     fn spring(&self) -> PowerLaw {
         let spring = &self.scene.mechanism.spring;
-        let sprung = self.scene.plate.mount == Mount::Sprung;
-        PowerLaw {
-            coefficient: if sprung { spring.coefficient } else { 0.0 },
-            exponent: spring.exponent,
-        }
+        let law = PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent };
+        law.only_if(self.scene.plate.mount == Mount::Sprung)
     }
 
     fn sample(&self, mode: Mode) -> Sample {
@@ -251,8 +248,8 @@ impl Work<'_> {
         let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
         let body = plate.joined(projectile_kg);
         let mode = if parted { Mode::Perforated } else { Mode::Fused };
-        let mechanism = &self.scene.mechanism;
-        let is_free = mechanism.spring.coefficient == 0.0 && mechanism.damper.is_absent();
+        let springless = self.spring().is_absent();
+        let is_free = springless && self.scene.mechanism.damper.is_absent();
         let contact_s = self.t_s;
         let asked_s = self.scene.run.horizon_s;
         let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
@@ -286,8 +283,7 @@ impl Work<'_> {
             }
             let sample = self.sample(mode);
             // A damper alone never quite stops the plate.
-            let faded = mechanism.spring.coefficient == 0.0
-                && y[1].abs() < FADED * self.scene.projectile.velocity_m_s;
+            let faded = springless && y[1].abs() < FADED * self.scene.projectile.velocity_m_s;
             let turned = rising && (y[1] <= 0.0 || faded);
             self.note(sample, step, if turned { 1 } else { step / POINTS + 1 });
             if turned && self.run.max_plate_displacement_m.is_none() {
@@ -325,20 +321,16 @@ impl Work<'_> {
         if !end.is_complete() {
             self.run.warnings.push(Warning::EndedEarly(end));
         }
-        let mut notes = Vec::new();
-        if self.scene.interface.law == InterfaceLaw::Plastic {
-            notes.push(ModelNote::NoPlasticLaw);
-        }
-        if self.scene.mechanism.stop.position_m.is_some() && sprung {
-            notes.push(ModelNote::NoStop);
-        }
-        if self.run.outcome == Outcome::Perforated
-            && sprung
-            && self.listing.afterwards == Reading::Printed
-        {
-            notes.push(ModelNote::JoinedThroughHole);
-        }
-        self.run.warnings.extend(notes.into_iter().map(Warning::Model));
+        let plastic = self.scene.interface.law == InterfaceLaw::Plastic;
+        let stopped = sprung && self.scene.mechanism.stop.position_m.is_some();
+        let parts = self.listing.afterwards != Reading::Printed;
+        let joined = sprung && self.run.outcome == Outcome::Perforated && !parts;
+        let notes = [
+            plastic.then_some(ModelNote::NoPlasticLaw),
+            stopped.then_some(ModelNote::NoStop),
+            joined.then_some(ModelNote::JoinedThroughHole),
+        ];
+        self.run.warnings.extend(notes.into_iter().flatten().map(Warning::Model));
         self.run
     }
 }

@@ -237,26 +237,17 @@ fn next<'c>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Scene;
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::variables::scene_with;
 
     /// Contacts of every class and of none, long and short ones mixed.
     fn contacts() -> Vec<Contact> {
         let springs = ["k=1e5", "k=0", "k=1e6 n=0.5", "k=1e5 n=0.2", "k=1e5 n=1.4", "k=5e6 n=0.36"];
-        let others =
-            ["", "d=0.01", "b=500", "b=100 m=2", "b=1e8", "h=0.003 v_i=400", "n=2", "m_p=0"];
+        let others = ["", "d=0.01", "b=500", "b=100 m=2", "b=1e8", "h=0.003 v_i=400", "n=2"];
         let mut contacts = Vec::new();
         for gamma in ["0.8", "1", "5"] {
             for spring in springs {
                 for other in others {
-                    let mut scene = Scene::default();
-                    for pair in spring.split(' ').chain(other.split_whitespace()) {
-                        let (name, value) = pair.split_once('=').unwrap();
-                        // A projectile without mass is refused and leaves the one there is.
-                        let _refused = set_by_name(&mut scene, name, value, Bare::Si);
-                    }
-                    set_by_name(&mut scene, "gamma", gamma, Bare::Si).unwrap();
+                    let scene = scene_with(&format!("{spring} {other} gamma={gamma}"));
                     contacts.push(Contact::of(&scene));
                 }
             }

@@ -116,7 +116,7 @@ pub(super) fn eased(plate_m: f64, reach_m: f64) -> f64 {
 
 impl SpringManifold {
     /// Up to which part of the contact's length the plate need not be looked at: it moves with power 1/n of the force.
-    pub(super) fn starts_at(&self, tolerance: f64) -> f64 {
+    fn starts_at(&self, tolerance: f64) -> f64 {
         (START * tolerance).powf(self.spring.exponent)
     }
 

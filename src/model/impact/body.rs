@@ -84,7 +84,7 @@ pub(super) struct Body<'a> {
     /// Times the interface has yielded since the hole last became noticeably deeper.
     pub(super) yields_since_deeper: usize,
     /// Depth of the hole when it last did, as travel, m.
-    pub(super) noticed_m: f64,
+    noticed_m: f64,
 }
 
 impl<'a> Body<'a> {

@@ -259,7 +259,7 @@ impl Record<'_> {
     }
 
     /// The greatest forces of the mechanism, forwards and backwards, noted so far, as far as the interface's strength says, N.
-    pub(super) fn known_loads_n(&self, setting: &Setting<'_>) -> [f64; 2] {
+    fn known_loads_n(&self, setting: &Setting<'_>) -> [f64; 2] {
         let force = setting.interface_n / setting.problem.share;
         [self.push_ratio.unwrap_or(0.0) * force, self.pull_ratio * force]
     }

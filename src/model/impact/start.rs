@@ -36,9 +36,9 @@ pub(super) struct TimeScales {
     /// How far the mechanism yields to the contact force, relative to the travel.
     pub(super) yields_part: f64,
     /// Angular frequency of the plate on its spring, 1/s.
-    pub(super) swing_per_s: f64,
+    swing_per_s: f64,
     /// Decay rate of the plate's velocity by its damper, 1/s.
-    pub(super) decay_per_s: f64,
+    decay_per_s: f64,
 }
 
 impl TimeScales {

@@ -12,10 +12,10 @@ use crate::model::scene::{self, Beam, SpringKind};
 use crate::numerics::{larger, monotone, smaller};
 
 /// gamma, the characteristic radius factor of Table 9.3.
-pub(super) const RADIUS_FACTOR: f64 = 0.85;
+const RADIUS_FACTOR: f64 = 0.85;
 /// The angle up to which the pseudo-rigid body follows the beam (Howell, for a load across the beam); beyond it the force
 /// goes on along its tangent, so that a run that gets there can be told about instead of failing.
-pub(super) const ANGLE_MAX_DEG: f64 = 64.3;
+const ANGLE_MAX_DEG: f64 = 64.3;
 /// Half-width of the place around zero where a power law of a combination is straight, m: below what a run resolves.
 const CORE_M: f64 = 1e-10;
 

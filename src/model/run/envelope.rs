@@ -312,16 +312,8 @@ pub fn warnings(run: &Run) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
     use super::*;
-    use crate::model::simulate::{Settings, simulate};
-
-    fn run(scene: &Scene) -> Run {
-        let settings = Settings { series: false, estimate: false };
-        simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).unwrap()
-    }
+    use crate::model::simulate::bare_run as run;
 
     fn checks(found: &[Breach]) -> Vec<Check> {
         found.iter().map(|breach| breach.check).collect()

@@ -70,7 +70,7 @@ fn check_stroke(crush: &scene::Crush, table: &str) -> Result<(), VariableError> 
 }
 
 /// A table's rules: enough points, finite, and rising in x.
-pub(super) fn check_points(points: &[[f64; 2]], table: &str) -> Result<(), VariableError> {
+fn check_points(points: &[[f64; 2]], table: &str) -> Result<(), VariableError> {
     let count = points.len();
     if !(2..=POINTS_MAX).contains(&count) {
         return refuse(format!(

@@ -26,7 +26,7 @@ impl Body<'_> {
     }
 
     /// Energy in spring and elastic stop at a displacement, J.
-    pub(in crate::model::impact) fn potential_j(&self, x: f64) -> f64 {
+    fn potential_j(&self, x: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let pressed = larger(x - mechanism.stop_at_m, 0.0);
         let stop = mechanism
@@ -90,7 +90,7 @@ impl Body<'_> {
         };
         let mut far = smaller(spring_reach - at, (2.0 * energy.abs() / stiffness).sqrt());
         // A spring that drives the plate away presses it farther than that.
-        while missing(far) < 0.0 && far < spring_reach - at && far < FARTHEST_M {
+        while far > 0.0 && missing(far) < 0.0 && far < spring_reach - at && far < FARTHEST_M {
             far = 2.0 * far + mechanism.spring.force(at + far).abs() / stiffness;
         }
         if missing(far) < 0.0 && far >= FARTHEST_M {
