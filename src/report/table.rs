@@ -25,11 +25,13 @@ pub struct Column<'c, R> {
     /// The unit of its numbers; empty for pure numbers, counts and words.
     pub unit: &'static str,
     /// Its value in a row.
-    pub get: Box<dyn Fn(&R) -> Value + 'c>,
+    pub get: Get<'c, R>,
     /// What a page shows instead of the value, where that is not the value itself.
     shown: Option<Shown<'c, R>>,
 }
 
+/// Makes the value of a column from a row.
+type Get<'c, R> = Box<dyn Fn(&R) -> Value + 'c>;
 /// Makes the text of a page from a row and its value.
 type Shown<'c, R> = Box<dyn Fn(&R, &Value) -> Option<String> + 'c>;
 
@@ -77,12 +79,18 @@ impl<'c, R> Table<'c, R> {
         unit: &'static str,
         get: impl Fn(&R) -> T + 'c,
     ) -> Self {
-        let get = Box::new(move |row: &R| get(row).into());
-        self.with_column(Column { key, label: label.into(), unit, get, shown: None })
+        self.with_column(key, label.into(), unit, Box::new(move |row| get(row).into()))
     }
 
-    fn with_column(mut self, column: Column<'c, R>) -> Self {
-        self.columns.push(column);
+    /// Compiled once for each kind of rows.
+    fn with_column(
+        mut self,
+        key: &'static str,
+        label: Cow<'static, str>,
+        unit: &'static str,
+        get: Get<'c, R>,
+    ) -> Self {
+        self.columns.push(Column { key, label, unit, get, shown: None });
         self
     }
 
