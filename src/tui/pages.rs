@@ -26,6 +26,12 @@ use crate::tui::widgets::Canvas;
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
 
+/// A part of the status row with one form.
+pub(in crate::tui) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
+    let text = text.into();
+    (severity, text.clone(), text)
+}
+
 /// How what a page computes stands: its words in the status row are the same on every page.
 pub(in crate::tui) enum Progress<'a> {
     /// Under way; what is done, and how much of it.
@@ -50,7 +56,7 @@ impl Progress<'_> {
             Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press r")),
             Self::Done(text) => (Severity::Note, text),
         };
-        (severity, text.clone(), text)
+        part(severity, text)
     }
 }
 

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_kernel::contact_end;
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
 use crate::model::simulate::{Settings, simulate};
@@ -11,7 +10,7 @@ use crate::study::compare::hardware::Built;
 use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
 use crate::study::compare::{elements, outcome};
-use crate::study::sweep::kernel::{self, Wanted, decides};
+use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
 pub(super) const WIDTH: f64 = 1e-9;
@@ -129,12 +128,10 @@ struct Shot {
 
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: &Scene) -> Option<Shot> {
-    if decides(scene, Wanted::Passage) && decides(scene, Wanted::Displacement) {
-        let contact = contact_end(scene, kernel::TOLERANCE_FRACTION * scene.run.tolerance);
-        if let Some(end) = contact {
-            let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));
-            return Some(Shot { stopped: end.arrested, demands: vec![demand] });
-        }
+    let tolerance = kernel::TOLERANCE_FRACTION * scene.run.tolerance;
+    if let Some(end) = kernel::contact(scene, Wanted::Load, tolerance) {
+        let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));
+        return Some(Shot { stopped: end.arrested, demands: vec![demand] });
     }
     let settings = Settings { series: false, estimate: false };
     let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));

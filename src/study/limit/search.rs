@@ -3,8 +3,6 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::Ending;
-use crate::model::first_contact::first_contact;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
@@ -15,7 +13,7 @@ use crate::study::limit::{
     ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, at_limit,
     closed_form,
 };
-use crate::study::sweep::kernel::{Wanted, decides};
+use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
@@ -114,17 +112,12 @@ impl Range<'_, '_, '_> {
 
     /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
-        let scene = self.scene;
-        if decides(scene, Wanted::Passage) {
-            if !self.goes_on() {
-                return None;
-            }
-            if let Ok(end) = first_contact(&aimed(scene, impact_m_s)) {
-                let out = self.criterion == Criterion::Protrusion
-                    && end.depth_m > scene.effective_thickness_m();
-                let through = out || end.ending == Ending::Perforation;
-                return Some(if through { Verdict::Perforated } else { Verdict::Stopped });
-            }
+        let aimed = aimed(self.scene, impact_m_s);
+        if let Some(end) = kernel::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
+            let out = self.criterion == Criterion::Protrusion
+                && end.penetration_m > aimed.effective_thickness_m();
+            let verdict = if out || !end.arrested { Verdict::Perforated } else { Verdict::Stopped };
+            return self.goes_on().then_some(verdict);
         }
         Some(self.shoot(impact_m_s)?.1)
     }

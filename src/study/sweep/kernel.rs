@@ -8,7 +8,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::contact_kernel::{Contact, ContactEnd, run_batch};
+use crate::model::contact_kernel::{Contact, ContactEnd, contact_end, run_batch};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
@@ -158,23 +158,36 @@ pub(in crate::study) enum Wanted {
     Passage,
     /// The quantities of its first contact.
     Contact,
-    /// The same and the maximum displacement.
+    /// The same and the maximum displacement; of a stack, of its first plate.
     Displacement,
+    /// The passage and the maximum displacement of all there is.
+    Load,
+}
+
+/// The end of the first contact to this tolerance, where that alone decides what is wanted.
+pub(in crate::study) fn contact(
+    scene: &Scene,
+    wanted: Wanted,
+    tolerance: f64,
+) -> Option<ContactEnd> {
+    decides(scene, wanted).then(|| contact_end(scene, tolerance))?
 }
 
 /// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.
-pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
+fn decides(scene: &Scene, wanted: Wanted) -> bool {
     let mechanism = &scene.mechanism;
     let sprung = scene.plate.mount == Mount::Sprung;
     let stays = scene.contact.model == ContactModel::Hydrodynamic
         && scene.interface.law == InterfaceLaw::Fused;
     let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
     let is_damped = sprung && !mechanism.damper.is_absent();
+    let is_alone = scene.stack.base_thickness_m.is_none();
     stays
         && match wanted {
-            Wanted::Passage => scene.stack.base_thickness_m.is_none(),
+            Wanted::Passage => is_alone,
             Wanted::Contact => is_free,
             Wanted::Displacement => is_free && !is_damped,
+            Wanted::Load => is_alone && is_free && !is_damped,
         }
 }
 

@@ -7,7 +7,7 @@ use crate::tui::app::notice::{Severity, demand};
 use crate::tui::app::{App, show_duration};
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::pages::{self, StatusPart, Tab};
+use crate::tui::pages::{self, StatusPart, Tab, part};
 use crate::tui::theme::columns;
 
 /// Most lines of a message.
@@ -174,7 +174,6 @@ impl App {
 
     /// The status of the run on the screen.
     pub(in crate::tui) fn run_status(&self) -> Vec<StatusPart> {
-        let same = |severity, text: String| (severity, text.clone(), text);
         let state = self.state_words();
         let is_done = self.shown.as_ref().is_some_and(|shown| {
             shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
@@ -188,7 +187,7 @@ impl App {
         let run = &shown.run;
         if shown.took.is_none() && self.jobs.current.is_some() {
             // What will become of it is not known yet.
-            parts.push(same(Severity::Note, "the curve so far".to_owned()));
+            parts.push(part(Severity::Note, "the curve so far".to_owned()));
             return parts;
         }
         // What became of the shot stays in sight on the narrowest screen.
@@ -202,14 +201,14 @@ impl App {
                 (severity(stack.outcome), stack.sentence(), short)
             }
             None if run.outcome == Outcome::Moving && run.end == EndReason::Swings => {
-                same(severity(run.outcome), "moving after 500 oscillations".to_owned())
+                part(severity(run.outcome), "moving after 500 oscillations".to_owned())
             }
             None => (severity(run.outcome), sentence(run), run.outcome.word().to_owned()),
         });
-        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
+        parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());
         if let Some(estimate) = run.error_estimate {
-            parts.push(same(
+            parts.push(part(
                 Severity::Note,
                 match estimate.basis {
                     EstimateBasis::ClosedForm => "exact".to_owned(),
@@ -221,7 +220,7 @@ impl App {
             ));
         }
         let cost = &run.cost;
-        parts.push(same(Severity::Note, steps(run)));
+        parts.push(part(Severity::Note, steps(run)));
         parts.push((
             Severity::Note,
             format!("{} ({})", cost.method, cost.reason),
@@ -232,8 +231,7 @@ impl App {
         parts
     }
 
-    fn state_words(&self) -> (Severity, String, String) {
-        let same = |severity, text: &str| (severity, text.to_owned(), text.to_owned());
+    fn state_words(&self) -> StatusPart {
         if let Some(job) = &self.jobs.current
             && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
         {
@@ -244,13 +242,13 @@ impl App {
                     format!("running for {seconds:.1} s, at t = {t}")
                 },
             );
-            return same(Severity::Note, &format!("{text} (Esc cancels)"));
+            return part(Severity::Note, &format!("{text} (Esc cancels)"));
         }
         if self.jobs.failure.is_some() {
-            return same(Severity::Error, "failed: see 7:Log");
+            return part(Severity::Error, "failed: see 7:Log");
         }
         match &self.shown {
-            None => same(Severity::Note, "no results yet: press r"),
+            None => part(Severity::Note, "no results yet: press r"),
             Some(_) if self.is_stale() && self.jobs.current.is_none() => (
                 Severity::Warning,
                 "another scene's results: press r".to_owned(),
@@ -258,10 +256,10 @@ impl App {
             ),
             Some(shown) => match shown.took {
                 Some(took) if shown.run.end.is_complete() => {
-                    same(Severity::Note, &format!("done {}", show_duration(took)))
+                    part(Severity::Note, &format!("done {}", show_duration(took)))
                 }
-                Some(_) => same(Severity::Warning, "ended early"),
-                None => same(Severity::Warning, "cancelled: a part is shown"),
+                Some(_) => part(Severity::Warning, "ended early"),
+                None => part(Severity::Warning, "cancelled: a part is shown"),
             },
         }
     }
@@ -404,7 +402,7 @@ pub fn fitted(title: &str, width: usize) -> String {
 }
 
 /// What a run could do without, in full and as a number.
-fn left_out(run: &Run) -> Option<(Severity, String, String)> {
+fn left_out(run: &Run) -> Option<StatusPart> {
     let words: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
     let full = format!("omitted terms: {}", words.join(", "));
     (!words.is_empty()).then(|| (Severity::Note, full, format!("{} terms omitted", words.len())))

@@ -3,15 +3,14 @@
 use crate::model::units;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, show_duration};
-use crate::tui::pages::Progress;
 use crate::tui::pages::explore::gaps;
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Picture, quadratic};
+use crate::tui::pages::{Progress, StatusPart, part};
 
 impl App {
     /// The parts of the status row in this tab.
-    pub fn sweep_status(&self, picture: Picture) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
+    pub fn sweep_status(&self, picture: Picture) -> Vec<StatusPart> {
         let mut parts = Vec::new();
         let found = self.pages.explore.found(picture);
         let computing = self.jobs.study::<PictureSweep>();
@@ -26,7 +25,7 @@ impl App {
                     left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
                 Progress::Running(format!("sweeping{points}{left}")).part()
             }
-            (None, Some(problem), _) => same(Severity::Error, problem.clone()),
+            (None, Some(problem), _) => part(Severity::Error, problem.clone()),
             _ if self.sweep_is_old(picture) => Progress::Old("scene").part(),
             (None, None, None) => Progress::Nothing.part(),
             (None, None, Some(found)) => {
@@ -44,11 +43,11 @@ impl App {
                 if count > 0 && word != "arrested" {
                     let severity =
                         if word == "separated" { Severity::Note } else { Severity::Warning };
-                    parts.push(same(severity, format!("{count} {word}")));
+                    parts.push(part(severity, format!("{count} {word}")));
                 }
             }
             let output = self.shown_output(&found.grid).0;
-            parts.extend(gaps::at_rest(&found.grid, output).map(|text| same(Severity::Note, text)));
+            parts.extend(gaps::at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
         }
         if let Some(found) =
             found.filter(|_| picture == Picture::Surface && self.pages.explore.residuals)
@@ -58,7 +57,7 @@ impl App {
                 || "no quadratic fits".to_owned(),
                 |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
             );
-            parts.push(same(Severity::Note, text));
+            parts.push(part(Severity::Note, text));
         }
         parts.extend(self.validity_part());
         parts

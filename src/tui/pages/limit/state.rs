@@ -15,9 +15,9 @@ use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::ViewRange;
-use crate::tui::pages::Progress;
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::layout::panes;
+use crate::tui::pages::{Progress, StatusPart, part};
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
 use crate::worker::study::{Lane, Study};
@@ -331,8 +331,7 @@ impl App {
     }
 
     /// The parts of the status row in this tab; see [`App::status`].
-    pub fn limit_status(&self) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
+    pub fn limit_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.limit;
         let progress = match (self.jobs.running::<LimitSearch>(), &tab.report) {
             (Some(finding), _) => Progress::Running(format!(
@@ -347,12 +346,12 @@ impl App {
         let mut parts = vec![progress.part()];
         if let Some(report) = &tab.report {
             if let Limit::Found { basis, .. } = report.limit {
-                parts.push(same(Severity::Note, format!("by {}", basis.words())));
+                parts.push(part(Severity::Note, format!("by {}", basis.words())));
             }
             parts.extend(self.jobs.running::<EqualMass>().map(|comparing| {
                 Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
             }));
-            parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
+            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
             parts.extend(self.validity_part());
         }
         parts

@@ -16,7 +16,7 @@ use crate::study::context::Context;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
-use crate::tui::pages::Progress;
+use crate::tui::pages::{Progress, StatusPart, part};
 use crate::worker::reporter::Reporter;
 use crate::worker::study::{Lane, Study};
 use crate::worker::{Finding, clock};
@@ -247,8 +247,7 @@ impl App {
     }
 
     /// The parts of the status row in this tab; see [`App::status`].
-    pub fn accuracy_status(&self) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
+    pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
         let count = tab
             .report
@@ -280,7 +279,7 @@ impl App {
                 format!("reference {words}, {sure}"),
                 format!("by {words}"),
             ));
-            parts.push(same(
+            parts.push(part(
                 Severity::Note,
                 match first.ending {
                     Ending::Arrest => format!("{} deep", engineering(first.depth_m, "m", 7)),
@@ -291,7 +290,7 @@ impl App {
         if let Some(unsteady) =
             tab.report.as_ref().map(|report| report.unsteady()).filter(|it| *it > 0)
         {
-            parts.push(same(
+            parts.push(part(
                 Severity::Warning,
                 format!(
                     "{unsteady} timing{} unsteady: busy machine",

@@ -15,8 +15,8 @@ use crate::study::stability::map::{self, Axis, Map, Method};
 use crate::study::stability::{self, Row};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::pages::Progress;
 use crate::tui::pages::numerics::STIFF_SCENES;
+use crate::tui::pages::{Progress, StatusPart, part};
 use crate::tui::widgets::table::Sorting;
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
@@ -201,8 +201,7 @@ impl App {
     }
 
     /// The parts of the status row in this tab; see [`App::status`].
-    pub fn stability_status(&self) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
+    pub fn stability_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.stability;
         let mut parts = Vec::new();
         if self.pane() == STIFF_SCENES {
@@ -220,7 +219,7 @@ impl App {
             };
             parts.extend(progress.map(Progress::part));
             if tab.battery.is_some() {
-                parts.push(same(severity, holds));
+                parts.push(part(severity, holds));
                 parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
@@ -237,14 +236,14 @@ impl App {
         };
         parts.extend(progress.map(Progress::part));
         if let Some((_, map)) = &tab.map {
-            parts.push(same(
+            parts.push(part(
                 Severity::Note,
                 match map.largest_stable_dt_s {
                     Some(dt_s) => format!("largest stable dt of this scene: {}", seconds(dt_s)),
                     None => "largest stable dt of this scene: nothing limits it".to_owned(),
                 },
             ));
-            parts.push(same(Severity::Note, map.method.name().to_owned()));
+            parts.push(part(Severity::Note, map.method.name().to_owned()));
         }
         parts
     }

@@ -12,11 +12,11 @@ use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::ViewRange;
-use crate::tui::pages::Progress;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
+use crate::tui::pages::{Progress, StatusPart, part};
 
 pub use crate::tui::pages::search::bounds::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -349,8 +349,7 @@ impl App {
     }
 
     /// The parts of the status row in this tab; see [`App::status`].
-    pub fn search_status(&self) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
+    pub fn search_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.search;
         let running = self.jobs.study::<Request>();
         let mine = running.filter(|(_, request)| request.page() == tab.page);
@@ -366,7 +365,7 @@ impl App {
                 parts.push(Progress::Running("another search is running".to_owned()).part());
             }
             (None, _, None) if tab.problem.is_some() => {
-                parts.push(same(Severity::Error, "this cannot be searched for".to_owned()));
+                parts.push(part(Severity::Error, "this cannot be searched for".to_owned()));
             }
             (None, _, None) => parts.push(Progress::Nothing.part()),
             (None, _, Some(_)) if self.search_is_old() => {
@@ -381,7 +380,7 @@ impl App {
                 };
                 parts.push(progress.part());
                 if let Some(runs) = runs {
-                    parts.push(same(Severity::Note, runs));
+                    parts.push(part(Severity::Note, runs));
                 }
             }
         }

@@ -12,8 +12,8 @@ use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Severity;
-use crate::tui::pages::Progress;
 use crate::tui::pages::thesis::{self, CLAIMS};
+use crate::tui::pages::{Progress, StatusPart};
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
 use crate::worker::study::{Lane, RowsSoFar, Study};
@@ -144,7 +144,7 @@ impl App {
     }
 
     /// The parts of the status row in this tab; see [`App::status`].
-    pub fn thesis_status(&self) -> Vec<(Severity, String, String)> {
+    pub fn thesis_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.thesis;
         let mut parts = Vec::new();
         let progress = match (self.jobs.running::<Claims>(), &tab.report) {
