@@ -1,6 +1,10 @@
 //! The pictures of each study: run, sweep, ballistic limit, mass efficiency, accuracy and stability.
 
+use std::borrow::Cow;
+
+use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
+use crate::report::map::{Cell, Map};
 use crate::study::sweep::{self, Spacing};
 
 pub mod accuracy;
@@ -23,6 +27,19 @@ pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
     Axis::new(axis.symbol(), view).scale(scale_of(axis)).unit(unit)
 }
 
+/// A map over two axes of a sweep, with what is at each of its points.
+pub fn map_over(
+    title: impl Into<Cow<'static, str>>,
+    (x, y): (&sweep::Axis, &sweep::Axis),
+    levels: Option<Levels>,
+    cell: impl Fn(usize, usize) -> Cell,
+) -> Map<'static> {
+    let (across, up) = (places(x), places(y));
+    let counts = (across.len(), up.len());
+    let cell = |column: usize, row: usize| cell(across[column], up[row]);
+    Map::new(title, (axis_of(x), axis_of(y)), counts, levels, cell)
+}
+
 /// The column of a map that shows a point of an axis.
 pub fn column_of(axis: &sweep::Axis, point: usize) -> Option<usize> {
     places(axis).iter().position(|at| *at == point)
@@ -39,7 +56,7 @@ fn scale_of(axis: &sweep::Axis) -> Scale {
 
 /// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
 /// of a list.
-pub fn places(axis: &sweep::Axis) -> Vec<usize> {
+fn places(axis: &sweep::Axis) -> Vec<usize> {
     let index = |at: u64| usize::try_from(at).unwrap_or(usize::MAX);
     let (from, to) = axis.ends();
     if axis.spacing() != Spacing::Listed {

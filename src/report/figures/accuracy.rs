@@ -3,14 +3,16 @@
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::study::accuracy::{MethodReport, Report};
 
+/// The error of a method over its run time, s.
+pub fn curve(of: &MethodReport) -> Curve<'static> {
+    let points: Vec<(f64, f64)> =
+        of.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
+    Curve::new(of.method.letter(), of.method.name(), points).colour(of.method as usize)
+}
+
 /// The chart; `None` where no result could be judged.
 pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
-    let curve = |(number, one): (usize, &MethodReport)| {
-        let points: Vec<(f64, f64)> =
-            one.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
-        Curve::new(one.method.letter(), one.method.name(), points).colour(number)
-    };
-    let curves: Vec<Curve<'static>> = report.methods.iter().enumerate().map(curve).collect();
+    let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
     let times = ViewRange::of(Scale::Log10, points().map(|point| point.0))?;
     let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;

@@ -2,7 +2,7 @@
 
 use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
-use crate::report::figures::{axis_of, places};
+use crate::report::figures::map_over;
 use crate::report::map::{Cell, Map, Tone};
 use crate::study::compare::map::Map as Efficiency;
 
@@ -11,8 +11,7 @@ pub const LINE: &str = "line of 1: above 1 the armour is lighter than the solid 
 
 /// The map as a picture; `None` where no point has a mass efficiency.
 pub fn map(found: &Efficiency) -> Option<Map<'static>> {
-    let (across, up) = (places(found.x()), places(found.y()));
-    let cell = |x: usize, y: usize| match found.cell(across[x] as u64, up[y] as u64) {
+    let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
         Some(Ok(value)) => Cell::Value(value),
         Some(Err(absence)) => Cell::Mark(absence.letter(), Tone::Faint),
         None => Cell::Empty,
@@ -22,12 +21,10 @@ pub fn map(found: &Efficiency) -> Option<Map<'static>> {
         absences.map(|absence| (absence.letter(), absence.words())).collect();
     marks.sort();
     marks.dedup_by_key(|mark| mark.0);
-    let axes = (axis_of(found.x()), axis_of(found.y()));
-    let counts = (across.len(), up.len());
     let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(Map {
         contour: Some((1.0, LINE.into())),
         marks,
-        ..Map::new("mass efficiency", axes, counts, Some(levels), cell)
+        ..map_over("mass efficiency", (found.x(), found.y()), Some(levels), cell)
     })
 }

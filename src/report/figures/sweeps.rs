@@ -3,7 +3,7 @@
 use crate::numerics::statistics::sorted_by;
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve, Scale};
-use crate::report::figures::{axis_of, places};
+use crate::report::figures::{axis_of, map_over};
 use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
@@ -62,10 +62,9 @@ fn map(
     rows: &[Row],
 ) -> Option<Map<'static>> {
     let column = plan.outputs()[output];
-    let (across, up) = (places(x), places(y));
     let height = usize::try_from(y.count()).ok()?;
     let cell = |at_x: usize, at_y: usize| {
-        rows.get(across[at_x] * height + up[at_y]).map_or(Cell::Empty, |row| {
+        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| {
             let mark = || Cell::Mark(row.outcome.letter(), tone(row.outcome));
             row.shown(output, column).map_or_else(mark, Cell::Value)
         })
@@ -76,15 +75,9 @@ fn map(
         .collect();
     marks.sort_unstable();
     marks.dedup();
-    let counts = (across.len(), up.len());
-    let axes = (axis_of(x), axis_of(y));
     let values = rows.iter().filter_map(|row| row.shown(output, column));
     let levels = Levels::of(Scale::Linear, values)?;
-    Some(Map {
-        unit: column.unit(),
-        marks,
-        ..Map::new(column.title(), axes, counts, Some(levels), cell)
-    })
+    Some(Map { unit: column.unit(), marks, ..map_over(column.title(), (x, y), Some(levels), cell) })
 }
 
 /// How the letter of a point without a value stands out.

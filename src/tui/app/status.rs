@@ -242,7 +242,7 @@ impl App {
                     format!("running for {seconds:.1} s, at t = {t}")
                 },
             );
-            return part(Severity::Note, &format!("{text} (Esc cancels)"));
+            return part(Severity::Note, format!("{text} (Esc cancels)"));
         }
         if self.jobs.failure.is_some() {
             return part(Severity::Error, "failed: see 7:Log");
@@ -256,7 +256,7 @@ impl App {
             ),
             Some(shown) => match shown.took {
                 Some(took) if shown.run.end.is_complete() => {
-                    part(Severity::Note, &format!("done {}", show_duration(took)))
+                    part(Severity::Note, format!("done {}", show_duration(took)))
                 }
                 Some(_) => part(Severity::Warning, "ended early"),
                 None => part(Severity::Warning, "cancelled: a part is shown"),

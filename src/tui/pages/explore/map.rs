@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::model::units::significant;
 use crate::report::figures::sweeps::tone;
-use crate::report::figures::{axis_of, places};
+use crate::report::figures::{axis_of, column_of, map_over};
 use crate::report::map::{Cell, Map, Tone};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
@@ -105,9 +105,7 @@ impl<'a> ChartView<'a> {
         if !self.grid.is_full() {
             return self.dots(app, title, levels, area, canvas);
         }
-        let (columns, rows) = (places(&axes[0]), places(&axes[1]));
-        let cell = |column: usize, row: usize| {
-            let (x, y) = (columns[column], rows[row]);
+        let cell = |x: usize, y: usize| {
             let value = self.value((x, y));
             match self.grid.cell(x, y, self.output) {
                 grid::Cell::Value(_) if scale_of(app).shows(value) => Cell::Value(value),
@@ -119,14 +117,11 @@ impl<'a> ChartView<'a> {
         let (x, y) = app.cursor_point(self.grid);
         let here = self.value((x, y));
         let through = app.pages.explore.contour == Contour::Cursor && here.is_finite();
-        let counts = (columns.len(), rows.len());
-        let cursor =
-            columns.iter().position(|at| *at == x).zip(rows.iter().position(|at| *at == y));
         let map = Map {
             contour: through.then_some((here, "".into())),
-            cursor,
+            cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
             focused: app.has_focus(RESULTS),
-            ..Map::new(title, (across, upward), counts, Some(levels.clone()), cell)
+            ..map_over(title, (&axes[0], &axes[1]), Some(levels.clone()), cell)
         };
         let layout = map.render(area, canvas, app.theme);
         canvas.plot(&layout, |x, y| {

@@ -9,13 +9,15 @@ use std::sync::Arc;
 use crate::model::contact_phase::Ending;
 use crate::model::scene::Scene;
 use crate::model::units::Engineering;
+use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, percent, seconds};
+use crate::report::figures::accuracy::curve;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{self, Effort, Measured, MethodReport, Report};
 use crate::study::context::Context;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::{Mapping, Scale, ViewRange};
+use crate::tui::chart::{Curve, Mapping, Scale, ViewRange};
 use crate::tui::pages::{Progress, StatusPart, part};
 use crate::worker::reporter::Reporter;
 use crate::worker::study::{Lane, Study};
@@ -118,25 +120,26 @@ impl Accuracy {
         self.report.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    /// Run time and error of every drawn point, s and relative, method by method.
-    pub fn curves(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
+    /// The methods that are drawn.
+    fn drawn(&self) -> impl Iterator<Item = &MethodReport> {
         let methods = self.report.iter().flat_map(|report| &report.methods);
-        methods
-            .filter(|one| !self.hidden.contains(&one.method))
-            .map(|one| {
-                let points = one.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
-                (one.method, points)
-            })
-            .collect()
+        methods.filter(|one| !self.hidden.contains(&one.method))
+    }
+
+    /// Their curves.
+    pub fn curves(&self) -> Vec<(Method, Curve<'static>)> {
+        self.drawn().map(|one| (one.method, curve(one))).collect()
     }
 
     /// The least and greatest run time of all that is drawn, s.
     pub fn times_s(&self) -> Option<(f64, f64)> {
         let curves = self.curves();
-        let mut times: Vec<f64> = curves.iter().flat_map(|one| &one.1).map(|it| it.0).collect();
-        times.retain(|time| time.is_finite() && *time > 0.0);
-        times.sort_by(f64::total_cmp);
-        Some((*times.first()?, *times.last()?))
+        let times = curves.iter().flat_map(|one| one.1.points.iter()).map(|it| it.0);
+        let times = times.filter(|time| time.is_finite() && *time > 0.0);
+        times.fold(None, |ends: Option<(f64, f64)>, time| {
+            let (least, most) = ends.unwrap_or((time, time));
+            Some((smaller(least, time), larger(most, time)))
+        })
     }
 
     /// The run times in view.
@@ -155,7 +158,7 @@ impl Accuracy {
         let (times, scale) = (self.times()?, self.view.error_scale);
         let curves = self.curves();
         let seen = || {
-            let points = curves.iter().flat_map(|(_, points)| points);
+            let points = curves.iter().flat_map(|(_, curve)| curve.points.iter());
             points.filter(|point| times.contains(point.0)).map(|point| point.1)
         };
         let least = seen().min_by(f64::total_cmp)?;
@@ -190,13 +193,11 @@ impl Accuracy {
     /// The spread of the timings as strokes with gaps between, method by method: from the least time to the median and its
     /// deviation, s, at the point's error.
     pub fn spreads(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
-        let methods = self.report.iter().flat_map(|report| &report.methods);
         let stroke = |it: &Measured| {
             let most = it.timing.median_s + it.timing.mad_s.unwrap_or(0.0);
             [(it.timing.min_s, it.error()), (most, it.error()), (f64::NAN, f64::NAN)]
         };
-        methods
-            .filter(|one| !self.hidden.contains(&one.method))
+        self.drawn()
             .map(|one| (one.method, one.measured().flat_map(|(_, it)| stroke(it)).collect()))
             .collect()
     }

@@ -105,18 +105,14 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             Emphasis::Normal
         }
     };
-    let drawn = curves.iter().map(|(method, points)| {
-        Curve::new(method.letter(), method.name(), points)
-            .colour(colour(*method))
-            .emphasis(emphasis(*method))
-    });
+    let drawn = curves.into_iter().map(|(method, curve)| curve.emphasis(emphasis(method)));
     let (guides, bars) =
         (guides(app, times, errors), if tab.view.bars { tab.spreads() } else { Vec::new() });
     let slopes = guides.iter().map(|(marker, points)| {
         Curve::new(*marker, "slope", points).colour(GUIDE_COLOUR).emphasis(Emphasis::Stale)
     });
     let spreads = bars.iter().map(|(method, points)| {
-        Curve::new('-', "spread", points).colour(colour(*method)).emphasis(Emphasis::Normal)
+        Curve::new('-', "spread", points).colour(*method as usize).emphasis(Emphasis::Normal)
     });
     let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "us"));
     let y = Axis::new("", errors).scale(tab.view.error_scale);
@@ -135,10 +131,6 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let layout = chart.render(area, canvas, app.theme);
     canvas.plot_columns = Some(layout.plot.width);
     canvas.plot(&layout, |value, _| Some(Target::Value { pane: ACCURACY, chart: 0, value }));
-}
-
-fn colour(method: Method) -> usize {
-    Method::ALL.iter().position(|one| *one == method).unwrap_or(0)
 }
 
 /// Points of a line.
