@@ -21,7 +21,7 @@ use crate::numerics::{larger, maximum, smaller};
 
 mod unknowns;
 
-use unknowns::{Carrier, Unknowns};
+use unknowns::Unknowns;
 
 /// Points drawn within a step, its end included.
 const POINTS_PER_STEP: usize = 4;
@@ -44,8 +44,6 @@ const UNFELT: f64 = 1e-7;
 const FELT: f64 = 1e-9;
 const BELOW_FELT: f64 = 0.05;
 
-/// Energy of the plate after a step, relative to all there is, from which on the step is none.
-const POSSIBLE: f64 = 1.5;
 /// Energy a step may be off by, relative to all there is, per tolerance, and how often it is halved for that.
 const UNBALANCED: f64 = 1e-2;
 const HALVINGS_MAX: usize = 8;
@@ -125,25 +123,8 @@ impl Track<'_> {
 
     /// A step from whichever guess leads anywhere.
     fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
-        let from = |guess| {
-            newton(&self.control, system, y, h, guess).filter(|step| self.is_possible(system, step))
-        };
-        let by_force = matches!(system.spring, Carrier::Force(_));
-        let others = || {
-            from(system.guess_on_manifold(y, h))
-                .or_else(|| from(system.guess_at_constant_velocity(y, h)))
-        };
-        from(system.guess(y, h))
-            .or_else(|| from([*y; 3]))
-            .or_else(|| if by_force { others() } else { None })
-    }
-
-    /// Whether the plate has no more energy than there is: far from the solution Newton's method may settle anywhere.
-    fn is_possible(&self, system: &Unknowns<'_>, step: &Step<4>) -> bool {
-        let end = system.state(&step.stages[2], 0.0);
-        let kinetic_j = 0.5 * self.body.problem.plate_kg * end.plate_m_s * end.plate_m_s;
-        let energy_j = kinetic_j + self.body.problem.mechanism.spring.energy(end.plate_m);
-        energy_j <= POSSIBLE * self.body.problem.energy_j
+        let from = |guess| newton(&self.control, system, y, h, guess);
+        from(system.guess(y, h)).or_else(|| from([*y; 3]))
     }
 
     /// A plate that no longer creeps oscillates, and Taylor steps follow that with far fewer.

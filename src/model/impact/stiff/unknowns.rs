@@ -139,34 +139,6 @@ impl<'a> Unknowns<'a> {
             stage
         })
     }
-
-    /// Stages of a plate that follows the slow manifold of its spring through the whole step, at the stage's contact force: where
-    /// Newton's method has to change the side of zero, its own slopes, flat at zero, do not lead it there.
-    pub(super) fn guess_on_manifold(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
-        NODES.map(|node| {
-            let mut stage = *y;
-            stage[0] += y[1] * node * h;
-            let at = self.state(y, node * h);
-            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..at };
-            let motion = self.motion;
-            stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
-            stage[3] = 0.0;
-            stage
-        })
-    }
-
-    /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is,
-    /// too, and from there Newton's method would come to the force of where the plate will be by a part of it at a time.
-    pub(super) fn guess_at_constant_velocity(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
-        let state = self.state(y, 0.0);
-        NODES.map(|node| {
-            let mut stage = *y;
-            stage[0] += y[1] * node * h;
-            let x = self.datum_m + self.spring.unfold(y[2]).0 + state.plate_m_s * node * h;
-            stage[2] = self.spring.unknown(x, 0.0);
-            stage
-        })
-    }
 }
 
 impl ImplicitSystem<4> for Unknowns<'_> {
