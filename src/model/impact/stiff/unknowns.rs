@@ -17,7 +17,7 @@ pub(super) struct Unknowns<'a> {
     pub(super) motion: &'a Motion<'a>,
     /// When the step starts, s.
     from_s: f64,
-    pub(super) spring: Carrier<'a>,
+    spring: Carrier<'a>,
     damper: Carrier<'a>,
     /// From where the plate's displacement is measured, m.
     datum_m: f64,
@@ -26,7 +26,7 @@ pub(super) struct Unknowns<'a> {
 
 /// Whether a law's unknown is its argument or its force.
 #[derive(Clone, Copy)]
-pub(super) enum Carrier<'a> {
+enum Carrier<'a> {
     /// x itself, from a datum on; the force follows.
     Argument(Elastic<'a>, f64),
     /// The force; x = sgn (|force|/k)^(1/n) follows.
