@@ -6,7 +6,7 @@
 //! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
 
 pub mod dop853;
-pub mod landing;
+mod landing;
 pub mod rk4;
 mod tableau;
 
@@ -45,6 +45,11 @@ impl<const N: usize> Boundary<N> {
             sum += slope * f;
         }
         sum
+    }
+
+    /// Whether a state is on its positive side, by more than the rounding of one just landed on.
+    pub fn is_armed(&self, y: &[f64; N]) -> bool {
+        self.at(y) > 2.0 * self.noise(y)
     }
 
     /// The size below which the distance is rounding.

@@ -7,14 +7,16 @@
 use super::Spring;
 use super::stretch::Stretch;
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::explicit::landing::Ends;
 use crate::numerics::explicit::{Count, Limits, Reached, Start, Stop, System};
 use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
+use crate::numerics::root::in_bracket;
 
 /// The first step, in R/v, where none is known.
 const FIRST: f64 = 1e-4;
 /// The step's factor after Newton's method has failed.
 const SHORTER: f64 = 0.25;
+/// Looks at the polynomial of a step for boundaries.
+const LOOKS: usize = 8;
 
 /// The unknowns of a stretch: travel, slip, and displacement and velocity or what their singular laws make of them.
 struct Unknowns<'a, 'p> {
@@ -180,24 +182,62 @@ pub(super) fn integrate(
             continue;
         }
         count.steps += 1;
-        let there = system.carried(&solved.stages[2]);
-        let (f0, f1) = (stretch.rate(t, &here), stretch.rate(t + h, &there));
-        let ends = Ends { y0: &here, f0: &f0, y1: &there, f1: &f1 };
-        let dense = |s: f64| system.carried(&interpolate(&y, &solved, s));
-        let anew = |s: f64| {
-            let short = advance(&system, &y, s * h, None, count)?;
-            Some(system.carried(&short.stages[2]))
-        };
-        if let Some(landed) = ends.land(stretch.boundaries(), dense, anew) {
-            let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
-            return Reached { t, y: landed.y, stop, step: h };
+        if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
+            let boundary = stretch.boundaries()[index];
+            let mut reached = (1.0, y);
+            let mut at = |s: f64| {
+                let short = if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
+                let end = short.map_or_else(
+                    || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
+                    |short| short.stages[2],
+                );
+                reached = (s, end);
+                boundary.at(&system.carried(&end))
+            };
+            let s = in_bracket(0.0, until, &mut at);
+            at(s);
+            let (s, end) = reached;
+            let y = system.carried(&end);
+            return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
         }
         t += h;
-        here = there;
+        here = system.carried(&solved.stages[2]);
         let next = solved.stages[2];
         last = Some((h, y, solved));
         (y, h) = (next, h * factor);
     }
+}
+
+/// The boundary that a step crosses first, and a fraction of the step that lies beyond it. Looked for on the collocation polynomial
+/// and not by the rates at the ends of the step, which have no bound where a law is singular.
+fn crossed(
+    system: &Unknowns<'_, '_>,
+    y: &[f64; 4],
+    here: &[f64; 4],
+    solved: &Step<4>,
+) -> Option<(usize, f64)> {
+    let boundaries = system.stretch.boundaries();
+    for look in 1..=LOOKS {
+        let s = look as f64 / LOOKS as f64;
+        let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
+        let there = system.carried(&end);
+        let beyond = (0..boundaries.len()).filter(|index| {
+            let boundary = &boundaries[*index];
+            boundary.is_armed(here) && boundary.at(&there) <= 0.0
+        });
+        // Of several the one that is farthest past its plane, for the way it had to go, was crossed first.
+        let first = beyond.min_by(|a, b| {
+            let fraction = |index: usize| {
+                let (from, to) = (boundaries[index].at(here), boundaries[index].at(&there));
+                from / (from - to)
+            };
+            fraction(*a).total_cmp(&fraction(*b))
+        });
+        if let Some(index) = first {
+            return Some((index, s));
+        }
+    }
+    None
 }
 
 #[cfg(test)]

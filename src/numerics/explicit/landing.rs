@@ -13,44 +13,40 @@ use crate::numerics::{larger, minimum};
 const NEAR: f64 = 1e-9;
 
 /// A step from `y0` with rate `f0` to `y1` with rate `f1`.
-pub struct Ends<'a, const N: usize> {
+pub(super) struct Ends<'a, const N: usize> {
     /// State at the start.
-    pub y0: &'a [f64; N],
+    pub(super) y0: &'a [f64; N],
     /// Rate there.
-    pub f0: &'a [f64; N],
+    pub(super) f0: &'a [f64; N],
     /// State at the end.
-    pub y1: &'a [f64; N],
+    pub(super) y1: &'a [f64; N],
     /// Rate there.
-    pub f1: &'a [f64; N],
+    pub(super) f1: &'a [f64; N],
 }
 
 /// The end of a step that was shortened to a boundary.
-pub struct Landed<const N: usize> {
+pub(super) struct Landed<const N: usize> {
     /// Which boundary.
-    pub index: usize,
+    pub(super) index: usize,
     /// The part of the step.
-    pub part: f64,
+    pub(super) part: f64,
     /// The state there.
-    pub y: [f64; N],
+    pub(super) y: [f64; N],
 }
 
 impl<const N: usize> Ends<'_, N> {
     /// Whether any boundary may be crossed: decided from the ends alone.
-    pub fn may_cross(&self, boundaries: &[Boundary<N>]) -> bool {
+    pub(super) fn may_cross(&self, boundaries: &[Boundary<N>]) -> bool {
         boundaries.iter().any(|boundary| self.falls(boundary) || self.may_dip(boundary))
     }
 
-    /// On its positive side, by more than the rounding of one just landed on.
-    fn is_armed(&self, boundary: &Boundary<N>) -> bool {
-        boundary.at(self.y0) > 2.0 * boundary.noise(self.y0)
-    }
-
+    /// From its positive side to the other.
     fn falls(&self, boundary: &Boundary<N>) -> bool {
-        self.is_armed(boundary) && boundary.at(self.y1) <= 0.0
+        boundary.is_armed(self.y0) && boundary.at(self.y1) <= 0.0
     }
 
     fn may_dip(&self, boundary: &Boundary<N>) -> bool {
-        self.is_armed(boundary) && boundary.along(self.f0) < 0.0 && boundary.along(self.f1) > 0.0
+        boundary.is_armed(self.y0) && boundary.along(self.f0) < 0.0 && boundary.along(self.f1) > 0.0
     }
 
     /// The boundary that is crossed first, and where, by the dense output.
@@ -76,7 +72,7 @@ impl<const N: usize> Ends<'_, N> {
 
     /// Lands on the boundary that is crossed first; `None` where none is, or where steps only come near the one that the dense output
     /// seems to cross. `anew` gives the state at the end of a step of a part of the length.
-    pub fn land(
+    pub(super) fn land(
         &self,
         boundaries: &[Boundary<N>],
         dense: impl Fn(f64) -> [f64; N],
