@@ -1,8 +1,5 @@
-//! The first contact by the quickest way this program has: the one door for sweeps, searches and benches that ask for
-//! nothing but depth and time.
-//!
-//! Which kernel stands behind the door is decided here and nowhere else: the contact kernel where it takes the scene, else the
-//! simulation. Knows no clock and no screen.
+//! The first contact by the quickest way there is: the contact kernel where it takes the scene, else the simulation. For programs
+//! that ask for nothing but depth and time, as the benches do. Knows no clock and no screen.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
