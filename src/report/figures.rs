@@ -30,7 +30,8 @@ pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
 /// A map over two axes of a sweep, with what is at each of its points.
 pub fn map_over(
     title: impl Into<Cow<'static, str>>,
-    (x, y): (&sweep::Axis, &sweep::Axis),
+    x: &sweep::Axis,
+    y: &sweep::Axis,
     levels: Option<Levels>,
     cell: impl Fn(usize, usize) -> Cell,
 ) -> Map<'static> {

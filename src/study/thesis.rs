@@ -247,4 +247,17 @@ mod tests {
         let watch = &mut |_, _: Option<&[Row]>| ControlFlow::Break(());
         assert!(reproduce(&mut Context::new(2, watch)).len() <= 1);
     }
+
+    /// Not only between two claims: the longest take most of a second.
+    #[test]
+    fn the_claims_are_stopped_within_a_claim() {
+        // Several are checked side by side: those that run when it is stopped are left out, and none is begun after them.
+        let mut asked = 0;
+        let watch = &mut |_, _: Option<&[Row]>| {
+            asked += 1;
+            if asked > 6 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let (rows, all) = (reproduce(&mut Context::new(2, watch)), claims().len());
+        assert!(rows.len() < all / 2, "{} of {all}", rows.len());
+    }
 }

@@ -310,3 +310,6 @@ pub(in crate::tui) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let studies = app.jobs.studies.iter().map(|running| (running.tab, running.id));
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,4 +1,5 @@
-//! Studies: work of seconds that must not hold up the run of an edited scene. What there is when one is cancelled is kept.
+//! Studies: work of seconds on threads of its own, so that the run of an edited scene never waits. A study that is cancelled keeps
+//! its results so far.
 
 use std::any::Any;
 use std::error::Error;
@@ -24,7 +25,7 @@ pub trait Study: Any + Debug + Send + Sync {
         Tempo { first: BETWEEN, between: BETWEEN }
     }
 
-    /// Make it; what there is when it is stopped is kept.
+    /// Computes the result; a study that is stopped gives its results so far.
     ///
     /// # Errors
     /// Why it cannot be made, in words.
@@ -92,11 +93,23 @@ impl<T: Any + Send + Sync> From<Arc<T>> for Finding {
     }
 }
 
-/// Rows of a study, as far as it is.
+/// Rows of a study, all or those computed so far.
 #[derive(Clone, Debug)]
 pub struct RowsSoFar<R> {
-    /// The rows there are.
+    /// The rows computed so far.
     pub rows: Vec<R>,
     /// Whether these are all.
     pub is_complete: bool,
+}
+
+impl<R: Clone> RowsSoFar<R> {
+    /// Rows of a study that goes on.
+    pub fn part(rows: &[R]) -> Self {
+        Self { rows: rows.to_vec(), is_complete: false }
+    }
+
+    /// Rows of a study that has ended, of so many in all.
+    pub fn ended(rows: Vec<R>, count: usize) -> Self {
+        Self { is_complete: rows.len() == count, rows }
+    }
 }

@@ -25,6 +25,6 @@ pub fn map(found: &Efficiency) -> Option<Map<'static>> {
     Some(Map {
         contour: Some((1.0, LINE.into())),
         marks,
-        ..map_over("mass efficiency", (found.x(), found.y()), Some(levels), cell)
+        ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
     })
 }

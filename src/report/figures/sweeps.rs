@@ -77,7 +77,7 @@ fn map(
     marks.dedup();
     let values = rows.iter().filter_map(|row| row.shown(output, column));
     let levels = Levels::of(Scale::Linear, values)?;
-    Some(Map { unit: column.unit(), marks, ..map_over(column.title(), (x, y), Some(levels), cell) })
+    Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), cell) })
 }
 
 /// How the letter of a point without a value stands out.

@@ -76,7 +76,7 @@ enum Range {
     Tolerances(i32, i32),
 }
 
-/// What there is to know of a method.
+/// Name, knob and function of a method.
 struct About {
     /// The letter on charts.
     letter: char,
@@ -145,7 +145,7 @@ methods! {
     /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
     Radau: 'I', "Radau IIA 5", OTHER, [Range::Tolerances(12, 1), Range::Tolerances(11, 2)],
         |job| job.phase(Scheme::Radau { tolerance: job.value() });
-    /// The engine held to Taylor steps.
+    /// The simulation by Taylor steps alone.
     Taylor: 'S', "Taylor series 16", ENGINE, TIGHT,
         |job| forced(Forced::Taylor, &job.scene);
     /// Closed form, where nothing but inertia answers.
@@ -154,7 +154,7 @@ methods! {
     /// The contact kernel, as sweeps and searches use it.
     ContactKernel: 'L', "sweep kernel", ENGINE, TIGHT,
         |job| contact_kernel(&job.scene, job.value());
-    /// The engine held to its general path: nothing is left out.
+    /// The simulation without omitted terms.
     Full: 'N', "no term omitted", ENGINE, TIGHT,
         |job| forced(Forced::General, &job.scene);
     /// What `simulate` does.

@@ -125,3 +125,19 @@ fn constraints_are_kept_and_no_digit_depends_on_the_threads() {
     let stopped = optimise(&Scene::default(), &asked, &mut context).unwrap();
     assert!(!stopped[0].is_complete && !stopped[0].designs.is_empty() && shown > 3);
 }
+
+#[test]
+fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
+    let list = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6)];
+    let effort = Effort { population: 20, generations: 20, seed: 1 };
+    let task = Task { effort, ..task(&list, &["final_penetration_m", "stroke_m"]) };
+    let (mut parts, mut stop) = (0, until::<Front>(200));
+    let watch = &mut |progress, front: Option<&Front>| {
+        parts += usize::from(front.is_some());
+        stop(progress, front)
+    };
+    let fronts = optimise(&Scene::default(), &task, &mut Context::new(1, watch)).unwrap();
+    let front = &fronts[0];
+    assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
+    assert!(front.runs > 200 && front.runs < 420);
+}

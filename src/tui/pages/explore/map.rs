@@ -121,7 +121,7 @@ impl<'a> ChartView<'a> {
             contour: through.then_some((here, "".into())),
             cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
             focused: app.has_focus(RESULTS),
-            ..map_over(title, (&axes[0], &axes[1]), Some(levels.clone()), cell)
+            ..map_over(title, &axes[0], &axes[1], Some(levels.clone()), cell)
         };
         let layout = map.render(area, canvas, app.theme);
         canvas.plot(&layout, |x, y| {

@@ -1,4 +1,4 @@
-//! What a picture of the Sweep or Surface tab has to compute.
+//! What a picture of the Explore tab has to compute.
 
 use std::error::Error;
 use std::sync::Arc;

@@ -60,13 +60,11 @@ impl Study for StiffScenes {
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let cases = stability::battery(false);
-        let part = |rows: &[Row]| RowsSoFar { rows: rows.to_vec(), is_complete: false };
-        let watch = &mut reporter.watch(part);
+        let watch = &mut reporter.watch(RowsSoFar::part);
         // A run of an edited scene has its turn beside it.
         let context = &mut Context::new(reporter.threads().min(2), watch);
         let rows = stability::run(&cases, &reporter.clock(), context)?;
-        let is_complete = rows.len() == cases.len();
-        Ok(Finding::new(RowsSoFar { rows, is_complete }))
+        Ok(Finding::new(RowsSoFar::ended(rows, cases.len())))
     }
 }
 

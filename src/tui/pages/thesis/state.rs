@@ -28,11 +28,9 @@ impl Study for Claims {
     }
 
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let part = |rows: &[Row]| RowsSoFar { rows: rows.to_vec(), is_complete: false };
-        let watch = &mut reporter.watch(part);
+        let watch = &mut reporter.watch(RowsSoFar::part);
         let rows = reproduce(&mut Context::new(reporter.threads(), watch));
-        let is_complete = rows.len() == claims().len();
-        Ok(Finding::new(RowsSoFar { rows, is_complete }))
+        Ok(Finding::new(RowsSoFar::ended(rows, claims().len())))
     }
 }
 

@@ -1,0 +1,138 @@
+//! The studies of the pages on the threads of the worker: what they refuse, and what they keep.
+
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
+
+use super::explore::plan::PictureSweep;
+use super::explore::state::Picture;
+use super::limit::state::LimitSearch;
+use super::numerics::accuracy::Measurements;
+use super::search::request::{Answer, Request};
+use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::study::accuracy::{self, Report as Accuracy};
+use crate::study::limit::monte_carlo::{ModelError, Sampling};
+use crate::study::limit::{self, Criterion};
+use crate::study::search::seek::Goal;
+use crate::study::sensitivity;
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
+use crate::worker::study::Study;
+use crate::worker::{Finding, Report, ReportBody, Task, Work, Worker};
+
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The threads with one study, and what they report.
+fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
+    let (send, reports) = mpsc::channel();
+    let worker = Worker::spawn(move |report| {
+        // The test may be over.
+        let _ = send.send(report);
+    });
+    let worker = worker.unwrap();
+    let work = Work::Study(Arc::new(scene), Arc::new(study));
+    worker.submit(Task { id: 1, threads: 2, work });
+    (worker, reports)
+}
+
+fn next(reports: &Receiver<Report>) -> ReportBody {
+    reports.recv_timeout(PATIENCE).expect("a report in time").body
+}
+
+/// The result, or why there is none.
+fn last(reports: &Receiver<Report>) -> Result<Finding, String> {
+    loop {
+        match next(reports) {
+            ReportBody::Ended { found, .. } => return Ok(found.expect("a result")),
+            ReportBody::Failed(text) => return Err(text),
+            ReportBody::Progress { .. } | ReportBody::Part(_) => {}
+        }
+    }
+}
+
+fn made(scene: Scene, study: impl Study) -> Result<Finding, String> {
+    let (_worker, reports) = begun(scene, study);
+    last(&reports)
+}
+
+/// What a study has that is cancelled at its first progress.
+fn cancelled(study: impl Study) -> Finding {
+    let (worker, reports) = begun(Scene::default(), study);
+    while !matches!(next(&reports), ReportBody::Progress { .. }) {}
+    worker.cancel(1);
+    last(&reports).unwrap()
+}
+
+/// A sweep of so many points along two axes; with a plastic interface each takes longer.
+fn sweep(count: u64) -> PictureSweep {
+    let mut scene = Scene::default();
+    scene.interface.law = InterfaceLaw::Plastic;
+    let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
+    let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
+    let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+    PictureSweep { picture: Picture::Surface, plan: Arc::new(plan) }
+}
+
+#[test]
+fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
+    let (worker, reports) = begun(Scene::default(), sweep(400));
+    let part = loop {
+        if let ReportBody::Part(part) = next(&reports) {
+            break part;
+        }
+    };
+    let done = part.get::<Grid>().expect("a grid").progress().0;
+    assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
+    worker.cancel(1);
+    let kept = last(&reports).unwrap().get::<Grid>().expect("a grid");
+    assert!(!kept.is_complete() && kept.progress().0 >= done);
+}
+
+#[test]
+fn more_points_than_a_screen_needs_are_refused_in_words() {
+    let refused = made(Scene::default(), sweep(2000)).unwrap_err();
+    assert!(refused.contains("cmra sweep"), "{refused}");
+}
+
+#[test]
+fn a_search_that_makes_no_sense_is_refused_in_words() {
+    let goal = |measure: &str| {
+        let axis = Axis::new("k", (0.0, 1e6), 9, Spacing::Linear).unwrap();
+        Request::Seek(Goal { axis, measure: measure.to_owned(), target: 60.0 })
+    };
+    let refused = made(Scene::default(), goal("depth")).unwrap_err();
+    assert!(refused.contains("output depth"), "{refused}");
+    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap().get::<Answer>();
+    assert!(matches!(&*found.unwrap(), Answer::Seek(report) if report.solutions.is_empty()));
+    let none = Request::Sensitivity {
+        axes: Vec::new(),
+        output: "stroke_m".to_owned(),
+        effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1 },
+    };
+    assert!(made(Scene::default(), none).is_err());
+}
+
+#[test]
+fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept() {
+    let mut scene = Scene::default();
+    scene.projectile.mass_kg = -1.0;
+    let refused = made(scene, Measurements(accuracy::Effort::QUICK)).unwrap_err();
+    assert!(refused.contains("m_p"), "{refused}");
+    let kept = cancelled(Measurements(accuracy::Effort::FULL)).get::<Accuracy>();
+    assert!(!kept.expect("measurements").is_complete);
+}
+
+/// A rigid mount has its limit in closed form (model page, section 2).
+#[test]
+fn a_limit_is_found_and_a_stopped_one_says_so() {
+    let passage = |sampling| LimitSearch(limit::Effort { criterion: Criterion::Passage, sampling });
+    let mut scene = Scene::default();
+    scene.plate.mount = Mount::Rigid;
+    let found = made(scene, passage(None)).unwrap().get::<limit::Report>().expect("a limit");
+    let limit_m_s = found.limit.velocity_m_s().expect("a limit");
+    assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
+    let sampling =
+        Sampling { deviation: 0.02, samples: 1_000_000, seed: 1, model: ModelError::default() };
+    let kept = cancelled(passage(Some(sampling))).get::<limit::Report>();
+    assert!(!kept.expect("a limit").is_complete);
+}
