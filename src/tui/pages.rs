@@ -20,8 +20,11 @@ use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
 use crate::tui::message::{Content, Effect, PageTable};
+use crate::tui::pages::run::steps::Size;
+use crate::tui::theme::Role;
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::form::Form;
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
@@ -167,17 +170,30 @@ pub(in crate::tui) trait Page: Sync {
         None
     }
 
-    /// The rows of the pane, where it is a list or a form.
-    fn rows(&self, _app: &App) -> Option<Rows> {
+    /// The form in the pane, where it is one.
+    fn form(&self, _app: &App) -> Option<Form> {
         None
+    }
+
+    /// Take the next value of a row of the form, or the one before.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn step(&self, _app: &mut App, _row: usize, _by: (bool, Size)) -> Result<Vec<Effect>, String> {
+        Ok(Vec::new())
+    }
+
+    /// The rows of the pane, where it is a list or a form.
+    fn rows(&self, app: &App) -> Option<Rows> {
+        self.form(app).map(|form| form.rows(app.list_rows()))
     }
 
     /// Select a row of the pane.
     fn select(&self, _app: &mut App, _row: usize) {}
 
     /// What a row of the pane is found by with `/`; `None` where nothing can be found.
-    fn row_name(&self, _app: &App, _row: usize) -> Option<String> {
-        None
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        Some(self.form(app)?.row(row)?.label.clone())
     }
 
     /// What a click on the selected row does.
@@ -191,18 +207,21 @@ pub(in crate::tui) trait Page: Sync {
     }
 
     /// The text that the field of a row opens with.
-    fn text(&self, _app: &App, _row: usize) -> String {
-        String::new()
+    fn text(&self, app: &App, row: usize) -> String {
+        let text = || self.form(app)?.row(row)?.text.clone();
+        text().unwrap_or_default()
     }
 
     /// Whether the open field takes a number with a unit.
-    fn takes_unit(&self, _app: &App) -> bool {
-        false
+    fn takes_unit(&self, app: &App) -> bool {
+        self.form(app).is_some_and(|form| form.line().is_some_and(|line| line.takes_unit))
     }
 
-    /// Whether a text says something else than the row does.
+    /// Whether a text says something else than the row does; what does not count as it is counts when it is typed again.
     fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
-        text != self.text(app, row)
+        let form = self.form(app);
+        let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));
+        is_dim || text != self.text(app, row)
     }
 
     /// Where Enter goes from the field of a row.

@@ -9,6 +9,7 @@ use crate::tui::chart::Layout;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 
+pub(in crate::tui) mod axis;
 pub(in crate::tui) mod form;
 pub(in crate::tui) mod input;
 pub(in crate::tui) mod list;

@@ -7,7 +7,7 @@ use crate::tui::app::notice::{Severity, demand};
 use crate::tui::app::{App, show_duration};
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::pages::{self, StatusPart, Tab, part};
+use crate::tui::pages::{self, StatusPart, Tab, note, part};
 use crate::tui::theme::columns;
 
 /// Most lines of a message.
@@ -88,7 +88,9 @@ impl App {
         {
             return Some((Severity::Warning, error.to_string()));
         }
-        pages::of(self.tab).readout(self, room)
+        let page = pages::of(self.tab);
+        let meaning = page.form(self).and_then(|form| Some(form.line()?.meaning.clone()));
+        note(meaning).or_else(|| page.readout(self, room))
     }
 
     /// What the selected variable means, with its source where there is room.

@@ -7,9 +7,9 @@ use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{Picker, presets};
 use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::{Effect, PresetEntry};
-use crate::tui::pages::explore::state::numeric;
 use crate::tui::pages::{self, Tab, run};
 use crate::tui::update::act;
+use crate::tui::widgets::axis::numeric;
 
 /// Something that can be called by name.
 #[derive(Clone, Copy)]

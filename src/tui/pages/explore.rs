@@ -24,10 +24,12 @@ use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
-use crate::tui::pages::explore::state::{Picture, SetupRow};
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::{About, Page, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::form::Form;
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
@@ -76,10 +78,7 @@ impl Page for ExploreTab {
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
-        note(match app.pane() {
-            SETUP => Some(app.setup_readout(app.picture())),
-            _ => app.sweep_readout(room),
-        })
+        note(app.sweep_readout(room))
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -107,35 +106,20 @@ impl Page for ExploreTab {
         app.pane() == RESULTS && action == Action::Down && alone
     }
 
-    fn rows(&self, app: &App) -> Option<Rows> {
-        let choices = app.setup_choices(app.picture());
-        let row = app.setup_row(app.picture());
-        let selected = choices.iter().position(|one| *one == row).unwrap_or(0);
-        let rows = Rows { count: choices.len(), selected, shown: app.list_rows() };
-        (app.pane() == SETUP).then_some(rows)
+    fn form(&self, app: &App) -> Option<Form> {
+        (app.pane() == SETUP).then(|| app.setup_form())
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.pages.explore.row = app.setup_choices(app.picture())[row];
+        app.pages.explore.row = app.setup_choices()[row];
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let row = *app.setup_choices(app.picture()).get(row)?;
-        (app.pane() == SETUP).then(|| app.setup_shown(app.picture(), row, 10).label)
+    fn step(&self, app: &mut App, row: usize, by: (bool, Size)) -> Result<Vec<Effect>, String> {
+        setup::keys::step(app, app.setup_choices()[row], by)
     }
 
-    fn takes_unit(&self, app: &App) -> bool {
-        let row = app.setup_row(app.picture());
-        matches!(row, SetupRow::From(_) | SetupRow::To(_) | SetupRow::Held(_))
-    }
-
-    fn text(&self, app: &App, row: usize) -> String {
-        let row = app.setup_choices(app.picture()).get(row).copied();
-        row.map_or_else(String::new, |row| app.setup_text(row))
-    }
-
-    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
-        setup::keys::take(app, text)
+    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<Vec<Effect>, String> {
+        setup::keys::take(app, app.setup_choices()[row], text)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
@@ -155,7 +139,7 @@ impl Page for ExploreTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = layout::panes(app, body);
         if let Some(area) = panes.setup {
-            setup::draw::render(app, app.picture(), area, canvas);
+            app.setup_form().render(app, SETUP, area, canvas);
         }
         match app.picture() {
             Picture::Line => curves::render(app, &panes, canvas),

@@ -19,9 +19,11 @@ use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
+use crate::tui::pages::run::steps::Size;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::form::Form;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -127,15 +129,22 @@ impl Page for SearchTab {
         app.pane() == RESULTS && idle
     }
 
+    fn form(&self, app: &App) -> Option<Form> {
+        (app.pane() == SETUP).then(|| app.search_form())
+    }
+
+    fn step(&self, app: &mut App, row: usize, by: (bool, Size)) -> Result<Vec<Effect>, String> {
+        keys::step(app, app.search_choices()[row], by)
+    }
+
     fn rows(&self, app: &App) -> Option<Rows> {
         let (tab, shown) = (&app.pages.search, app.list_rows());
-        let (count, selected) = match (app.pane(), tab.choices()) {
-            (SETUP, _) => {
-                let (rows, row) = (app.search_choices(), app.search_row());
-                (rows.len(), rows.iter().position(|one| *one == row).unwrap_or(0))
-            }
-            (_, 0) => (keys::hidden_lines(app) + 1, tab.scrolled()),
-            (_, choices) => (choices, tab.selected()),
+        if let Some(form) = self.form(app) {
+            return Some(form.rows(shown));
+        }
+        let (count, selected) = match tab.choices() {
+            0 => (keys::hidden_lines(app) + 1, tab.scrolled()),
+            choices => (choices, tab.selected()),
         };
         Some(Rows { count, selected, shown })
     }
@@ -147,27 +156,12 @@ impl Page for SearchTab {
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let row = *app.search_choices().get(row)?;
-        (app.pane() == SETUP).then(|| app.search_shown(row).0)
-    }
-
-    fn text(&self, app: &App, row: usize) -> String {
-        let row = app.search_choices().get(row).copied();
-        row.map_or_else(String::new, |row| app.search_text(row))
-    }
-
-    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
-        // The bounds of a held variable are a proposal: typed again they are taken.
-        text != self.text(app, row) || matches!(app.search_row(), state::Row::Bound(_))
-    }
-
     fn after_enter(&self) -> Option<Action> {
         None
     }
 
-    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
-        keys::take(app, text)
+    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<Vec<Effect>, String> {
+        keys::take(app, app.search_choices()[row], text)
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {

@@ -5,9 +5,11 @@ use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{List, ask, export, options};
 use crate::tui::keymap::{Action, Pane, Part};
 use crate::tui::message::Effect;
+use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::steps::Size;
 use crate::tui::pages::{self, Tab};
-use crate::tui::update::{edit, find, zoom};
+use crate::tui::update::{edit, field, find, zoom};
 
 /// Do it, in the pane that has the keys.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -19,7 +21,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         app.editor.stride = None;
     }
     let page = pages::of(app.tab);
-    if let Some(effects) = page.act(app, action) {
+    if let Some(effects) = page.act(app, action).or_else(|| in_form(app, action)) {
         return effects;
     }
     if let Some(rows) = page.rows(app)
@@ -38,6 +40,22 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     anywhere(app, action)
 }
 
+/// What an action does to the selected row of a form: it takes the next value, or opens its field.
+fn in_form(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let page = pages::of(app.tab);
+    let form = page.form(app)?;
+    let by = match action {
+        Action::Enter => (true, Size::Plain),
+        _ => step_of(action)?,
+    };
+    let row = form.rows(0).selected;
+    page.select(app, row);
+    if action == Action::Enter && form.line()?.text.is_some() {
+        return Some(field::open(app, row));
+    }
+    Some(page.step(app, row, by).unwrap_or_else(|why| app.refuse(why)))
+}
+
 /// Move the selection of the pane by rows, stopping at the ends.
 pub(in crate::tui) fn move_by(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
@@ -50,16 +68,7 @@ pub(in crate::tui) fn move_by(app: &mut App, by: isize) {
 
 /// Whether an action steps the value of a row: such steps join into one edit.
 fn steps(app: &App, action: Action) -> bool {
-    let step = matches!(
-        action,
-        Action::Left
-            | Action::Right
-            | Action::FarLeft
-            | Action::FarRight
-            | Action::FineLess
-            | Action::FineMore
-    );
-    step && pages::spec(app.pane()).has.contains(&Part::Form)
+    step_of(action).is_some() && pages::spec(app.pane()).has.contains(&Part::Form)
 }
 
 /// By how many rows an action moves in a list that shows so many at once; `None` for other actions.

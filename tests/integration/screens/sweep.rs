@@ -15,7 +15,7 @@ use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::plan::PictureSweep;
-use cmra::tui::pages::explore::state::{Picture, SetupRow};
+use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::{Finding, Progress, ReportBody};
@@ -171,8 +171,7 @@ fn stale_results_are_not_loaded() {
     keys(&mut bench, "2");
     keys(&mut bench, ":switch auto<Enter><Tab>");
     let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
-    bench.app.pages.explore.row =
-        *bench.app.setup_choices(Picture::Surface).iter().find(|row| held(row)).unwrap();
+    bench.app.pages.explore.row = *bench.app.setup_choices().iter().find(|row| held(row)).unwrap();
     keys(&mut bench, "l<Tab>ll");
     let before = Arc::clone(&bench.app.scene);
     keys(&mut bench, "<Enter>");
@@ -196,7 +195,7 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2<Tab>");
     let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
-    let rows = bench.app.setup_choices(bench.app.picture());
+    let rows = bench.app.setup_choices();
     let v_i = rows.iter().copied().filter(held).nth(2).unwrap();
     bench.app.pages.explore.row = v_i;
     bench.keys("l");
@@ -246,16 +245,20 @@ fn a_refused_text_stays_with_its_reason() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2<Tab>");
     for (to, text, fragments) in [
-        (SetupRow::From(0), "-1", &["axis gamma", "reaches -1", "greater than 0"][..]),
-        (SetupRow::To(0), "0.8", &["axis gamma", "both ends are 0.8", "differ"]),
-        (SetupRow::To(1), "12 kg", &["k", "`kg` is not a unit"]),
-        (SetupRow::Points(0), "1", &["axis gamma", "count = 1", "2 to 1000000 points here"]),
-        (SetupRow::Points(0), "1000001", &["axis gamma", "2 to 1000000 points here"]),
-        (SetupRow::Points(0), "50000", &["1050000 points are too many", "at most 1000000"]),
-        (SetupRow::Points(1), "few", &["`few`", "whole number, 2 to 1000000"]),
-        (SetupRow::Name(0), "k", &["axis k", "swept twice"]),
-        (SetupRow::Name(0), "gama", &["`gama`", "did you mean `gamma`"]),
-        (SetupRow::Name(1), "interface", &["no numbers", "fused or plastic"]),
+        (SetupRow::Axis(0, Part::From), "-1", &["axis gamma", "reaches -1", "greater than 0"][..]),
+        (SetupRow::Axis(0, Part::To), "0.8", &["axis gamma", "both ends are 0.8", "differ"]),
+        (SetupRow::Axis(1, Part::To), "12 kg", &["k", "`kg` is not a unit"]),
+        (SetupRow::Axis(0, Part::Points), "1", &["`1`", "whole number, 2 to 1000000"]),
+        (SetupRow::Axis(0, Part::Points), "1000001", &["`1000001`", "whole number, 2 to 1000000"]),
+        (
+            SetupRow::Axis(0, Part::Points),
+            "50000",
+            &["1050000 points are too many", "at most 1000000"],
+        ),
+        (SetupRow::Axis(1, Part::Points), "few", &["`few`", "whole number, 2 to 1000000"]),
+        (SetupRow::Axis(0, Part::Name), "k", &["axis k", "swept twice"]),
+        (SetupRow::Axis(0, Part::Name), "gama", &["`gama`", "did you mean `gamma`"]),
+        (SetupRow::Axis(1, Part::Name), "interface", &["no numbers", "fused or plastic"]),
         (SetupRow::Output, "depth", &["no quantity is called `depth`", "final penetration"]),
     ] {
         bench.app.pages.explore.row = to;
@@ -271,7 +274,7 @@ fn a_refused_text_stays_with_its_reason() {
         keys(&mut bench, "<Esc>");
     }
     // From 0 no equal ratios: refused in words, nothing changes.
-    bench.app.pages.explore.row = SetupRow::Spacing(1);
+    bench.app.pages.explore.row = SetupRow::Axis(1, Part::Spacing);
     keys(&mut bench, "l");
     assert!(bench.message().contains("greater than 0"), "{}", bench.message());
 }
@@ -282,7 +285,7 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     keys(&mut bench, "2<Tab>");
     let sweep = |bench: &Bench| bench.app.scene.sweep.clone().unwrap();
     // A family appears, and goes.
-    bench.app.pages.explore.row = SetupRow::Name(1);
+    bench.app.pages.explore.row = SetupRow::Axis(1, Part::Name);
     keys(&mut bench, "l");
     assert_eq!(sweep(&bench).axes.len(), 2);
     assert!(bench.screen().contains("curves        5"), "{}", bench.screen());
@@ -291,13 +294,13 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     keys(&mut bench, "u");
     assert_eq!(sweep(&bench).axes.len(), 2);
     // Another variable, with the thesis's range.
-    bench.app.pages.explore.row = SetupRow::Name(0);
+    bench.app.pages.explore.row = SetupRow::Axis(0, Part::Name);
     keys(&mut bench, "<Enter>d<Enter>");
     assert_eq!((sweep(&bench).axes[0].name.as_str(), sweep(&bench).axes[0].to), ("d", 0.5));
     keys(&mut bench, "<Enter>1mm<Enter><Enter>50mm<Enter>");
     let axis = sweep(&bench).axes[0].clone();
     assert!((axis.from - 1e-3).abs() < 1e-15 && (axis.to - 0.05).abs() < 1e-15);
-    bench.app.pages.explore.row = SetupRow::Spacing(0);
+    bench.app.pages.explore.row = SetupRow::Axis(0, Part::Spacing);
     keys(&mut bench, "<Enter>");
     assert!(sweep(&bench).axes[0].log);
     bench.app.pages.explore.row = SetupRow::Output;

@@ -1,30 +1,25 @@
 //! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
 
-pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 
 use crate::model::scene::SweepAxis;
-use crate::model::units;
-use crate::model::variables::{self, VARIABLES};
-use crate::study::quantities::Quantity;
+use crate::model::variables::{self, VARIABLES, Value};
 use crate::tui::app::App;
 use crate::tui::pages::explore::state::{Picture, Spread, has_family, sweep_of};
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::theme::Role;
+use crate::tui::widgets::axis::meaning;
+use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH};
+
+pub use crate::tui::widgets::axis::Part;
 
 /// One row of the setup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SetupRow {
     /// A heading.
     Heading(&'static str),
-    /// The variable of an axis.
-    Name(usize),
-    /// Its first value.
-    From(usize),
-    /// Its last value.
-    To(usize),
-    /// Its number of points.
-    Points(usize),
-    /// How they are spread.
-    Spacing(usize),
+    /// A part of an axis.
+    Axis(usize, Part),
     /// Curves or a map.
     Picture,
     /// Which points there are.
@@ -37,47 +32,29 @@ pub enum SetupRow {
     Held(usize),
 }
 
-/// What a row shows: its name, its value, its unit.
-pub struct Shown {
-    /// At the left.
-    pub label: String,
-    /// At the right.
-    pub value: String,
-    /// After the value.
-    pub unit: &'static str,
-}
-
 impl App {
     /// The rows of the setup, headings included.
-    pub fn setup_rows(&self, picture: Picture) -> Vec<SetupRow> {
+    fn setup_rows(&self) -> Vec<SetupRow> {
         use SetupRow as R;
-        let axis = |at| [R::Name(at), R::From(at), R::To(at), R::Points(at), R::Spacing(at)];
+        let is_map = self.picture() == Picture::Surface;
+        let has_two = is_map || has_family(&self.scene);
+        let is_grid = self.pages.explore.spread(self.picture()) == Spread::Grid;
         let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
-        rows.extend(axis(0));
-        match picture {
-            Picture::Surface => {
-                let grid = self.pages.explore.spread(picture) == Spread::Grid;
-                rows.extend([R::Design, R::Heading("Across"), R::Name(1), R::From(1), R::To(1)]);
-                // A design has so many points in all, not along each axis.
-                rows.extend(grid.then_some(R::Points(1)));
-                rows.push(R::Spacing(1));
-            }
-            Picture::Line => {
-                let grid = self.pages.explore.spread(picture) == Spread::Grid;
-                rows.push(R::Design);
-                rows.extend([R::Heading("Across"), R::Name(1)]);
-                if has_family(&self.scene) {
-                    rows.extend([R::From(1), R::To(1)]);
-                    rows.extend(grid.then_some(R::Curves));
-                    rows.push(R::Spacing(1));
-                }
-            }
+        let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
+        rows.extend(along.map(|part| R::Axis(0, part)));
+        rows.extend([R::Design, R::Heading("Across"), R::Axis(1, Part::Name)]);
+        if has_two {
+            rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
+            // A design has so many points in all, not along each axis.
+            let count = if is_map { R::Axis(1, Part::Points) } else { R::Curves };
+            rows.extend(is_grid.then_some(count));
+            rows.push(R::Axis(1, Part::Spacing));
         }
         rows.push(R::Heading("Hold"));
         let sweep = sweep_of(&self.scene);
-        let axes = if picture == Picture::Surface || has_family(&self.scene) { 2 } else { 1 };
         let swept = |variable: &variables::Variable| {
             let key = |axis: &SweepAxis| variables::find(&axis.name).map(|found| found.key);
+            let axes = if has_two { 2 } else { 1 };
             sweep.axes.iter().take(axes).any(|axis| key(axis) == Ok(variable.key))
         };
         let listed = |variable| variables::is_offered(variable, &self.scene);
@@ -90,145 +67,70 @@ impl App {
     }
 
     /// The rows that can be selected.
-    pub fn setup_choices(&self, picture: Picture) -> Vec<SetupRow> {
-        let mut rows = self.setup_rows(picture);
+    pub fn setup_choices(&self) -> Vec<SetupRow> {
+        let mut rows = self.setup_rows();
         rows.retain(|row| !matches!(row, SetupRow::Heading(_)));
         rows
     }
 
-    /// The selected row; the first one where the selection is not there any more.
-    pub fn setup_row(&self, picture: Picture) -> SetupRow {
-        let rows = self.setup_choices(picture);
-        if rows.contains(&self.pages.explore.row) {
-            self.pages.explore.row
-        } else {
-            SetupRow::Name(0)
-        }
+    /// The selected row; the first of the axes where the selection is not there any more.
+    fn setup_row(&self) -> SetupRow {
+        let row = self.pages.explore.row;
+        if self.setup_rows().contains(&row) { row } else { SetupRow::Axis(0, Part::Name) }
     }
 
-    /// What a row shows, its value in at most `width` characters.
-    pub fn setup_shown(&self, picture: Picture, row: SetupRow, width: usize) -> Shown {
+    /// The setup as a form.
+    pub(in crate::tui) fn setup_form(&self) -> Form {
         let sweep = sweep_of(&self.scene);
-        let axis = |at: usize| &sweep.axes[at];
-        let unit = |at: usize| {
-            variables::find(&axis(at).name).map_or("", |found| found.unit().trim_matches('-'))
-        };
-        let shown =
-            |label: &str, value: String, unit| Shown { label: label.to_owned(), value, unit };
-        match row {
-            SetupRow::Heading(text) => shown(text, String::new(), ""),
-            SetupRow::Name(1) if picture == Picture::Line && !has_family(&self.scene) => {
-                shown("variable", "none".to_owned(), "")
-            }
-            SetupRow::Name(at) => shown("variable", axis(at).name.clone(), ""),
-            SetupRow::From(at) => shown("from", number(axis(at).from, width), unit(at)),
-            SetupRow::To(at) => shown("to", number(axis(at).to, width), unit(at)),
-            SetupRow::Points(at) => shown("points", axis(at).count.to_string(), ""),
-            SetupRow::Spacing(at) => {
-                let word = if axis(at).log { "log" } else { "linear" };
-                shown("spacing", word.to_owned(), "")
-            }
-            SetupRow::Picture => {
-                let word = if picture == Picture::Line { "curves" } else { "map" };
-                shown("shown as", word.to_owned(), "")
-            }
-            SetupRow::Design => {
-                shown("design", self.pages.explore.spread(picture).word().to_owned(), "")
-            }
-            SetupRow::Curves => shown("curves", self.pages.explore.visits.curves.to_string(), ""),
-            SetupRow::Output => {
-                let at = self.pages.explore.output.min(sweep.outputs.len() - 1);
-                shown(&sweep.outputs[at], String::new(), "")
-            }
-            SetupRow::Held(index) => {
-                let variable = &VARIABLES[index];
-                Shown {
-                    label: variable.symbol.to_owned(),
-                    value: crate::tui::pages::run::editor::shown_value(
-                        variable,
-                        &self.scene,
-                        width,
-                    ),
-                    unit: match variable.value(&self.scene) {
-                        variables::Value::Number(_) => variable.unit().trim_matches('-'),
-                        variables::Value::Absent
-                        | variables::Value::Word(_)
-                        | variables::Value::Switch(_) => "",
-                    },
-                }
-            }
-        }
-    }
-
-    /// The text a field opens with.
-    pub fn setup_text(&self, row: SetupRow) -> String {
-        let sweep = sweep_of(&self.scene);
-        match row {
-            SetupRow::From(at) => units::shortest(sweep.axes[at].from),
-            SetupRow::To(at) => units::shortest(sweep.axes[at].to),
-            // What is shown: a stand-in that nobody chose would be taken for chosen.
-            SetupRow::Name(1) if self.picture() == Picture::Line && !has_family(&self.scene) => {
-                "none".to_owned()
-            }
-            SetupRow::Name(at) => sweep.axes[at].name.clone(),
-            SetupRow::Points(at) => sweep.axes[at].count.to_string(),
-            SetupRow::Curves => self.pages.explore.visits.curves.to_string(),
-            SetupRow::Output => {
-                let name = &sweep.outputs[self.pages.explore.output.min(sweep.outputs.len() - 1)];
-                crate::study::quantities::find(name).map_or_else(|| name.clone(), Quantity::title)
-            }
-            SetupRow::Held(index) => VARIABLES[index].show(&self.scene),
-            SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Picture | SetupRow::Design => {
-                String::new()
-            }
-        }
-    }
-
-    /// What the selected row of the setup means.
-    pub fn setup_readout(&self, picture: Picture) -> String {
-        let sweep = sweep_of(&self.scene);
-        let of_axis = |at: usize| {
-            let name = &sweep.axes[at].name;
-            variables::find(name).map_or_else(
-                |_| name.clone(),
-                |found| format!("{}: {}", found.symbol, found.meaning),
+        let line = |row| match row {
+            SetupRow::Heading(text) => Line::heading(text),
+            SetupRow::Axis(1, Part::Name) if self.has_no_second() => Line::typed(
+                "variable", "none",
             )
-        };
-        match self.setup_row(picture) {
-            SetupRow::Heading(_) => String::new(),
-            SetupRow::Name(1) if picture == Picture::Line && !has_family(&self.scene) => {
-                "curves can be repeated for values of a second variable: l, or Enter and its name"
-                    .to_owned()
-            }
-            SetupRow::Name(at)
-            | SetupRow::From(at)
-            | SetupRow::To(at)
-            | SetupRow::Points(at)
-            | SetupRow::Spacing(at) => of_axis(at),
+            .means(
+                "curves can be repeated for values of a second variable: l, or Enter and its name",
+            ),
+            SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
             SetupRow::Picture => {
-                "curves: one for each value of the variable across, if any; map: colours over both"
-                    .to_owned()
+                let word = if self.picture() == Picture::Line { "curves" } else { "map" };
+                Line::word("shown as", word).means(
+                    "curves: one for each value of the variable across, if any; map: colours over both",
+                )
             }
             SetupRow::Design => {
-                "every combination; or a Latin hypercube or Sobol's sequence of so many points"
-                    .to_owned()
+                let word = self.pages.explore.spread(self.picture()).word();
+                Line::word("design", word).means(
+                    "every combination; or a Latin hypercube or Sobol's sequence of so many points",
+                )
             }
-            SetupRow::Curves => "how many curves, their values spread over the range".to_owned(),
+            SetupRow::Curves => Line::typed("curves", self.pages.explore.visits.curves.to_string())
+                .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
-                let name = &sweep.outputs[self.pages.explore.output.min(sweep.outputs.len() - 1)];
-                crate::study::quantities::find(name).map_or_else(String::new, |output| {
-                    format!("{}: {}", output.title(), output.meaning)
-                })
+                Line::quantity(&sweep.outputs[self.pages.explore.output_of(&sweep)])
             }
-            SetupRow::Held(index) => {
-                let variable = &VARIABLES[index];
-                let allowed = variable.allowed();
-                format!("{}: {} (held); {allowed}", variable.symbol, variable.meaning)
-            }
-        }
+            SetupRow::Held(index) => self.held_line(index),
+        };
+        Form::new(&self.setup_rows(), self.setup_row(), line)
     }
-}
 
-fn number(value: f64, width: usize) -> String {
-    crate::tui::pages::run::editor::shown_number(value, width)
+    fn held_line(&self, index: usize) -> Line {
+        let variable = &VARIABLES[index];
+        let is_number = matches!(variable.value(&self.scene), Value::Number(_));
+        let shown = shown_value(variable, &self.scene, usize::from(VALUE_WIDTH));
+        let is_used = variables::is_used(variable, &self.scene);
+        Line {
+            unit: if is_number { variable.unit().trim_matches('-') } else { "" },
+            text: Some(variable.show(&self.scene)),
+            takes_unit: true,
+            is_changed: variable.value(&self.scene) != variable.value(&self.base.scene),
+            role: if is_used { Role::Text } else { Role::Dim },
+            ..Line::word(variable.symbol, shown)
+        }
+        .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
+    }
+
+    /// Whether there is one curve: a stand-in for the second axis that nobody chose is not shown as chosen.
+    fn has_no_second(&self) -> bool {
+        self.picture() == Picture::Line && !has_family(&self.scene)
+    }
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
-use crate::model::variables::{self, Kind as VariableKind};
+use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
@@ -18,7 +18,7 @@ use crate::tui::app::App;
 use crate::tui::chart::ViewRange;
 
 pub use crate::tui::pages::explore::gaps::no_value;
-pub use crate::tui::pages::explore::setup::SetupRow;
+pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
@@ -143,7 +143,7 @@ impl Default for Sweeping {
             surface: None,
             warned: None,
             problem: None,
-            row: SetupRow::Name(0),
+            row: SetupRow::Axis(0, Part::Name),
             cursor: [None; 2],
             zoomed: None,
             output: 0,
@@ -172,6 +172,11 @@ impl Sweeping {
     /// Let a picture visit other points.
     pub fn set_spread(&mut self, picture: Picture, spread: Spread) {
         self.visits.spreads[picture as usize] = spread;
+    }
+
+    /// The place of the output shown among those of a sweep.
+    pub fn output_of(&self, sweep: &Sweep) -> usize {
+        self.output.min(sweep.outputs.len() - 1)
     }
 
     /// Show what was found; over other axes the cursor begins anew.
@@ -426,9 +431,4 @@ pub fn output_value(output: &Quantity, value: f64) -> String {
         "%" => format!("{} %", units::fixed_significant(value, 4)),
         unit => Engineering { value, unit, digits: 4 }.to_string(),
     }
-}
-
-/// The numeric variables, in the order of the editor: what an axis can be.
-pub fn numeric() -> impl Iterator<Item = &'static variables::Variable> {
-    variables::VARIABLES.iter().filter(|variable| matches!(variable.kind, VariableKind::Number(_)))
 }

@@ -1,93 +1,57 @@
 //! A variable with its bounds, as the setup of a search has it, and how its text is read. No drawing.
 
-use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, significant};
-use crate::model::variables::{self, Kind};
 use crate::study::sweep::{Axis, Spacing};
+use crate::tui::theme::Role;
+use crate::tui::widgets::axis::meaning;
+use crate::tui::widgets::form::Line;
 
 /// A variable with its bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// Its symbol.
-    pub name: &'static str,
-    /// First and last value, in the stored unit.
-    pub ends: (f64, f64),
-    /// At equal ratios.
-    pub log: bool,
+    /// The variable, and its bounds as the ends of an axis.
+    pub axis: Axis,
     /// It is varied; otherwise held.
     pub on: bool,
 }
 
-/// The bounds a variable gets when it is chosen: Table 9.2's, or half to double of what the scene has.
-///
-/// # Errors
-/// Why there is no such variable, or none with numbers.
-pub fn bound(scene: &Scene, name: &str) -> Result<Bound, String> {
-    let variable = variables::find(name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else {
-        return Err(format!("{} has no numbers, only {}", variable.symbol, variable.allowed()));
-    };
-    let ends = number.thesis_range.unwrap_or_else(|| match (number.get)(scene) {
-        Some(value) if value > 0.0 => {
-            let double = 2.0 * value;
-            (0.5 * value, if number.allowed.contains(double) { double } else { value })
-        }
-        Some(_) | None => (0.0, 1.0),
-    });
-    Ok(Bound { name: variable.symbol, ends, log: false, on: true })
+/// Its row in a form: `0.8..7` or `1e3..7.5e6:log`.
+pub(in crate::tui) fn bound_line(bound: &Bound) -> Line {
+    let (low, high) = bound.axis.ends();
+    let log = if bound.axis.spacing() == Spacing::Log { ":log" } else { "" };
+    let range = format!("{}..{}{log}", significant(low, 5), significant(high, 5));
+    let shown = if bound.on { range.clone() } else { "held".to_owned() };
+    let meaning = meaning(bound.axis.variable());
+    Line {
+        text: Some(range),
+        takes_unit: true,
+        role: if bound.on { Role::Text } else { Role::Dim },
+        ..Line::word(bound.axis.symbol(), shown)
+    }
+    .means(format!("{meaning} (Enter: LO..HI, LO..HI:log; h/l held or varied)"))
 }
 
 /// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.
 ///
 /// # Errors
 /// What is wrong with the text.
-pub fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
-    match text.trim() {
-        "off" => return Ok(Bound { on: false, ..old.clone() }),
-        "on" => return Ok(Bound { on: true, ..old.clone() }),
-        _ => {}
+pub(in crate::tui) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
+    if let "on" | "off" = text {
+        return Ok(Bound { on: text == "on", ..old.clone() });
     }
-    let (range, log) = match text.trim().strip_suffix(":log") {
-        Some(range) => (range, true),
-        None => (text.trim(), false),
+    let (range, spacing) = match text.strip_suffix(":log") {
+        Some(range) => (range, Spacing::Log),
+        None => (text, Spacing::Linear),
     };
     let (low, high) = range.split_once("..").ok_or("write LO..HI, LO..HI:log or off: 0.8..7")?;
-    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
+    let quantity = old.axis.number().quantity;
     let read = |text: &str| {
-        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())
+        units::parse(text, quantity, Bare::Stored).map_err(|problem| problem.to_string())
     };
     let ends = (read(low)?, read(high)?);
-    if let Some(problem) = units::one_bare_end(low, high, number.quantity) {
+    if let Some(problem) = units::one_bare_end(low, high, quantity) {
         return Err(problem);
     }
-    let new = Bound { ends, log, on: true, ..old.clone() };
-    axis(&new, 2).map(|_| new)
-}
-
-/// Read one end of a bound, the low or the high one, with a unit or without; the other end stays.
-///
-/// # Errors
-/// What is wrong with the text.
-pub fn read_end(old: &Bound, low: bool, text: &str) -> Result<Bound, String> {
-    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
-    let end =
-        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())?;
-    let ends = if low { (end, old.ends.1) } else { (old.ends.0, end) };
-    let new = Bound { ends, on: true, ..old.clone() };
-    axis(&new, 2).map(|_| new)
-}
-
-/// A checked axis of a bound.
-pub(in crate::tui) fn axis(bound: &Bound, count: u64) -> Result<Axis, String> {
-    let spacing = if bound.log { Spacing::Log } else { Spacing::Linear };
-    Axis::new(bound.name, bound.ends, count, spacing).map_err(|error| error.to_string())
-}
-
-/// `0.8..7` or `1e3..7.5e6:log`.
-pub(in crate::tui) fn range(bound: &Bound) -> String {
-    let (low, high) = bound.ends;
-    let log = if bound.log { ":log" } else { "" };
-    format!("{}..{}{log}", significant(low, 5), significant(high, 5))
+    let axis = Axis::new(old.axis.symbol(), ends, old.axis.count(), spacing);
+    Ok(Bound { axis: axis.map_err(|error| error.to_string())?, on: true })
 }

@@ -15,23 +15,19 @@ use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Page, Row, Searching};
+use crate::tui::pages::search::state::{Page, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::form::Form;
 use crate::tui::widgets::text::{columns, first_row, paint_row, put, put_centred, text_role};
 
-/// Where a row's label and value begin.
-const LABEL: u16 = 2;
-const VALUE: u16 = 12;
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
 /// Draw setup and findings.
 pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
     canvas.pane(right, RESULTS);
-    setup(app, left, canvas);
+    app.search_form().render(app, SETUP, left, canvas);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
     let Some(found) = app.pages.search.shown() else {
         nothing(app, right, canvas);
@@ -63,34 +59,6 @@ fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let hint = if app.pane() == SETUP { " Tab " } else { " z: in words " };
     let column = area.width.saturating_sub(columns(hint) + 1);
     put(canvas, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
-}
-
-fn setup(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let selected = app.search_row();
-    let form = Form {
-        pane: SETUP,
-        rows: &app.search_rows(),
-        choices: &app.search_choices(),
-        selected,
-        field: if matches!(selected, Row::Result | Row::Output) { LABEL } else { VALUE },
-    };
-    form.render(app, area, canvas, |canvas, line, row| setup_row(app, *row, line, canvas));
-}
-
-fn setup_row(app: &App, row: Row, line: Rect, canvas: &mut Canvas<'_>) {
-    let (label, value) = app.search_shown(row);
-    if matches!(row, Row::Heading(_)) {
-        put(canvas, line, (0, 0), &label, app.theme.style(Role::Title));
-        return;
-    }
-    let role = if value == "held" || value == "no" { Role::Dim } else { Role::Text };
-    let room = usize::from(line.width.saturating_sub(LABEL));
-    put(canvas, line, (LABEL, 0), &clip(&label, room), app.theme.style(role));
-    // A long value moves to the left, up to its name.
-    let after = LABEL + columns(&label) + 1;
-    let start = VALUE.max(after).min(line.width.saturating_sub(columns(&value))).max(after);
-    let room = usize::from(line.width.saturating_sub(start));
-    put(canvas, line, (start, 0), &clip(&value, room), app.theme.style(role));
 }
 
 /// What stands where nothing has been found yet.

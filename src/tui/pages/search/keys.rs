@@ -1,12 +1,11 @@
 //! The Search tab: searching, moving through designs, editing the setup, loading a design.
 
-use std::fmt::Display;
-use std::ops::RangeInclusive;
-use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::study::quantities::{QUANTITIES, named};
+use crate::model::scene::SweepAxis;
+use crate::study::quantities::named;
 use crate::study::search::seek::SCAN;
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::{Edit, Setting};
@@ -16,17 +15,19 @@ use crate::tui::dialogs::wrap;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::Tab;
-use crate::tui::pages::explore::state::numeric;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::steps::Size;
 use crate::tui::pages::search;
 use crate::tui::pages::search::SETUP;
-use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
+use crate::tui::pages::search::bounds::read_bound;
 use crate::tui::pages::search::request::Request;
 use crate::tui::pages::search::setup::Setup;
 use crate::tui::pages::search::state;
 use crate::tui::pages::search::state::{Page, Row};
 use crate::tui::update::act::move_by;
-use crate::tui::update::{edit, field, jobs};
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::axis::whole;
+use crate::tui::widgets::form::quantity_beside;
 
 /// Far along a front, in designs.
 const FAR: isize = 10;
@@ -49,7 +50,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(look(app)),
         Action::Export | Action::Copy => return None,
-        _ if app.pane() == SETUP => return in_setup(app, action),
+        _ if app.pane() == SETUP => return None,
         Action::Enter => return Some(edit::load_design(app, app.search_design())),
         Action::Mark => return Some(runs::keys::pin_design(app, app.search_design())),
         Action::View => return Some(view(app)),
@@ -80,15 +81,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         }
     }
     Some(Vec::new())
-}
-
-fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Right | Action::FarRight | Action::FineMore => Some(step(app, 1)),
-        Action::Left | Action::FarLeft | Action::FineLess => Some(step(app, -1)),
-        Action::Enter => Some(open_field(app)),
-        _ => None,
-    }
 }
 
 /// Another page, which searches at once unless it has something to show.
@@ -157,14 +149,19 @@ pub(in crate::tui) fn report(app: &mut App, running: &Running, news: &News) {
     }
 }
 
-/// The next value of the selected row, as one edit with the steps just before.
-fn step(app: &mut App, by: isize) -> Vec<Effect> {
-    let row = app.search_row();
-    app.pages.search.row = row;
+/// The next value of a row of the setup, as one edit with the steps just before.
+///
+/// # Errors
+/// Why there is none.
+pub(in crate::tui) fn step(
+    app: &mut App,
+    row: Row,
+    by: (bool, Size),
+) -> Result<Vec<Effect>, String> {
     let before = app.pages.search.setup.clone();
-    change(app, row, by);
+    change(app, row, by)?;
     note(app, row, before, true);
-    after_edit(app)
+    Ok(after_edit(app))
 }
 
 /// After an edit of the setup: a search that takes less than a second follows at once.
@@ -190,116 +187,77 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
         Some(_) | None => before.clone(),
     };
     let after = std::mem::replace(&mut app.pages.search.setup, first);
-    let old = app.search_shown(row);
+    let old = app.search_line(row, &app.search_bounds());
     app.pages.search.setup = after.clone();
-    let new = app.search_shown(row);
-    let label = match (old.1.is_empty(), new.1.is_empty()) {
+    let new = app.search_line(row, &app.search_bounds());
+    let label = if new.value.is_empty() {
         // A result stands in the place of its label.
-        (true, true) => format!("search: {} -> {}", old.0, new.0),
-        (_, _) => format!("search: {} {} -> {}", new.0, old.1, new.1),
+        format!("search: {} -> {}", old.label, new.label)
+    } else {
+        format!("search: {} {} -> {}", new.label, old.value, new.value)
     };
     let setting = (Setting::Search(Box::new(before)), Setting::Search(Box::new(after)));
     edit::note_setting(app, setting, label, stepping);
 }
 
-fn change(app: &mut App, row: Row, by: isize) {
+fn change(app: &mut App, row: Row, (up, size): (bool, Size)) -> Result<(), String> {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
     let setup = &mut app.pages.search.setup;
+    let by = if up { 1 } else { -1 };
     let within = |value: usize, (least, most, each): (usize, usize, usize)| {
-        let moved = if by > 0 { value + each } else { value.saturating_sub(each) };
+        let moved = if up { value + each } else { value.saturating_sub(each) };
         moved.clamp(least, most)
     };
-    let measures = || QUANTITIES.iter().map(|column| column.name);
-    let next = |name: &str| {
-        let all: Vec<&'static str> = measures().collect();
-        let at = all.iter().position(|other| *other == name).unwrap_or(0);
-        all[wrap(at, by, all.len())]
-    };
+    let objective = |at: usize| wrap(at.min(objectives - 1), by, objectives);
     match row {
-        Row::Name => {
-            let names: Vec<&'static str> = numeric().map(|variable| variable.symbol).collect();
-            let at = names.iter().position(|name| *name == setup.seek.name).unwrap_or(0);
-            if let Ok(chosen) = bound(&app.scene, names[wrap(at, by, names.len())]) {
-                setup.seek = chosen;
-            }
+        Row::Axis(part) => {
+            let mut axis = setup.seek.clone();
+            part.step(&mut axis, &app.scene, (up, size))?;
+            setup.seek = checked(axis)?;
         }
-        Row::Spacing => setup.seek.log = !setup.seek.log,
-        Row::Result => {
-            setup.goal.0 = next(setup.goal.0);
-        }
-        Row::Output => setup.output = next(setup.output),
+        Row::Result => setup.goal.0 = quantity_beside(setup.goal.0, up),
+        Row::Output => setup.output = quantity_beside(setup.output, up),
         Row::Bound(at) => {
             setup.bounds = bounds;
             if let Some(bound) = setup.bounds.get_mut(at) {
-                bound.on = by > 0;
+                bound.on = !bound.on;
             }
         }
-        Row::Objective(at) => setup.objectives[at] = by > 0,
-        Row::Stroke => {
-            setup.stroke_m = if by > 0 { Some(setup.stroke_m.unwrap_or(1.0)) } else { None }
-        }
-        Row::Feasible => setup.feasible = by > 0,
+        Row::Objective(at) => setup.objectives[at] = !setup.objectives[at],
+        Row::Stroke => setup.stroke_m = up.then(|| setup.stroke_m.unwrap_or(1.0)),
+        Row::Feasible => setup.feasible = !setup.feasible,
         Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
         Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
-        Row::Across => setup.axes.0 = wrap(setup.axes.0.min(objectives - 1), by, objectives),
-        Row::Up => setup.axes.1 = wrap(setup.axes.1.min(objectives - 1), by, objectives),
+        Row::Across => setup.axes.0 = objective(setup.axes.0),
+        Row::Up => setup.axes.1 = objective(setup.axes.1),
         Row::Percent => {
-            setup.percent = (setup.percent + if by > 0 { 0.5 } else { -0.5 }).clamp(0.5, 50.0);
+            setup.percent = (setup.percent + if up { 0.5 } else { -0.5 }).clamp(0.5, 50.0);
         }
         Row::Samples => {
             let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
             setup.samples = SAMPLES[at.saturating_add_signed(by).min(SAMPLES.len() - 1)];
         }
-        Row::From | Row::To | Row::Goal | Row::Points | Row::Heading(_) => {
-            app.say(Severity::Note, "Enter types a value here");
-        }
+        Row::Goal => app.say(Severity::Note, "Enter types a value here"),
+        Row::Heading(_) => {}
     }
+    Ok(())
 }
 
-fn open_field(app: &mut App) -> Vec<Effect> {
-    let row = app.search_row();
-    app.pages.search.row = row;
-    match row {
-        Row::Spacing | Row::Across | Row::Up => return step(app, 1),
-        Row::Objective(at) => {
-            let before = app.pages.search.setup.clone();
-            app.pages.search.setup.objectives[at] = !before.objectives[at];
-            note(app, row, before, false);
-        }
-        Row::Feasible => {
-            let before = app.pages.search.setup.clone();
-            app.pages.search.setup.feasible = !before.feasible;
-            note(app, row, before, false);
-        }
-        Row::Heading(_) => {}
-        _ => {
-            let rows = app.search_choices();
-            return field::open(app, rows.iter().position(|one| *one == row).unwrap_or(0));
-        }
-    }
-    Vec::new()
+/// The axis of a scan, where there can be one.
+fn checked(axis: SweepAxis) -> Result<SweepAxis, String> {
+    Axis::of(&axis, &SCAN).map(|_| axis).map_err(|error| error.to_string())
 }
 
 /// Take what was typed into the field of the selected row.
 ///
 /// # Errors
 /// Why it is refused.
-pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, String> {
-    let (row, before) = (app.search_row(), app.pages.search.setup.clone());
+pub(in crate::tui) fn take(app: &mut App, row: Row, text: &str) -> Result<Vec<Effect>, String> {
+    let before = app.pages.search.setup.clone();
     read(app, row, text)?;
     note(app, row, before, false);
     Ok(after_edit(app))
-}
-
-/// A whole number in a range.
-fn count<T: FromStr + PartialOrd + Display>(
-    text: &str,
-    allowed: &RangeInclusive<T>,
-) -> Result<T, String> {
-    let value = text.parse().ok().filter(|value| allowed.contains(value));
-    let (least, most) = (allowed.start(), allowed.end());
-    value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
 }
 
 fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
@@ -308,9 +266,11 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let setup = &mut app.pages.search.setup;
     let name = |text: &str| quantity_called(text).map(|column| column.name);
     match row {
-        Row::Name => setup.seek = bound(&scene, text)?,
-        Row::From | Row::To => setup.seek = read_end(&setup.seek, row == Row::From, text)?,
-        Row::Points => setup.points = count(text, &SCAN)?,
+        Row::Axis(part) => {
+            let mut axis = setup.seek.clone();
+            part.read(&mut axis, &scene, text, &SCAN)?;
+            setup.seek = checked(axis)?;
+        }
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
@@ -332,13 +292,13 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             setup.stroke_m = Some(value);
         }
         Row::Population => {
-            let value = count(text, &(8..=2000))?;
+            let value = whole(text, &(8..=2000))?;
             if value % 2 == 1 {
                 return Err(format!("`{text}` must be even"));
             }
             setup.effort.0 = value;
         }
-        Row::Generations => setup.effort.1 = count(text, &(1..=100_000))?,
+        Row::Generations => setup.effort.1 = whole(text, &(1..=100_000))?,
         Row::Output => setup.output = name(text)?,
         Row::Percent => {
             let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
@@ -346,13 +306,8 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .filter(|value| *value > 0.0 && *value <= 100.0)
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
-        Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
-        Row::Heading(_)
-        | Row::Spacing
-        | Row::Objective(_)
-        | Row::Feasible
-        | Row::Across
-        | Row::Up => {}
+        Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
+        Row::Heading(_) | Row::Objective(_) | Row::Feasible | Row::Across | Row::Up => {}
     }
     Ok(())
 }

@@ -13,7 +13,6 @@ use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::ViewRange;
 use crate::tui::pages::explore::state::copy_value;
-use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::{Progress, StatusPart, part};
@@ -306,9 +305,6 @@ impl App {
     /// What is selected, in words.
     pub fn search_readout(&self) -> Option<String> {
         let tab = &self.pages.search;
-        if self.pane() == SETUP {
-            return Some(self.search_row_words());
-        }
         if let Some(problem) = &tab.problem {
             return Some(problem.clone());
         }

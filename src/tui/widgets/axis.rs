@@ -1,0 +1,191 @@
+//! The rows of a form that set up an axis: its variable, its ends, its points, their spacing.
+
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+use crate::model::scene::{Scene, SweepAxis};
+use crate::model::units::{self, Bare};
+use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
+use crate::tui::dialogs::wrap;
+use crate::tui::pages::run::editor::shown_number;
+use crate::tui::pages::run::steps::{self, Size};
+use crate::tui::widgets::form::{Line, VALUE_WIDTH};
+
+/// The numbers of points the arrows go through.
+const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
+
+/// What a row sets of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The variable.
+    Name,
+    /// Its first value.
+    From,
+    /// Its last value.
+    To,
+    /// The number of points.
+    Points,
+    /// How they are spread.
+    Spacing,
+}
+
+impl Part {
+    /// The row of an axis.
+    pub(in crate::tui) fn line(self, axis: &SweepAxis) -> Line {
+        let variable = variables::find(&axis.name).ok();
+        let end = |label: &str, value: f64| Line {
+            text: Some(units::shortest(value)),
+            unit: variable.map_or("", |found| found.unit().trim_matches('-')),
+            takes_unit: true,
+            ..Line::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
+        };
+        let line = match self {
+            Self::Name => Line::typed("variable", &axis.name),
+            Self::From => end("from", axis.from),
+            Self::To => end("to", axis.to),
+            Self::Points => Line::typed("points", axis.count.to_string()),
+            Self::Spacing => Line::word("spacing", if axis.log { "log" } else { "linear" }),
+        };
+        line.means(variable.map_or_else(|| axis.name.clone(), meaning))
+    }
+
+    /// Take the next value, or the one before.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(in crate::tui) fn step(
+        self,
+        axis: &mut SweepAxis,
+        scene: &Scene,
+        (up, size): (bool, Size),
+    ) -> Result<(), String> {
+        match self {
+            Self::Name => {
+                let all: Vec<&'static Variable> = numeric().collect();
+                let next = wrap(place(axis, &all).unwrap_or(0), if up { 1 } else { -1 }, all.len());
+                *axis = over(scene, all[next], axis.count)?;
+            }
+            Self::From | Self::To => step_end(self, axis, (up, size))?,
+            Self::Points => {
+                let next = if up {
+                    COUNTS.into_iter().find(|other| *other > axis.count)
+                } else {
+                    COUNTS.into_iter().rev().find(|other| *other < axis.count)
+                };
+                axis.count = next.unwrap_or(axis.count);
+            }
+            Self::Spacing => axis.log = !axis.log,
+        }
+        Ok(())
+    }
+
+    /// Take what was typed.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(in crate::tui) fn read(
+        self,
+        axis: &mut SweepAxis,
+        scene: &Scene,
+        text: &str,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<(), String> {
+        match self {
+            Self::Name => *axis = over(scene, find(text)?, axis.count)?,
+            Self::From | Self::To => {
+                let variable = find(&axis.name)?;
+                let quantity = number_of(variable)?.quantity;
+                let end = if self == Self::From { &mut axis.from } else { &mut axis.to };
+                *end = units::parse_relative(text, *end, quantity, Bare::Stored)
+                    .map_err(|problem| format!("{}: {problem}", variable.symbol))?;
+            }
+            Self::Points => {
+                axis.count = usize::try_from(whole(text, counts)?).unwrap_or(usize::MAX);
+            }
+            Self::Spacing => {}
+        }
+        Ok(())
+    }
+}
+
+/// Step an end by the size of the range: from 0 there is no size of its own.
+fn step_end(part: Part, axis: &mut SweepAxis, (up, size): (bool, Size)) -> Result<(), String> {
+    let variable = find(&axis.name)?;
+    let number = number_of(variable)?;
+    let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
+    let stride = steps::decade(number, greatest);
+    let end = if part == Part::From { &mut axis.from } else { &mut axis.to };
+    *end = steps::stepped(number, *end, up, size, stride).ok_or_else(|| {
+        format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
+    })?;
+    Ok(())
+}
+
+/// `gamma: mass ratio of the plate to the projectile`.
+pub(in crate::tui) fn meaning(variable: &Variable) -> String {
+    format!("{}: {}", variable.symbol, variable.meaning)
+}
+
+/// The place of an axis's variable among some.
+pub(in crate::tui) fn place(axis: &SweepAxis, among: &[&'static Variable]) -> Option<usize> {
+    let now = variables::find(&axis.name).ok()?;
+    among.iter().position(|variable| variable.key == now.key)
+}
+
+/// An axis over a variable: the thesis's range, or from half to twice the present value.
+///
+/// # Errors
+/// That the variable has no numbers.
+pub(in crate::tui) fn over(
+    scene: &Scene,
+    variable: &'static Variable,
+    count: usize,
+) -> Result<SweepAxis, String> {
+    let number = number_of(variable)?;
+    let (from, to) = number.thesis_range.unwrap_or_else(|| {
+        let value = (number.get)(scene).unwrap_or_else(|| steps::first_value(number));
+        let (from, to) = if value == 0.0 { (0.0, 1.0) } else { (0.5 * value, 2.0 * value) };
+        let most = match number.allowed {
+            Allowed::Between(_, high) => high,
+            Allowed::Below(_, high) => 0.75 * high,
+            Allowed::Positive | Allowed::NonNegative | Allowed::Any => f64::INFINITY,
+        };
+        (from, if to < most { to } else { most })
+    });
+    let name = variable.symbol.to_owned();
+    Ok(SweepAxis { name, from, to, count, log: false, values: Vec::new() })
+}
+
+/// The numeric variables, in the order of the editor: what an axis can be.
+pub(in crate::tui) fn numeric() -> impl Iterator<Item = &'static Variable> {
+    VARIABLES.iter().filter(|variable| matches!(variable.kind, Kind::Number(_)))
+}
+
+/// A whole number in a range.
+///
+/// # Errors
+/// That it is none.
+pub(in crate::tui) fn whole<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    allowed: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = text.parse().ok().filter(|value| allowed.contains(value));
+    let (least, most) = (allowed.start(), allowed.end());
+    value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
+}
+
+fn find(name: &str) -> Result<&'static Variable, String> {
+    variables::find(name).map_err(|error| error.to_string())
+}
+
+fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
+    match &variable.kind {
+        Kind::Number(number) => Ok(number),
+        Kind::Choice(_) | Kind::Switch { .. } => Err(format!(
+            "{} has no numbers to sweep over, only {}: choose a numeric variable",
+            variable.symbol,
+            variable.allowed()
+        )),
+    }
+}
