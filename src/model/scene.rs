@@ -5,6 +5,7 @@
 //! that a value typed in degrees is stored exactly. This file knows no files and no screen; the table that
 //! names each variable for people is in [`crate::model::variables`].
 
+use crate::model::defaulted::defaulted;
 use crate::model::worded::worded;
 
 mod contact;
@@ -45,23 +46,25 @@ pub struct Scene {
     pub sweep: Option<Sweep>,
 }
 
-/// A rigid projectile with a hemispherical nose.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projectile {
-    /// `m_p`, > 0 kg.
-    pub mass_kg: f64,
-    /// `R`, > 0 m.
-    pub tip_radius_m: f64,
-    /// `v_i`, > 0 m/s.
-    pub velocity_m_s: f64,
-    /// theta between the projectile's axis and the plate's normal, 0 to below 90 degrees.
-    pub obliquity_deg: f64,
-    /// `rho_p`, > 0 kg/m³: with the mass, it gives the rod's length in the formula for ricochet.
-    pub density_kg_m3: f64,
-    /// `Y_p`, > 0 Pa: the rod's strength in that formula.
-    pub strength_pa: f64,
-    /// The nose's shape: the law is for a hemisphere whatever it is; others are outside the model's validity.
-    pub nose: Nose,
+defaulted! {
+    /// A rigid projectile with a hemispherical nose.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Projectile {
+        /// `m_p`, > 0 kg.
+        pub mass_kg: f64 = 0.0295,
+        /// `R`, > 0 m.
+        pub tip_radius_m: f64 = 0.00635,
+        /// `v_i`, > 0 m/s.
+        pub velocity_m_s: f64 = 100.0,
+        /// theta between the projectile's axis and the plate's normal, 0 to below 90 degrees.
+        pub obliquity_deg: f64 = 0.0,
+        /// `rho_p`, > 0 kg/m³: with the mass, it gives the rod's length in the formula for ricochet.
+        pub density_kg_m3: f64 = 7850.0,
+        /// `Y_p`, > 0 Pa: the rod's strength in that formula.
+        pub strength_pa: f64 = 1e9,
+        /// The nose's shape: the law is for a hemisphere whatever it is; others are outside the model's validity.
+        pub nose: Nose = Nose::Hemispherical,
+    }
 }
 
 worded! {
@@ -78,25 +81,27 @@ worded! {
     }
 }
 
-/// The plate as a target.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Target {
-    /// `h`, > 0 m.
-    pub thickness_m: f64,
-    /// rho, > 0 kg/m³.
-    pub density_kg_m3: f64,
-    /// `S_y`, dynamic flow strength, >= 0 Pa; what counts is [`Scene::flow_strength_pa`].
-    pub flow_strength_pa: f64,
-    /// Where the flow strength comes from.
-    pub closure: Closure,
-    /// Y > 0, yield strength, Pa, for a closure.
-    pub yield_pa: f64,
-    /// E > Y, modulus of elasticity, Pa, for a closure.
-    pub modulus_pa: f64,
-    /// `C_d`, >= 0.
-    pub drag_coefficient: f64,
-    /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
-    pub dishing: bool,
+defaulted! {
+    /// The plate as a target.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Target {
+        /// `h`, > 0 m.
+        pub thickness_m: f64 = 0.0254,
+        /// rho, > 0 kg/m³.
+        pub density_kg_m3: f64 = 2710.0,
+        /// `S_y`, dynamic flow strength, >= 0 Pa; what counts is [`Scene::flow_strength_pa`].
+        pub flow_strength_pa: f64 = 1.52e8,
+        /// Where the flow strength comes from.
+        pub closure: Closure = Closure::Given,
+        /// Y > 0, yield strength, Pa, for a closure.
+        pub yield_pa: f64 = 75.8e6,
+        /// E > Y, modulus of elasticity, Pa, for a closure.
+        pub modulus_pa: f64 = 73.1e9,
+        /// `C_d`, >= 0.
+        pub drag_coefficient: f64 = 0.5,
+        /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
+        pub dishing: bool = true,
+    }
 }
 
 worded! {
@@ -114,17 +119,19 @@ worded! {
     }
 }
 
-/// The plate as a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plate {
-    /// gamma = plate mass / projectile mass, > 0.
-    pub mass_ratio: f64,
-    /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
-    pub size: PlateSize,
-    /// How it is carried.
-    pub mount: Mount,
-    /// `d` >= 0 m: the plate starts at x = -d, at rest.
-    pub cocking_m: f64,
+defaulted! {
+    /// The plate as a body.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Plate {
+        /// gamma = plate mass / projectile mass, > 0.
+        pub mass_ratio: f64 = 1.0,
+        /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
+        pub size: PlateSize = PlateSize::Ratio,
+        /// How it is carried.
+        pub mount: Mount = Mount::Sprung,
+        /// `d` >= 0 m: the plate starts at x = -d, at rest.
+        pub cocking_m: f64 = 0.0,
+    }
 }
 
 /// What gives the plate's size.
@@ -168,28 +175,30 @@ pub struct Mechanism {
     pub stop: Stop,
 }
 
-/// A power-law damper.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Damper {
-    /// `b` >= 0, N(s/m)^m.
-    pub coefficient: f64,
-    /// `m` > 0.
-    pub exponent: f64,
-}
+defaulted! {
+    /// A power-law damper.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Damper {
+        /// `b` >= 0, N(s/m)^m.
+        pub coefficient: f64 = 0.0,
+        /// `m` > 0.
+        pub exponent: f64 = 1.0,
+    }
 
-/// A mechanical stop at x = `position_m`, which acts on the plate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stop {
-    /// Where the plate meets it, >= -d; `None`: there is no stop.
-    pub position_m: Option<f64>,
-    /// Rigid or elastic.
-    pub kind: StopKind,
-    /// Rigid stop: the plate's velocity w becomes -e w, 0 to 1.
-    pub restitution: f64,
-    /// Elastic stop: one-sided stiffness, > 0 N/m.
-    pub stiffness_n_m: f64,
-    /// Elastic stop: one-sided damping, >= 0 N s/m.
-    pub damping_n_s_m: f64,
+    /// A mechanical stop at x = `position_m`, which acts on the plate.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Stop {
+        /// Where the plate meets it, >= -d; `None`: there is no stop.
+        pub position_m: Option<f64> = None,
+        /// Rigid or elastic.
+        pub kind: StopKind = StopKind::Rigid,
+        /// Rigid stop: the plate's velocity w becomes -e w, 0 to 1.
+        pub restitution: f64 = 0.0,
+        /// Elastic stop: one-sided stiffness, > 0 N/m.
+        pub stiffness_n_m: f64 = 1e8,
+        /// Elastic stop: one-sided damping, >= 0 N s/m.
+        pub damping_n_s_m: f64 = 0.0,
+    }
 }
 
 worded! {
@@ -204,13 +213,15 @@ worded! {
     }
 }
 
-/// The interface between projectile and plate after the first arrest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Interface {
-    /// Which law.
-    pub law: InterfaceLaw,
-    /// g >= 0: the greatest pull is `g A S_y`. An assumption, 0.1 unless given.
-    pub grip: f64,
+defaulted! {
+    /// The interface between projectile and plate after the first arrest.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Interface {
+        /// Which law.
+        pub law: InterfaceLaw = InterfaceLaw::Fused,
+        /// g >= 0: the greatest pull is `g A S_y`. An assumption, 0.1 unless given.
+        pub grip: f64 = 0.1,
+    }
 }
 
 worded! {
@@ -225,13 +236,15 @@ worded! {
     }
 }
 
-/// How a run is computed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RunSettings {
-    /// Relative accuracy asked of depth and time, 1e-14 to 1e-2.
-    pub tolerance: f64,
-    /// The run goes on to this time, > 0 s; `None`: chosen from the scene.
-    pub horizon_s: Option<f64>,
+defaulted! {
+    /// How a run is computed.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct RunSettings {
+        /// Relative accuracy asked of depth and time, 1e-14 to 1e-2.
+        pub tolerance: f64 = 1e-9,
+        /// The run goes on to this time, > 0 s; `None`: chosen from the scene.
+        pub horizon_s: Option<f64> = None,
+    }
 }
 
 /// The sweep a scene is the base of: kept with the scene so that a figure opens from its preset.
@@ -260,75 +273,10 @@ pub struct SweepAxis {
     pub values: Vec<f64>,
 }
 
-impl Default for Projectile {
-    fn default() -> Self {
-        Self {
-            mass_kg: 0.0295,
-            tip_radius_m: 0.00635,
-            velocity_m_s: 100.0,
-            obliquity_deg: 0.0,
-            density_kg_m3: 7850.0,
-            strength_pa: 1e9,
-            nose: Nose::Hemispherical,
-        }
-    }
-}
-
-impl Default for Target {
-    fn default() -> Self {
-        Self {
-            thickness_m: 0.0254,
-            density_kg_m3: 2710.0,
-            flow_strength_pa: 1.52e8,
-            closure: Closure::Given,
-            yield_pa: 75.8e6,
-            modulus_pa: 73.1e9,
-            drag_coefficient: 0.5,
-            dishing: true,
-        }
-    }
-}
-
-impl Default for Plate {
-    fn default() -> Self {
-        Self { mass_ratio: 1.0, size: PlateSize::Ratio, mount: Mount::Sprung, cocking_m: 0.0 }
-    }
-}
-
 impl Damper {
     /// Whether there is none.
     pub fn is_absent(&self) -> bool {
         self.coefficient == 0.0
-    }
-}
-
-impl Default for Damper {
-    fn default() -> Self {
-        Self { coefficient: 0.0, exponent: 1.0 }
-    }
-}
-
-impl Default for Stop {
-    fn default() -> Self {
-        Self {
-            position_m: None,
-            kind: StopKind::Rigid,
-            restitution: 0.0,
-            stiffness_n_m: 1e8,
-            damping_n_s_m: 0.0,
-        }
-    }
-}
-
-impl Default for Interface {
-    fn default() -> Self {
-        Self { law: InterfaceLaw::Fused, grip: 0.1 }
-    }
-}
-
-impl Default for RunSettings {
-    fn default() -> Self {
-        Self { tolerance: 1e-9, horizon_s: None }
     }
 }
 
