@@ -31,9 +31,8 @@
 //! 6. A second, tighter computation gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
-//! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the simulation
-//! ([`first_contact::first_contact`] does so for depth and time). [`contact_phase`] and [`appendix`] are references that share nothing
-//! with the simulation but the laws.
+//! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the simulation.
+//! [`contact_phase`] and [`appendix`] are references that share nothing with the simulation but the laws.
 
 pub mod appendix;
 pub mod closed_form;
@@ -45,7 +44,6 @@ mod defaulted;
 pub mod design;
 pub mod estimate;
 mod event_function;
-pub mod first_contact;
 pub mod impact;
 pub mod library;
 pub mod mechanism;

@@ -3,12 +3,13 @@
 //!
 //! Eighteen scenes from first contact to first arrest or exit, on one core. Each solver runs at its loosest tolerance whose
 //! *measured* error, and that of all tighter ones, is below 1e-8: the greater of the relative errors of depth and time, against
-//! answers that come from none of them (`scenes.rs`). This program is asked through [`cmra::model::first_contact`], prepared
+//! answers that come from none of them (`scenes.rs`). This program is asked through `first_contact.rs`, prepared
 //! scene to answer, nothing kept between runs. Batches of all solvers alternate, so that a drift of the machine cancels in the
 //! ratios. Absolute times hold for one machine on one day.
 
 mod equations;
 mod explicit;
+mod first_contact;
 mod scenes;
 mod solvers;
 mod stiff;
@@ -17,9 +18,8 @@ mod timing;
 
 use std::io::Write;
 
-use cmra::model::first_contact::first_contact;
-
 use equations::Equations;
+use first_contact::first_contact;
 use scenes::{Reference, SCENES, scene};
 use solvers::{PEERS, Reach, ours};
 use timing::{TARGET, Times, Tuned, alternate, tune};
@@ -79,7 +79,7 @@ fn row(out: &mut impl Write, name: &str, pairs: &str) -> std::io::Result<()> {
     let base = scene(pairs, 1e-9);
     let reference = Reference::of(name, &base);
     let equations = Equations::of(&base);
-    let path = first_contact(&base).map_or("none", |end| end.kernel.word());
+    let path = first_contact(&base).map_or("none", |end| end.kernel);
     let Some(own) = tune(|tolerance| ours(pairs, tolerance), |end| reference.error(end)) else {
         return writeln!(out, "{name:5} {path:6} no answer at any tolerance");
     };

@@ -1,8 +1,7 @@
 //! Who is compared, and the form in which everyone's work is timed.
 
-use cmra::model::first_contact::first_contact;
-
 use crate::equations::Equations;
+use crate::first_contact::first_contact;
 use crate::scenes::{End, scene};
 use crate::{explicit, stiff};
 

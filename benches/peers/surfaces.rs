@@ -13,7 +13,6 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use cmra::files::preset;
-use cmra::model::first_contact::first_contact;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::parallel::Parallel;
@@ -23,6 +22,7 @@ use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 
 use crate::equations::Equations;
 use crate::explicit;
+use crate::first_contact::first_contact;
 use crate::solvers::Outcome;
 
 /// Measured error of both outputs.
@@ -179,7 +179,7 @@ fn plain(plan: &Plan, parallel: Parallel) {
         for first in 0..parallel.threads as u64 {
             scope.spawn(move || {
                 for index in (first..plan.points()).step_by(parallel.threads) {
-                    std::hint::black_box(first_contact(&Arc::new(plan.scene(index))).ok());
+                    std::hint::black_box(first_contact(&Arc::new(plan.scene(index))));
                 }
             });
         }
@@ -193,7 +193,7 @@ fn peer(plan: &Plan) -> f64 {
         (0..plan.points()).step_by(CHECKED).map(|index| plan.scene(index)).collect();
     let exact: Vec<Option<f64>> = scenes
         .iter()
-        .map(|scene| first_contact(&Arc::new(at(scene, 1e-11))).ok().map(|end| end.depth_m))
+        .map(|scene| first_contact(&Arc::new(at(scene, 1e-11))).map(|end| end.depth_m))
         .collect();
     let mut time_s = 0.0;
     for half in 6..=20 {

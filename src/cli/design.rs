@@ -10,16 +10,13 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::model::design;
 use crate::model::run::envelope;
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, Wire};
 use crate::model::units::{Engineering, significant};
 use crate::model::variables;
 use crate::report::table::Table;
 use crate::report::thesis;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
-
-/// Spring steel: density, kg/m³, shear modulus and the shear stress it may bear, Pa.
-const STEEL: (f64, f64, f64) = (7850.0, 79.3e9, 700e6);
 
 #[derive(Debug, Args)]
 pub(super) struct DesignArguments {
@@ -106,7 +103,7 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
     let (back, forward) = design::elastic((m, v), (m_2, 0.0));
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = variables_energy_j(scene);
-    let spring = design::coil_spring_mass_kg(left + drawn, STEEL.0, STEEL.1, STEEL.2);
+    let spring = design::coil_spring_mass_kg(left + drawn, &Wire::default());
     let at_one = design::stone_depth_m(
         (m, v, scene.projectile.tip_radius_m),
         scene.target.density_kg_m3,

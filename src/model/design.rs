@@ -1,7 +1,7 @@
 //! Formulas a designer works with that need no simulation: ricochet, Stone's depth, collisions, effective thickness, and what a
-//! beam or a coil spring weighs and bears. Thesis chapters 2, 4 and 9.5; model page, section 5.
+//! coil spring weighs. Thesis chapters 2, 4 and 9.5; model page, section 5.
 
-pub mod beam;
+use crate::model::scene::Wire;
 
 /// A projectile as Tate's formula sees it: a long rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,20 +54,11 @@ pub fn inelastic((m_a, v_a): (f64, f64), (m_b, v_b): (f64, f64)) -> f64 {
     (m_a * v_a + m_b * v_b) / (m_a + m_b)
 }
 
-/// Thickness along the projectile's path, m: `h / cos(theta)`; thesis Figure 4.1.
-pub fn effective_thickness_m(thickness_m: f64, obliquity_deg: f64) -> f64 {
-    thickness_m / obliquity_deg.to_radians().cos()
-}
-
 /// The least mass of the active coils of a helical spring that stores `energy_j`: `4 rho G U / tau²`, whatever its
-/// stiffness, kg. `shear_stress_pa` is the greatest it may bear.
-pub fn coil_spring_mass_kg(
-    energy_j: f64,
-    density_kg_m3: f64,
-    shear_modulus_pa: f64,
-    shear_stress_pa: f64,
-) -> f64 {
-    4.0 * density_kg_m3 * shear_modulus_pa * energy_j / (shear_stress_pa * shear_stress_pa)
+/// stiffness, kg.
+pub fn coil_spring_mass_kg(energy_j: f64, wire: &Wire) -> f64 {
+    let tau = wire.shear_strength_pa;
+    4.0 * wire.density_kg_m3 * wire.shear_modulus_pa * energy_j / (tau * tau)
 }
 
 #[cfg(test)]
@@ -90,7 +81,7 @@ mod tests {
 
     #[test]
     fn valid_a_steel_coil_weighs_five_grams_a_joule_at_700_megapascal() {
-        let grams = 1e3 * coil_spring_mass_kg(1.0, 7850.0, 79.3e9, 700e6);
+        let grams = 1e3 * coil_spring_mass_kg(1.0, &Wire::default());
         assert!((grams - 5.1).abs() < 0.03, "{grams}");
     }
 
@@ -111,6 +102,7 @@ mod tests {
         let depth = |v: f64, r: f64| stone_depth_m((0.03, v, r), 2710.0, 1e6);
         assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
         assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);
-        assert!((effective_thickness_m(0.02, 60.0) - 0.04).abs() < 1e-15);
+        let oblique = crate::model::variables::scene_with("h=0.02 theta=60deg");
+        assert!((oblique.effective_thickness_m() - 0.04).abs() < 1e-15);
     }
 }

@@ -6,6 +6,7 @@
 
 use crate::model::scene::{Mount, Scene, Stop, StopKind};
 
+mod beam;
 mod combine;
 pub mod curve;
 mod damper;

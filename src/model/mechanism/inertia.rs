@@ -6,7 +6,8 @@
 //! spring weighs at least `4 rho G U/tau²` for the energy U it has to store; U is that of the cocked spring and of
 //! projectile and plate at common velocity, together.
 
-use crate::model::mechanism::{Spring, kinds};
+use crate::model::design::coil_spring_mass_kg;
+use crate::model::mechanism::Spring;
 use crate::model::scene::{self, Combination, Mount, OwnMass, Scene, SpringKind};
 
 /// Parts of a spring's mass that move with its end.
@@ -84,15 +85,12 @@ fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
         return spring.mass_kg;
     }
     if spring.kind.is_beam() {
-        return Some(spring.count * kinds::cantilever(&spring.beam).mass_kg());
+        return Some(spring.count * spring.beam.mass_kg());
     }
     if spring.own_mass == OwnMass::Ignored {
         return None;
     }
-    let wire = &spring.wire;
-    let tau = wire.shear_strength_pa;
-    let energy_j = to_store_j(scene, spring);
-    Some(4.0 * wire.density_kg_m3 * wire.shear_modulus_pa * energy_j / (tau * tau))
+    Some(coil_spring_mass_kg(to_store_j(scene, spring), &spring.wire))
 }
 
 /// The energy a spring has to store, J: what it holds cocked, and what projectile and plate keep at common velocity. Of two
@@ -106,7 +104,8 @@ fn to_store_j(scene: &Scene, spring: &scene::Spring) -> f64 {
     cocked + 0.5 * (m_p * cos * cos + scene.plate_mass_kg()) * common * common
 }
 
-fn moving_part(kind: SpringKind) -> f64 {
+/// The part of a spring's mass that moves with its end: that with the kinetic energy of its static shape.
+pub fn moving_part(kind: SpringKind) -> f64 {
     match kind {
         SpringKind::Cantilever => CANTILEVER,
         SpringKind::FixedGuided => GUIDED,

@@ -1,21 +1,13 @@
 //! The force law of each kind of spring, from its parameters.
 //!
-//! Chapters 5, 6, 9.4 and 9.5 of the thesis name the kinds. Beams are pseudo-rigid bodies (L. L. Howell, *Compliant
-//! Mechanisms*, 2001, chapter 5): a cantilever is one link on a torsional spring, a beam that is guided at its end two
-//! half-length cantilevers, `K = 2 gamma K_Theta E I/l` at each of its two pivots.
+//! Chapters 5, 6, 9.4 and 9.5 of the thesis name the kinds. Those of beams are in `beam.rs`.
 
-use crate::model::design::beam::{Cantilever, STIFFNESS_COEFFICIENT};
 use crate::model::mechanism::curve::{Curve, Segments};
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerKind, PowerLaw};
-use crate::model::scene::{self, Beam, SpringKind};
+use crate::model::scene::{self, SpringKind};
 use crate::numerics::{larger, monotone, smaller};
 
-/// gamma, the characteristic radius factor of Table 9.3.
-const RADIUS_FACTOR: f64 = 0.85;
-/// The angle up to which the pseudo-rigid body follows the beam (Howell, for a load across the beam); beyond it the force
-/// goes on along its tangent, so that a run that gets there can be told about instead of failing.
-const ANGLE_MAX_DEG: f64 = 64.3;
 /// Half-width of the place around zero where a power law of a combination is straight, m: below what a run resolves.
 const CORE_M: f64 = 1e-10;
 
@@ -47,8 +39,7 @@ pub(super) fn curve_after(spring: &scene::Spring, crushed_m: f64) -> Curve {
     }
     let n = spring.count;
     match spring.kind {
-        SpringKind::Cantilever => beam_curve(&spring.beam, n, 1.0),
-        SpringKind::FixedGuided => beam_curve(&spring.beam, n, PIVOTS),
+        SpringKind::Cantilever | SpringKind::FixedGuided => spring.beam.curve(spring.kind, n),
         SpringKind::Bistable => bistable(spring, n),
         SpringKind::ConstantForce => constant(spring, n),
         SpringKind::Column => column(spring, n),
@@ -57,40 +48,6 @@ pub(super) fn curve_after(spring: &scene::Spring, crushed_m: f64) -> Curve {
         SpringKind::PowerLaw | SpringKind::Normalised | SpringKind::Helix => {
             power_curve(PowerLaw::NONE)
         }
-    }
-}
-
-/// Pivots of a guided beam, each of twice the stiffness of the cantilever's one.
-const PIVOTS: f64 = 2.0;
-
-/// The cantilever as the design page knows it.
-pub(super) fn cantilever(beam: &Beam) -> Cantilever {
-    Cantilever {
-        modulus_pa: beam.modulus_pa,
-        yield_pa: beam.yield_pa,
-        width_m: beam.width_m,
-        height_m: beam.height_m,
-        length_m: beam.length_m,
-        radius_factor: RADIUS_FACTOR,
-        density_kg_m3: beam.density_kg_m3,
-    }
-}
-
-/// Displacement up to which the pseudo-rigid body follows the beam, m.
-pub(super) fn beam_limit_m(beam: &Beam) -> f64 {
-    RADIUS_FACTOR * beam.length_m * ANGLE_MAX_DEG.to_radians().sin()
-}
-
-/// The greatest bending stress of a beam at a displacement, Pa.
-pub(super) fn beam_stress_pa(beam: &Beam, kind: SpringKind, x_m: f64) -> f64 {
-    let x = smaller(x_m.abs(), beam_limit_m(beam));
-    match kind {
-        // Each half is a cantilever of half the length with half the displacement.
-        SpringKind::FixedGuided => {
-            let half = Beam { length_m: 0.5 * beam.length_m, ..*beam };
-            cantilever(&half).stress_pa(0.5 * x)
-        }
-        _ => cantilever(beam).stress_pa(x),
     }
 }
 
@@ -105,19 +62,6 @@ fn power_curve(law: PowerLaw) -> Curve {
     let side = |side: f64| Piece::Power { law, side };
     let pieces = vec![side(-1.0), core, side(1.0)];
     Curve::new(Segments { knots_m: vec![-CORE_M, CORE_M], pieces }, scale_m)
-}
-
-/// `pivots` springs of `pivots` times the cantilever's stiffness, `count` beams side by side.
-fn beam_curve(beam: &Beam, count: f64, pivots: f64) -> Curve {
-    let inertia = beam.width_m * beam.height_m.powi(3) / 12.0;
-    let torsional =
-        RADIUS_FACTOR * STIFFNESS_COEFFICIENT * beam.modulus_pa * inertia / beam.length_m;
-    let reach_m = RADIUS_FACTOR * beam.length_m;
-    let link = Piece::Link { force_n: count * pivots * pivots * torsional / reach_m, reach_m };
-    let limit = beam_limit_m(beam);
-    let beyond = |x: f64| Piece::line(x, link.force(x), link.tangent(x));
-    let pieces = vec![beyond(-limit), link.clone(), beyond(limit)];
-    Curve::new(Segments { knots_m: vec![-limit, limit], pieces }, limit)
 }
 
 /// C x (x - u) (x - s): stable at 0 and s, unstable at u; C from the greatest force on the way out of 0.

@@ -1,7 +1,7 @@
 //! How much a displacement asks of the springs: bending stress, yield margin, and whether the law still holds there.
 
 use crate::model::mechanism::inertia::acting;
-use crate::model::mechanism::{kinds, piece::Piece};
+use crate::model::mechanism::piece::Piece;
 use crate::model::scene::{self, Combination, Scene, SpringKind};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
@@ -22,17 +22,14 @@ pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
     let shares = shares(&scene.mechanism, x_m);
     let ratios = acting(&scene.mechanism).zip(shares).filter(|(spring, _)| spring.kind.is_beam());
     ratios
-        .map(|(spring, x)| {
-            kinds::beam_stress_pa(&spring.beam, spring.kind, x) / spring.beam.yield_pa
-        })
+        .map(|(spring, x)| spring.beam.stress_pa(spring.kind, x) / spring.beam.yield_pa)
         .reduce(larger)
 }
 
 /// The displacement of a spring of beams at which they yield, m; `None` where other limits come first or there are no beams.
 pub fn yields_at_m(spring: &scene::Spring) -> Option<f64> {
-    let limit = kinds::beam_limit_m(&spring.beam);
-    let excess =
-        |x: f64| kinds::beam_stress_pa(&spring.beam, spring.kind, x) - spring.beam.yield_pa;
+    let limit = spring.beam.limit_m();
+    let excess = |x: f64| spring.beam.stress_pa(spring.kind, x) - spring.beam.yield_pa;
     (spring.kind.is_beam() && excess(limit) > 0.0).then(|| in_bracket(0.0, limit, excess))
 }
 
@@ -77,7 +74,7 @@ fn limits(spring: &scene::Spring) -> Vec<(&'static str, f64, f64)> {
         if let Some(at) = yields_at_m(spring) {
             limits.push(("the beam yields, and the law is elastic", -at, at));
         }
-        let end = kinds::beam_limit_m(&spring.beam);
+        let end = spring.beam.limit_m();
         limits.push((
             "the pseudo-rigid body follows no beam farther; the force goes on straight",
             -end,

@@ -112,6 +112,10 @@ fn valid_the_cantilever_of_table_9_3() {
     assert!((curve.tangent(0.0) / 1e6 - 0.111).abs() < 5e-4, "{}", curve.tangent(0.0));
     let yields = load::yields_at_m(&spring).unwrap();
     assert!((yields - 0.0297).abs() < 1e-4, "{yields}");
+    assert!((spring.beam.torsional_n_m() - 7209.0).abs() < 1.0);
+    assert!((spring.beam.mass_kg() - 0.598).abs() < 1e-3);
+    let tip_kg = inertia::moving_part(SpringKind::Cantilever) * spring.beam.mass_kg();
+    assert!((tip_kg - 0.141).abs() < 1e-3);
     // Two springs of the energy K Theta²/2.
     let angle = (0.03f64 / (0.85 * 0.3)).asin();
     assert!((curve.energy(0.03) / (0.5 * 7209.0 * angle * angle) - 1.0).abs() < 1e-4);

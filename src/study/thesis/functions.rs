@@ -1,7 +1,8 @@
 //! The functions that expressions of the claims may call: arithmetic, properties of curves, closed forms, the screening matrix.
 
-use crate::model::design::beam::Cantilever;
 use crate::model::design::{self, Rod};
+use crate::model::mechanism::{inertia::moving_part, load};
+use crate::model::scene::{Beam, Spring, SpringKind, Wire};
 use crate::numerics::larger;
 use crate::numerics::statistics::sorted_by;
 use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, rank, ranking};
@@ -134,27 +135,34 @@ pub(super) static FUNCTIONS: &[Function] = &[
         Numbers(|it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4])),
     ),
     // The least mass of a coil of spring steel that stores some energy, kg.
-    function(
-        "coil_mass",
-        1,
-        Numbers(|it| design::coil_spring_mass_kg(it[0], 7850.0, 79.3e9, 700e6)),
-    ),
+    function("coil_mass", 1, Numbers(|it| design::coil_spring_mass_kg(it[0], &Wire::default()))),
     // The beam of Table 9.3, at displacements in m.
-    function("beam_torsional_stiffness", 0, Numbers(|_| Cantilever::TABLE_9_3.torsional_n_m())),
-    function("beam_force", 1, Numbers(|it| Cantilever::TABLE_9_3.force_n(it[0]))),
-    function("beam_tangent", 1, Numbers(|it| Cantilever::TABLE_9_3.tangent_n_m(it[0]))),
-    function("beam_energy", 1, Numbers(|it| Cantilever::TABLE_9_3.energy_j(it[0]))),
-    function("beam_yield", 0, Numbers(|_| Cantilever::TABLE_9_3.yield_at_m())),
-    function("beam_tip_mass", 0, Numbers(|_| Cantilever::TABLE_9_3.tip_mass_kg())),
+    function("beam_torsional_stiffness", 0, Numbers(|_| Beam::default().torsional_n_m())),
+    function("beam_force", 1, Numbers(|it| Beam::default().link(1.0).force(it[0]))),
+    function("beam_tangent", 1, Numbers(|it| Beam::default().link(1.0).tangent(it[0]))),
+    function("beam_energy", 1, Numbers(|it| Beam::default().link(1.0).energy(it[0]))),
+    function(
+        "beam_yield",
+        0,
+        Numbers(|_| {
+            let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
+            load::yields_at_m(&spring).unwrap_or(f64::NAN)
+        }),
+    ),
+    function(
+        "beam_tip_mass",
+        0,
+        Numbers(|_| moving_part(SpringKind::Cantilever) * Beam::default().mass_kg()),
+    ),
     // Its tip load over the elastic line's, at a displacement over its length.
     function(
         "beam_over_elastica",
         1,
         Numbers(|it| {
-            let beam = Cantilever::TABLE_9_3;
+            let beam = Beam::default();
             let rigidity = beam.modulus_pa * beam.width_m * beam.height_m.powi(3) / 12.0;
-            let load =
-                beam.force_n(it[0] * beam.length_m) * beam.length_m * beam.length_m / rigidity;
+            let load = beam.link(1.0).force(it[0] * beam.length_m) * beam.length_m * beam.length_m
+                / rigidity;
             load / elastica::load(it[0])
         }),
     ),

@@ -1,0 +1,30 @@
+//! The first contact by the quickest way there is: the contact kernel where it takes the scene, else the simulation.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use cmra::model::contact_kernel::contact_end;
+use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
+
+/// How the first contact ends: arrest, or the nose clear of the rear face.
+pub(crate) struct FirstContact {
+    /// When, s.
+    pub(crate) t_s: f64,
+    /// Depth then, m.
+    pub(crate) depth_m: f64,
+    /// What found it: `lean` for the contact kernel, `full` for the simulation.
+    pub(crate) kernel: &'static str,
+}
+
+/// The first contact of a scene, to its own tolerance; `None` when neither arrest nor perforation is found.
+pub(crate) fn first_contact(scene: &Arc<Scene>) -> Option<FirstContact> {
+    if let Some(end) = contact_end(scene, scene.run.tolerance) {
+        return Some(FirstContact { t_s: end.t_s, depth_m: end.penetration_m, kernel: "lean" });
+    }
+    let settings = Settings { series: false, estimate: false };
+    let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).ok()?;
+    let arrest = run.first_arrest.map(|end| (end.t_s, end.penetration_m));
+    let (t_s, depth_m) = arrest.or_else(|| run.exit_time_s.zip(run.final_penetration_m))?;
+    Some(FirstContact { t_s, depth_m, kernel: "full" })
+}
