@@ -21,6 +21,13 @@ pub fn event_letter(index: usize) -> &'static str {
     LETTERS.get(index..=index).unwrap_or("")
 }
 
+/// The events of a part of the time, with their letters.
+pub fn event_marks(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
+    let events = run.events.iter().enumerate();
+    let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
+    seen.map(|(index, event)| Mark::new(event.t_s, event.kind.words()).tag(event_letter(index)))
+}
+
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
 /// the whole response, where there is more of it.
 pub fn response(run: &Run) -> Vec<Chart<'static>> {
@@ -45,13 +52,10 @@ fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
         let values = Axis::over("", quantity.unit(), Scale::Linear, shown)?;
         let y = Axis { label: name.clone().into(), ..values.with_zero().padded(0.05) };
         let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
-        let events = run.events.iter().enumerate().filter(|(_, event)| event.t_s <= end_s);
-        let marks = events.map(|(index, event)| {
-            Mark::new(event.t_s, event.kind.words()).tag(event_letter(index))
-        });
         let title = format!("{name}, {window}");
         let curve = Curve::new('*', "", points);
-        Some(Chart { marks: marks.collect(), ..Chart::new(title, x, y, vec![curve]) })
+        let marks = event_marks(run, (0.0, end_s)).collect();
+        Some(Chart { marks, ..Chart::new(title, x, y, vec![curve]) })
     };
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
 }

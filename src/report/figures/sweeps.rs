@@ -7,7 +7,7 @@ use crate::report::figures::{axis_of, map_over};
 use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
-use crate::study::sweep::grid::tells;
+use crate::study::sweep::grid::{self, tells};
 use crate::study::sweep::{self, Plan, PointOutcome, Rows};
 
 /// What became of a point, and its outputs.
@@ -48,7 +48,7 @@ fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option
     let points = (0..).map(|index| axis.value(index)).zip(rows.iter().map(value));
     let points = sorted_by(points.collect(), |point: &(f64, f64)| point.0);
     let values = points.iter().map(|point| point.1);
-    let y = Axis::over(column.title(), column.unit(), Scale::Linear, values)?.padded(0.05);
+    let y = Axis::fitted(column.title(), column.unit(), Scale::Linear, values)?;
     let curve = Curve::new('*', "", points);
     Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
@@ -63,21 +63,48 @@ fn map(
 ) -> Option<Map<'static>> {
     let column = plan.outputs()[output];
     let height = usize::try_from(y.count()).ok()?;
-    let cell = |at_x: usize, at_y: usize| {
-        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| {
-            let mark = || Cell::Mark(row.outcome.letter(), tone(row.outcome));
-            row.shown(output, column).map_or_else(mark, Cell::Value)
-        })
+    let point = |row: &Row| {
+        row.shown(output, column).map_or(grid::Cell::Outcome(row.outcome), grid::Cell::Value)
     };
-    let absent = rows.iter().filter(|row| row.shown(output, column).is_none());
-    let mut marks: Vec<(char, String)> = absent
-        .map(|row| (row.outcome.letter(), row.outcome.without_value(column).to_owned()))
-        .collect();
-    marks.sort_unstable();
-    marks.dedup();
+    let at = |at_x: usize, at_y: usize| {
+        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| cell(point(row), Scale::Linear))
+    };
+    let marks = marks(column, rows.iter().map(point), Scale::Linear);
     let values = rows.iter().filter_map(|row| row.shown(output, column));
     let levels = Levels::of(Scale::Linear, values)?;
-    Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), cell) })
+    let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
+    Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
+}
+
+/// What a map shows at a point: what the scale has no place for is a letter, too.
+pub fn cell(point: grid::Cell, scale: Scale) -> Cell {
+    match point {
+        grid::Cell::Value(value) if scale.shows(value) => Cell::Value(value),
+        grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
+        grid::Cell::Outcome(outcome) => Cell::Mark(outcome.letter(), tone(outcome)),
+        grid::Cell::Waiting => Cell::Empty,
+    }
+}
+
+/// The letters among some points, each once, with what they mean.
+pub fn marks(
+    column: &Quantity,
+    points: impl Iterator<Item = grid::Cell>,
+    scale: Scale,
+) -> Vec<(char, Tone, &'static str)> {
+    let mut list: Vec<(char, Tone, &'static str)> = Vec::new();
+    for point in points {
+        let Cell::Mark(letter, tone) = cell(point, scale) else { continue };
+        if list.iter().all(|mark| mark.0 != letter) {
+            let words = match point {
+                grid::Cell::Outcome(outcome) => outcome.without_value(column),
+                grid::Cell::Value(_) | grid::Cell::Waiting => "zero or less: not on a log",
+            };
+            list.push((letter, tone, words));
+        }
+    }
+    list.sort_unstable_by_key(|mark| mark.0);
+    list
 }
 
 /// How the letter of a point without a value stands out.

@@ -65,7 +65,7 @@ pub(in crate::tui) fn value_scale(app: &App) -> Scale {
 }
 
 /// The number of a point to draw; NaN where there is none.
-pub(in crate::tui) fn drawn(grid: &Grid, (x, y): (usize, usize), output: usize) -> f64 {
+fn drawn(grid: &Grid, (x, y): (usize, usize), output: usize) -> f64 {
     match grid.cell(x, y, output) {
         Cell::Value(value) => value,
         Cell::Outcome(_) | Cell::Waiting => f64::NAN,
@@ -99,18 +99,11 @@ fn curves(
         (0..along).flat_map(|x| [point(x), (f64::NAN, f64::NAN)]).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
-    let values = || lines.iter().flatten().map(|point| point.1);
+    let values = lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", of another scene" } else { "" };
-    let Some(range) = ViewRange::of(scale, values()) else {
+    let Some(y) = chart::Axis::fitted("", column.unit(), scale, values) else {
         return nothing_exists(app, &title, grid, output, area, canvas);
     };
-    let view = match scale {
-        Scale::Linear => range.padded(scale, 0.05),
-        Scale::Log10 => range.rounded(scale),
-    };
-    let y = chart::Axis::new("", view)
-        .scale(scale)
-        .unit(Unit::with_prefix(range.size(), column.unit()));
     let (x, selected) = app.cursor_point(grid);
     let named = axes.get(1).filter(|_| grid.is_full());
     let curves = lines.iter().enumerate().map(|(index, points)| {

@@ -3,21 +3,18 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
-use crate::report::figures::sweeps::tone;
-use crate::report::figures::{axis_of, column_of, map_over};
-use crate::report::map::{Cell, Map, Tone};
+use crate::report::figures::{axis_of, column_of, map_over, sweeps};
+use crate::report::map::{Cell, Map};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
-use crate::study::sweep::PointOutcome;
 use crate::study::sweep::grid::{self, Grid};
-use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, shortened};
 use crate::tui::chart::heatmap::{dot, role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Levels, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
-use crate::tui::pages::explore::curves::{drawn, nothing, nothing_exists, value_scale};
+use crate::tui::pages::explore::curves::{nothing, nothing_exists, value_scale};
 use crate::tui::pages::explore::layout::SweepPanes;
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Contour, Picture, place, quadratic};
@@ -52,13 +49,14 @@ struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static Quantity,
-    /// What is taken off the values.
-    fit: Option<Quadratic>,
-    /// What is shown at every point, NaN where there is nothing; the second axis runs fastest.
-    values: Vec<f64>,
+    /// Whether a fit is taken off the values.
+    is_fit: bool,
+    /// What is shown at every point; the second axis runs fastest.
+    points: Vec<grid::Cell>,
+    scale: Scale,
     levels: Option<Levels>,
-    unit: Unit<'static>,
-    range: ViewRange,
+    /// The axis of the values.
+    values: chart::Axis<'static>,
 }
 
 impl<'a> ChartView<'a> {
@@ -66,31 +64,43 @@ impl<'a> ChartView<'a> {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
         let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let fit = app.pages.explore.residuals.then(|| quadratic(grid, output)).flatten();
+        let residuals = app.pages.explore.residuals;
+        let fit = residuals.then(|| quadratic(grid, output)).flatten();
         // A value, or what is left of it beside the fit.
-        let seen = |point| {
-            let (u, v) = place(grid, point);
-            drawn(grid, point, output) - fit.map_or(0.0, |fit| fit.value(u, v))
+        let seen = |point: (usize, usize)| match (grid.cell(point.0, point.1, output), fit) {
+            (grid::Cell::Value(value), Some(fit)) => {
+                let (u, v) = place(grid, point);
+                grid::Cell::Value(value - fit.value(u, v))
+            }
+            (cell, _) => cell,
         };
-        let values: Vec<f64> = points.map(seen).collect();
-        let scale = scale_of(app);
-        let range = ViewRange::of(scale, values.iter().copied()).unwrap_or_default();
-        let levels = Levels::of(scale, values.iter().copied());
+        let points: Vec<grid::Cell> = points.map(seen).collect();
+        // What a fit leaves over has both signs.
+        let scale = if residuals { Scale::Linear } else { value_scale(app) };
+        let empty = || {
+            let unit = Unit::with_prefix(1.0, column.unit());
+            chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
+        };
+        let values = || points.iter().map(|point| number(*point));
         Self {
+            levels: Levels::of(scale, values()),
+            values: chart::Axis::fitted("", column.unit(), scale, values()).unwrap_or_else(empty),
+            is_fit: fit.is_some(),
             grid,
             output,
             column,
-            fit,
-            values,
-            levels,
-            unit: Unit::with_prefix(range.size(), column.unit()),
-            range,
+            points,
+            scale,
         }
     }
 
+    fn point(&self, (x, y): (usize, usize)) -> grid::Cell {
+        self.points[x * self.grid.counts().1 + y]
+    }
+
     /// What is shown at a point; NaN where there is nothing.
-    fn value(&self, (x, y): (usize, usize)) -> f64 {
-        self.values[x * self.grid.counts().1 + y]
+    fn value(&self, point: (usize, usize)) -> f64 {
+        number(self.point(point))
     }
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -105,15 +115,7 @@ impl<'a> ChartView<'a> {
         if !self.grid.is_full() {
             return self.dots(app, title, levels, area, canvas);
         }
-        let cell = |x: usize, y: usize| {
-            let value = self.value((x, y));
-            match self.grid.cell(x, y, self.output) {
-                grid::Cell::Value(_) if scale_of(app).shows(value) => Cell::Value(value),
-                grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
-                grid::Cell::Outcome(outcome) => Cell::Mark(outcome.letter(), tone(outcome)),
-                grid::Cell::Waiting => Cell::Empty,
-            }
-        };
+        let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let here = self.value((x, y));
         let through = app.pages.explore.contour == Contour::Cursor && here.is_finite();
@@ -138,7 +140,7 @@ impl<'a> ChartView<'a> {
         up: &chart::Axis<'_>,
         width: u16,
     ) -> String {
-        let fit = if self.fit.is_some() { "off the fit: " } else { "" };
+        let fit = if self.is_fit { "off the fit: " } else { "" };
         let old = if old { ", old" } else { "" };
         let (output, name) = (self.column.title(), &up.label);
         let long = format!("{fit}{output}{old}, up: {name}");
@@ -166,17 +168,11 @@ impl<'a> ChartView<'a> {
         for x in points {
             let at = |axis: usize| self.grid.coordinate((x, 0), axis);
             let Some(place) = layout.place(at(0), at(1)) else { continue };
-            let value = self.value((x, 0));
-            let (symbol, style) = match self.grid.cell(x, 0, self.output) {
+            let (symbol, style) = match sweeps::cell(self.point((x, 0)), self.scale) {
                 _ if x == cursor => ('X', app.theme.style(Role::Selection)),
-                grid::Cell::Value(_) if scale_of(app).shows(value) => {
-                    dot(levels.index(value), levels.bands(), app.theme)
-                }
-                grid::Cell::Value(_) => ('0', app.theme.style(Role::Dim)),
-                grid::Cell::Outcome(outcome) => {
-                    (outcome.letter(), app.theme.style(role(tone(outcome))))
-                }
-                grid::Cell::Waiting => continue,
+                Cell::Value(value) => dot(levels.index(value), levels.bands(), app.theme),
+                Cell::Mark(letter, tone) => (letter, app.theme.style(role(tone))),
+                Cell::Empty => continue,
             };
             put(canvas, layout.plot, place, &symbol.to_string(), style);
         }
@@ -187,7 +183,7 @@ impl<'a> ChartView<'a> {
 
     /// The bands from the greatest down, then what the letters mean.
     fn scale(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let unit = &self.unit.name;
+        let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let hint = if app.pages.explore.log_values { "Y linear" } else { "Y log" };
         let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
@@ -201,7 +197,7 @@ impl<'a> ChartView<'a> {
                 let patch: String = [symbol; 3].iter().collect();
                 put(canvas, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);
-                let show = |value: f64| significant(value * self.unit.factor, 4);
+                let show = |value: f64| significant(value * factor, 4);
                 let text = format!("{:>7} .. {:<7}", show(from), show(to));
                 let mark = here.is_finite() && levels.index(here) == band;
                 let role = if mark { Role::Title } else { Role::Text };
@@ -212,104 +208,47 @@ impl<'a> ChartView<'a> {
                 row += 1;
             }
         }
-        for (outcome, words) in self.outcomes() {
-            let style = app.theme.style(role(tone(outcome)));
-            put(canvas, inner, (2, row), &outcome.letter().to_string(), style);
+        let marks = sweeps::marks(self.column, self.points.iter().copied(), self.scale);
+        for (letter, tone, words) in marks {
+            put(canvas, inner, (2, row), &letter.to_string(), app.theme.style(role(tone)));
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
             put(canvas, inner, (5, row), &words, app.theme.style(Role::Text));
             row += 1;
         }
-        if scale_of(app) == Scale::Log10 && self.has_zero() {
-            put(canvas, inner, (2, row), "0", app.theme.style(Role::Dim));
-            let text = "zero or less: not on a log";
-            let text = clip(text, usize::from(inner.width.saturating_sub(5)));
-            put(canvas, inner, (5, row), &text, app.theme.style(Role::Text));
-        }
-    }
-
-    /// Whether a logarithmic scale leaves values out.
-    fn has_zero(&self) -> bool {
-        let (along, up) = self.grid.counts();
-        let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        points.any(|point| drawn(self.grid, point, self.output) <= 0.0)
-    }
-
-    /// The outcomes that stand in the map, each letter once.
-    fn outcomes(&self) -> Vec<(PointOutcome, &'static str)> {
-        let (along, up) = self.grid.counts();
-        let mut list: Vec<(PointOutcome, &'static str)> = Vec::new();
-        for (x, y) in (0..along).flat_map(|x| (0..up).map(move |y| (x, y))) {
-            if let grid::Cell::Outcome(outcome) = self.grid.cell(x, y, self.output)
-                && !list.iter().any(|(other, _)| other.letter() == outcome.letter())
-            {
-                list.push((outcome, outcome.without_value(self.column)));
-            }
-        }
-        list
     }
 
     /// The output along one axis, through the cursor; of a design, which has no rows, all points seen along the other axis.
     fn slice(&self, app: &App, along: bool, area: Rect, canvas: &mut Canvas<'_>) {
-        if !self.grid.is_full() {
-            return self.shadow(app, usize::from(!along), area, canvas);
-        }
         let axes = self.grid.plan().axes();
+        let place = usize::from(!along);
         let (x, y) = app.cursor_point(self.grid);
-        let (axis, held, count, place) = if along {
-            (&axes[0], &axes[1], self.grid.counts().0, x)
+        let (across, upward) = self.grid.counts();
+        let point = |at: (usize, usize)| (self.grid.coordinate(at, place), self.value(at));
+        let (title, points): (String, Vec<(f64, f64)>) = if self.grid.is_full() {
+            let held = &axes[1 - place];
+            let held_at = self.grid.coordinate((x, y), 1 - place);
+            let title = format!("at {} {}", held.symbol(), significant(held_at, 3));
+            let count = if along { across } else { upward };
+            let at = |index: usize| if along { (index, y) } else { (x, index) };
+            (title, (0..count).map(|index| point(at(index))).collect())
         } else {
-            (&axes[1], &axes[0], self.grid.counts().1, y)
+            // Each by itself: they are no neighbours.
+            let apart = |x: usize| [point((x, 0)), (f64::NAN, f64::NAN)];
+            (format!("over {}", axes[place].symbol()), (0..across).flat_map(apart).collect())
         };
-        let at = |index: usize| axis.value(u64::try_from(index).unwrap_or(u64::MAX));
-        let point = |index: usize| if along { (index, y) } else { (x, index) };
-        let points: Vec<(f64, f64)> =
-            (0..count).map(|index| (at(index), self.value(point(index)))).collect();
-        let vertical = self.value_axis(app);
-        let other = if along { y } else { x };
-        let other = held.value(u64::try_from(other).unwrap_or(u64::MAX));
+        let curves = vec![Curve::new('*', "", points)];
         let chart = Chart {
-            crosshair: Some(at(place)),
-            ..Chart::new(
-                format!("at {} {}", held.symbol(), significant(other, 3)),
-                axis_of(axis),
-                vertical,
-                vec![Curve::new('*', "", &points)],
-            )
+            crosshair: Some(self.grid.coordinate((x, y), place)),
+            ..Chart::new(title, axis_of(&axes[place]), self.values.clone(), curves)
         };
         chart.render(area, canvas, app.theme);
-    }
-
-    /// All points of a design over one of its axes.
-    fn shadow(&self, app: &App, axis: usize, area: Rect, canvas: &mut Canvas<'_>) {
-        let place = |x: usize| self.grid.coordinate((x, 0), axis);
-        // Each by itself: they are no neighbours.
-        let points: Vec<(f64, f64)> = (0..self.grid.counts().0)
-            .flat_map(|x| [(place(x), self.value((x, 0))), (f64::NAN, f64::NAN)])
-            .collect();
-        let over = &self.grid.plan().axes()[axis];
-        let chart = Chart {
-            crosshair: Some(place(app.cursor_point(self.grid).0)),
-            ..Chart::new(
-                format!("over {}", over.symbol()),
-                axis_of(over),
-                self.value_axis(app),
-                vec![Curve::new('*', "", &points)],
-            )
-        };
-        chart.render(area, canvas, app.theme);
-    }
-
-    fn value_axis(&self, app: &App) -> chart::Axis<'static> {
-        let scale = scale_of(app);
-        let view = match scale {
-            Scale::Linear => self.range.padded(scale, 0.05),
-            Scale::Log10 => self.range.rounded(scale),
-        };
-        chart::Axis::new("", view).scale(scale).unit(self.unit.clone())
     }
 }
 
-/// The scale of what is shown: what a fit leaves over has both signs.
-fn scale_of(app: &App) -> Scale {
-    if app.pages.explore.residuals { Scale::Linear } else { value_scale(app) }
+/// The number of a point to draw; NaN where there is none.
+fn number(point: grid::Cell) -> f64 {
+    match point {
+        grid::Cell::Value(value) => value,
+        grid::Cell::Outcome(_) | grid::Cell::Waiting => f64::NAN,
+    }
 }

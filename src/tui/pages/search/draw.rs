@@ -126,15 +126,7 @@ fn measure_axis(
     label: String,
 ) -> Option<Axis<'static>> {
     let scale = if log { Scale::Log10 } else { Scale::Linear };
-    let range = ViewRange::of(scale, values)?;
-    let view = if log { range.rounded(scale) } else { range.padded(scale, 0.05) };
-    // Grams take prefixes, kilograms do not.
-    let unit = if column.unit() == "kg" {
-        Unit::new("kg")
-    } else {
-        Unit::with_prefix(range.size(), column.unit())
-    };
-    Some(Axis::new(label, view).scale(scale).unit(unit))
+    Axis::fitted(label, column.unit(), scale, values)
 }
 
 fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {

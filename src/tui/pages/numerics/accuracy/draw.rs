@@ -3,12 +3,13 @@
 use ratatui::layout::Rect;
 
 use crate::report::accuracy::{self, TARGETS};
+use crate::report::figures::accuracy::axes;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::layout::{WIDE, split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Mark, Scale, Unit, ViewRange};
+use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
@@ -114,8 +115,8 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let spreads = bars.iter().map(|(method, points)| {
         Curve::new('-', "spread", points).colour(*method as usize).emphasis(Emphasis::Normal)
     });
-    let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "us"));
-    let y = Axis::new("", errors).scale(tab.view.error_scale);
+    let (x, y) = axes(times, errors);
+    let (x, y) = (x.scale(tab.view.time_scale), y.scale(tab.view.error_scale));
     let title = if old { "Relative error, of another scene" } else { title };
     let targets = TARGETS.iter().map(|y| Mark::new(*y, ""));
     // In a small chart the curves would run through the words.

@@ -4,8 +4,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::model::mechanism::load::yields_at_m;
-use crate::model::run::Run;
-use crate::report::figures::run::event_letter;
+use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, short_name, value_at};
@@ -114,19 +113,6 @@ fn chart<'a>(
     second: Option<&'a (Quantity, Data)>,
 ) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
-    if quantity == Quantity::MountForce {
-        return force_over_displacement(app, data);
-    }
-    let (from, to) = app.time_range_s();
-    let scale = app.charts.value_scales[index];
-    let time = ViewRange::new(from, to);
-    let x =
-        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
-    let y = value_axis(app, data, quantity, scale).scale(scale);
-    let right = second.map(|(quantity, curve)| {
-        let axis = value_axis(app, std::slice::from_ref(curve), *quantity, Scale::Linear);
-        Axis { label: quantity.symbol().into(), ..axis }
-    });
     let views = app.visible_runs();
     let curves = data.iter().zip(&views).map(|(curve, view)| {
         Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
@@ -137,6 +123,19 @@ fn chart<'a>(
                 (false, Some(_)) => Emphasis::Normal,
             })
     });
+    if quantity == Quantity::MountForce {
+        return force_over_displacement(app, data, curves.collect());
+    }
+    let range @ (from, to) = app.time_range_s();
+    let time = ViewRange::new(from, to);
+    let x =
+        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
+    let scale = app.charts.value_scales[index];
+    let y = value_axis(app, data, quantity, scale).scale(scale);
+    let right = second.map(|(quantity, curve)| {
+        let axis = value_axis(app, std::slice::from_ref(curve), *quantity, Scale::Linear);
+        Axis { label: quantity.symbol().into(), ..axis }
+    });
     let overlay = second.map(|(quantity, curve)| {
         let run = curve.letter.map_or_else(|| "now".to_owned(), String::from);
         Curve::new(SECOND, format!("{} {run}", quantity.symbol()), &curve.points)
@@ -144,11 +143,9 @@ fn chart<'a>(
             .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
             .side(Side::Right)
     });
-    let marks = app
-        .shown
-        .iter()
-        .filter(|_| app.current_visible)
-        .flat_map(|shown| event_lines(&shown.run, (from, to)));
+    // Of very many events (a plate rattling on its stop) only the first ones.
+    let shown = app.shown.iter().filter(|_| app.current_visible);
+    let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
     Chart {
         marks: marks.collect(),
         crosshair: app.charts.cursor_s,
@@ -158,30 +155,24 @@ fn chart<'a>(
 }
 
 /// The force on the mount over the plate's displacement, with the displacement at which the spring yields, and its stop.
-fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
+fn force_over_displacement<'a>(app: &App, data: &[Data], curves: Vec<Curve<'a>>) -> Chart<'a> {
     let quantity = Quantity::MountForce;
-    let points = || data.iter().flat_map(|curve| curve.points.iter().copied());
+    let points = || data.iter().flat_map(|curve| curve.points.iter());
+    let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0));
+    let forces = points().map(|point| point.1).chain([0.0]);
+    let y = Axis::over("", quantity.unit(), Scale::Linear, forces);
+    let none = || Axis::new("", ViewRange::default());
+    let (x, y) = (x.unwrap_or_else(none).padded(0.04), y.unwrap_or_else(none).padded(0.04));
     let mechanism = &app.scene.mechanism;
     let yields = yields_at_m(&mechanism.spring).map(|at| (at, "yield"));
     let marks = yields.into_iter().chain(mechanism.stop.position_m.map(|at| (at, "stop")));
-    let x = ViewRange::of(Scale::Linear, points().map(|point| point.0)).unwrap_or_default();
-    let y = ViewRange::of(Scale::Linear, points().map(|point| point.1).chain([0.0]));
-    let (x, y) = (x.padded(Scale::Linear, 0.04), y.unwrap_or_default().padded(Scale::Linear, 0.04));
-    let marks: Vec<Mark<'static>> =
-        marks.filter(|(at, _)| x.contains(*at)).map(|(at, tag)| Mark::new(at, tag)).collect();
-    let views = app.visible_runs();
-    let curves = data.iter().zip(&views).map(|(curve, view)| {
-        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
-            .colour(curve.index)
-            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
-    });
+    let marks = marks.filter(|(at, _)| x.view.contains(*at)).map(|(at, tag)| Mark::new(at, tag));
     let run = app.shown.as_ref().map(|shown| &shown.run);
     let crosshair = run
         .zip(app.charts.cursor_s)
         .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
-    let x = Axis::new("x", x).unit(Unit::with_prefix(x.size(), "m"));
-    let y = Axis::new("", y).unit(Unit::with_prefix(y.size(), quantity.unit()));
-    Chart { marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
+    let marks = marks.collect();
+    Chart { marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves) }
 }
 
 /// A vertical axis that shows all of some curves.
@@ -198,13 +189,6 @@ fn value_axis(app: &App, data: &[Data], quantity: Quantity, scale: Scale) -> Axi
         values
     };
     Axis::new("", values).unit(Unit::with_prefix(values.size(), quantity.unit()))
-}
-
-/// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
-fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
-    let events = run.events.iter().enumerate();
-    let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
-    seen.take(EVENT_LINES).map(|(index, event)| Mark::new(event.t_s, event_letter(index)))
 }
 
 /// `now`, or letter and name of a pin, kept short.
