@@ -312,6 +312,25 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     assert_eq!(bench.app.scene, bench.app.base.scene);
 }
 
+/// There and back before the first sweep has ended: what is shown is what is wanted, and the late sweep does not replace it.
+#[test]
+fn an_edit_taken_back_leaves_the_picture_as_it_is() {
+    let mut bench = open("figure-9.2", 11, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>");
+    let shown = bench.screen();
+    bench.app.pages.explore.row = SetupRow::Axis(0, Part::Spacing);
+    bench.keys("l");
+    let late = jobs(&mut bench).remove(0);
+    bench.keys("l");
+    assert!(bench.has_cancelled());
+    let found = grid(&late, usize::MAX);
+    bench.reply(late.id, ended(Finding::from(found)));
+    let chart = |screen: &str| -> Vec<String> {
+        screen.lines().take(20).filter_map(|it| it.split_once("||")).map(|it| it.1.into()).collect()
+    };
+    assert_eq!(chart(&bench.screen()), chart(&shown), "{}", bench.screen());
+}
+
 #[test]
 fn a_scene_without_a_sweep_gets_usual_axes() {
     let mut bench = Bench::ascii(80, 24);

@@ -45,11 +45,16 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
         .explore
         .found(picture)
         .is_some_and(|found| Some(&**found.grid.plan()) == wanted && found.grid.is_complete());
-    if there && coming.is_none() {
-        app.pages.explore.problem = None;
+    if !there {
+        return compute(app);
+    }
+    app.pages.explore.problem = None;
+    if coming.is_none_or(|it| it.picture != picture) {
         return Vec::new();
     }
-    if there { Vec::new() } else { compute(app) }
+    // The setup is again what is shown: what was asked for meanwhile would replace it.
+    let before = app.jobs.take::<PictureSweep>();
+    before.map(|job| Effect::Cancel(job.id)).into_iter().collect()
 }
 
 /// Compute what Explore shows.
