@@ -101,6 +101,17 @@ pub(super) fn syntax(message: &str) -> String {
     format!("not TOML: {}", message.replace('\n', ", "))
 }
 
+/// What is wrong with a value, in the words of a scene file.
+pub(super) fn misfit(error: &toml::de::Error) -> String {
+    let text = clean::line(error.message()).into_owned();
+    [("f64", "a number"), ("u64", "a whole number"), ("a sequence", "a list")].into_iter().fold(
+        text,
+        |text, (type_name, word)| {
+            text.replace(&format!("expected {type_name}"), &format!("expected {word}"))
+        },
+    )
+}
+
 /// The text being read, and what has been found wrong so far.
 pub(super) struct Reader<'t> {
     text: &'t str,
@@ -381,7 +392,7 @@ impl<'t> Reader<'t> {
 }
 
 /// The number in a TOML value, if it is one (integers count).
-pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
+fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),

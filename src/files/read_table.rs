@@ -3,15 +3,24 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use serde::Deserialize;
 use toml::Spanned;
-use toml::de::DeValue;
+use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::read::{self, Reader, kind_of, number};
+use crate::files::read::{self, Reader};
 
 /// The key of a table of each spring.
 pub(super) const KEYS: [&str; 2] = ["mechanism.spring.table", "mechanism.second.table"];
+
+/// The table as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+struct Curve {
+    points: Option<Vec<[f64; 2]>>,
+    file: Option<Spanned<String>>,
+}
 
 /// The points of a `[mechanism.spring.table]`; a problem is noted and `None` returned where there are none.
 pub(super) fn points(
@@ -19,43 +28,27 @@ pub(super) fn points(
     key: &str,
     value: &Spanned<DeValue<'_>>,
 ) -> Option<Arc<[[f64; 2]]>> {
-    let DeValue::Table(table) = value.get_ref() else {
-        let text = format!(
-            "{key} is {}: it is a table; write [{key}] with file = \"curve.csv\" or points = [[x, F], ...] below it",
-            kind_of(value.get_ref())
-        );
-        reader.problem(value.span(), text);
-        return None;
-    };
-    let mut found = None;
-    for (name, value) in table {
-        let read = match name.get_ref().as_ref() {
-            "points" => listed(value.get_ref()).ok_or_else(|| {
-                format!(
-                    "{key}.points = {} is no list of pairs: write points = [[x, F], ...] with x in m and F in N",
-                    reader.shown(value)
-                )
-            }),
-            "file" => match value.get_ref() {
-                DeValue::String(file) => ordinary_points(&beside(reader.file(), file)),
-                _ => Err(format!(
-                    "{key}.file = {} is {}: it must be text; write the name of a CSV file in quotes",
-                    reader.shown(value),
-                    kind_of(value.get_ref())
-                )),
-            },
-            other => Err(format!("`{key}.{other}` is not a key of a scene: the keys here are file, points")),
-        };
-        match read {
-            Ok(points) if found.is_none() => found = Some(points),
-            Ok(_) => reader.problem(
-                value.span(),
-                format!("{key} has both file and points: leave one of them out"),
-            ),
-            Err(text) => reader.problem(value.span(), text),
+    let curve = Curve::deserialize(ValueDeserializer::from(value.clone()));
+    let found = match curve {
+        Ok(Curve { points: Some(points), file: None }) => Ok(points),
+        Ok(Curve { points: None, file: Some(file) }) => {
+            ordinary_points(&beside(reader.file(), file.get_ref()))
+                .map_err(|text| (file.span(), text))
         }
-    }
-    found.map(Arc::from)
+        Ok(Curve { points: Some(_), file: Some(_) }) => {
+            let text = format!("{key} has both file and points: leave one of them out");
+            Err((value.span(), text))
+        }
+        Ok(Curve { points: None, file: None }) => return None,
+        Err(error) => {
+            let what = read::misfit(&error);
+            let text = format!(
+                "{key}: {what}; write file = \"curve.csv\" or points = [[x, F], ...] with x in m and F in N"
+            );
+            Err((error.span().unwrap_or_else(|| value.span()), text))
+        }
+    };
+    found.map_err(|(span, text)| reader.problem(span, text)).ok().map(Arc::from)
 }
 
 /// The points of a measured curve in a CSV file.
@@ -77,21 +70,6 @@ pub fn ordinary_curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
 /// The path of a file named in a scene: relative to the scene's own folder.
 fn beside(scene: &str, file: &str) -> PathBuf {
     Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
-}
-
-fn listed(value: &DeValue<'_>) -> Option<Vec<[f64; 2]>> {
-    let DeValue::Array(list) = value else {
-        return None;
-    };
-    list.iter()
-        .map(|pair| match pair.get_ref() {
-            DeValue::Array(pair) if pair.len() == 2 => {
-                let value = |at: usize| number(pair.get(at)?.get_ref());
-                Some([value(0)?, value(1)?])
-            }
-            _ => None,
-        })
-        .collect()
 }
 
 /// The points in a CSV file: displacement in m and force in N, the first two columns; a line of names may come first.
