@@ -25,3 +25,26 @@ pub mod table;
 pub mod thesis;
 pub mod unit;
 pub mod validation;
+
+/// Words about a result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// What it is about; empty where the words say it.
+    pub about: &'static str,
+    /// The words.
+    pub text: String,
+    /// Whether a reader has to take care.
+    pub is_caution: bool,
+}
+
+impl Remark {
+    /// Words about something.
+    pub fn new(about: &'static str, text: impl Into<String>) -> Self {
+        Self { about, text: text.into(), is_caution: false }
+    }
+
+    /// The same where a reader has to take care.
+    pub fn caution(about: &'static str, text: impl Into<String>) -> Self {
+        Self { is_caution: true, ..Self::new(about, text) }
+    }
+}

@@ -23,8 +23,9 @@ use crate::report::document::{Block, Document};
 use crate::report::figures::limit::residual;
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::{Row, picture};
+use crate::report::limit::remarks;
 use crate::report::svg::Picture;
-use crate::study::limit::{self, Criterion, Effort, words};
+use crate::study::limit::{self, Criterion, Effort};
 use crate::study::quantities::{Quantity, of_runs};
 use crate::study::sweep::{Evaluator, Plan};
 use crate::study::validity;
@@ -191,10 +192,8 @@ fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliErro
     if let Some(margin) = report.margin() {
         lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
     }
-    let load = report.load.as_ref().and_then(words::load);
-    lines.extend(load.map(|load| format!("at the limit: {load}")));
-    lines.extend(report.closures.as_ref().map(words::closures));
-    lines.extend(report.caution());
+    let remarks = remarks(&report).into_iter();
+    lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let chart = residual(&report, None).map(Picture::Chart).map(block);
     Ok(std::iter::once(Block::List(lines)).chain(chart).collect())
 }

@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::model::scene::InterfaceLaw;
+use crate::report::Remark;
 use crate::report::table::{Table, pretty};
-use crate::study::search::front::{Front, Standing, Task};
-use crate::study::sweep::Spacing;
+use crate::study::search::front::{Candidate, Front, Standing, Task};
+use crate::study::sweep::{PointOutcome, Spacing};
 
 /// The law's word.
 pub fn law(law: InterfaceLaw) -> &'static str {
@@ -15,8 +16,35 @@ pub fn law(law: InterfaceLaw) -> &'static str {
     }
 }
 
+/// A candidate's standing in a sentence.
+pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
+    match &candidate.standing {
+        Standing::OnFront => Remark::new("", "on the front: no design of it is better"),
+        Standing::Dominated { by } => {
+            Remark::new("", format!("off the front: design {} is better throughout", by + 1))
+        }
+        Standing::Breaks(at) => {
+            Remark::caution("", format!("breaks {}", task.constraints[*at].words()))
+        }
+        Standing::NoValue(outcome) => {
+            let is_at_rest = matches!(outcome, PointOutcome::Arrested | PointOutcome::Separated);
+            let measures = task.objectives.iter().map(|it| it.measure);
+            let missing = measures.zip(&candidate.measures).find(|(_, value)| value.is_none());
+            let why = match missing.map(|it| it.0) {
+                Some(it) if it.name == "peak_mount_force_n" && is_at_rest => {
+                    "a rigid stop is hit, the force has no bound"
+                }
+                Some(it) => outcome.without_value(it),
+                None => outcome.word(),
+            };
+            Remark::caution("", format!("off the front: {why}"))
+        }
+        Standing::Impossible => Remark::caution("", "cannot be made of this scene"),
+    }
+}
+
 /// A candidate's standing in a word.
-fn standing(standing: &Standing) -> &'static str {
+fn word_of(standing: &Standing) -> &'static str {
     match standing {
         Standing::OnFront => "on the front",
         Standing::Dominated { .. } => "beaten",
@@ -59,7 +87,7 @@ fn candidates<'f>(task: &Task, front: &'f Front) -> impl Iterator<Item = Row<'f>
             .map(|axis| (axis.number().get)(candidate.scene.as_ref()?))
             .collect(),
         measures: &candidate.measures,
-        outcome: standing(&candidate.standing),
+        outcome: word_of(&candidate.standing),
     })
 }
 

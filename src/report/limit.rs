@@ -1,11 +1,135 @@
 //! A ballistic limit: a row a shot, and the whole as an object. SI.
 
+use std::fmt::Write as _;
+
 use serde_json::{Value, json};
 
+use crate::model::units::{Engineering, fixed_significant, significant};
+use crate::report::Remark;
 use crate::report::table::{Table, pretty};
+use crate::study::compare::Load;
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
-use crate::study::limit::monte_carlo::SampledLimit;
-use crate::study::limit::{Limit, Report, Shot};
+use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
+use crate::study::limit::{Closures, Limit, Report, Shot};
+
+/// Part of the impact velocity left just above the limit, from which on the plate's own motion explains it.
+const CARRIED: f64 = 0.2;
+
+/// A velocity with its unit, to four digits.
+pub fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 4))
+}
+
+/// Everything but the limit itself, in words.
+pub fn remarks(report: &Report) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+        let again = velocity(again);
+        let text = format!("no single limit: {again} is stopped again; the lowest is given");
+        remarks.push(Remark::caution("warning", text));
+    }
+    remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
+    if let Some(load) = &report.load {
+        let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
+        remarks.push(Remark::new("at the limit", self::load(load).unwrap_or_else(none)));
+    }
+    if let Some(closures) = &report.closures {
+        remarks.push(Remark::new("closure band", self::closures(closures)));
+    }
+    remarks.extend(carried(report).map(|text| Remark::new("note", text)));
+    if report.lambert_jonas.is_some() {
+        remarks.push(Remark::new("laws", "left of v: v_r = a (v^p - v_bl^p)^(1/p)"));
+    }
+    if let Some(law) = report.recht_ipson {
+        let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
+        let text = format!("a {a}, p 2, this v_bl; RMS error {misfit} m/s");
+        remarks.push(Remark::new("Recht-Ipson", text));
+    }
+    if let Some(law) = report.lambert_jonas {
+        let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
+        let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
+        let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
+        remarks.push(Remark::new("Lambert-Jonas", text));
+    }
+    remarks.extend(report.sampled.iter().flat_map(|found| sampled(found, report)));
+    remarks
+}
+
+/// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
+fn carried(report: &Report) -> Option<String> {
+    report.limit.velocity_m_s()?;
+    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
+    Some(format!(
+        "Just above the limit the residual velocity is {} m/s, the common velocity of projectile and plate.",
+        fixed_significant(residual, 4)
+    ))
+}
+
+/// What the mechanism bears at the limit; `None` where nothing of it is known.
+fn load(load: &Load) -> Option<String> {
+    let part = |name: &str, value: Option<f64>, unit: &'static str| {
+        let value = Engineering { value: value?, unit, digits: 4 };
+        Some(format!("{name} {value}"))
+    };
+    let parts = [
+        part("stroke", load.stroke_m, "m"),
+        part("stored energy", load.stored_j, "J"),
+        part("mount force", load.mount_force_n, "N"),
+    ];
+    let known: Vec<String> = parts.into_iter().flatten().collect();
+    (!known.is_empty()).then(|| known.join(", "))
+}
+
+/// The band between the closures.
+fn closures(closures: &Closures) -> String {
+    let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), velocity);
+    let each = format!(
+        "2 Y with dishing {}, cavity without dishing and with twice the C_d {}",
+        shown(closures.double_yield_m_s),
+        shown(closures.cavity_m_s)
+    );
+    closures.band_m_s().map_or_else(
+        || each.clone(),
+        |(low, high)| format!("{} to {}: {each}", fixed_significant(low, 4), velocity(high)),
+    )
+}
+
+fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
+    let asked = found.sampling;
+    let percent = |part: f64| significant(100.0 * part, 3);
+    let (low, high) = found.range90_m_s;
+    let mut v50 = format!(
+        "{}, spread {}; 90 % in {} to {}",
+        velocity(found.v50_m_s),
+        velocity(found.deviation_m_s),
+        fixed_significant(low, 4),
+        velocity(high),
+    );
+    if found.without > 0 {
+        let _ = write!(v50, "; {} samples have no limit near", found.without);
+    }
+    let through = format!(
+        "{} % of shots at the scene's {} (95 %: {} to {} %)",
+        percent(found.perforated),
+        velocity(report.scene.projectile.velocity_m_s),
+        percent(found.perforated95.0.max(0.0)),
+        percent(found.perforated95.1),
+    );
+    let mut inputs = format!(
+        "inputs +-{} % (standard deviation), {} samples, seed {}",
+        percent(asked.deviation),
+        asked.samples,
+        asked.seed
+    );
+    if asked.model != ModelError::default() {
+        let (bias, spread) = (100.0 * asked.model.bias, percent(asked.model.spread));
+        let _ =
+            write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
+    }
+    [("V50", v50), ("goes through", through), ("scatter", inputs)]
+        .map(|(about, text)| Remark::new(about, text))
+}
 
 /// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.
 pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::model::units::significant;
 use crate::report::table::{Table, pretty};
 use crate::study::monte_carlo::{Report, Summary};
 
@@ -41,6 +42,14 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
         table.with(key, label, "", move |it| Some(it.quantile(share)?.value)).shown(in_unit)
     };
     QUANTILES.into_iter().fold(table, quantile).with("seed", "seed", "", |_| report.seed)
+}
+
+/// How probable a perforation is, where that is known.
+pub fn perforation(report: &Report) -> Option<String> {
+    let (part, (low, high)) = report.perforated?;
+    let percent = |share: f64| significant(100.0 * share, 3);
+    let (part, low, high) = (percent(part), percent(low), percent(high));
+    Some(format!("probability of perforation {part} %, with 95 % confidence {low} to {high} %"))
 }
 
 /// Everything, as one object; null for what does not exist.

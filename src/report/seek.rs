@@ -2,8 +2,9 @@
 
 use serde_json::json;
 
+use crate::report::Remark;
 use crate::report::table::{Table, pretty};
-use crate::study::search::seek::{Place, Report};
+use crate::study::search::seek::{Place, Report, Solution};
 use crate::study::sweep::{PointOutcome, Spacing};
 
 /// One line of the answer.
@@ -52,6 +53,49 @@ fn lines(report: &Report) -> Vec<Line> {
         outcome: Some(gap.outcome),
     });
     solutions.chain(jumps).chain(nearest).chain(gaps).collect()
+}
+
+/// A solution in words.
+pub fn solution(report: &Report, solution: &Solution) -> String {
+    let axis = &report.axis;
+    let at = axis.show(solution.place.at, 6);
+    let until = solution.until.map(|until| format!(" to {}, all of it", axis.show(until, 6)));
+    let touch = if solution.touches { ", a least or greatest value" } else { "" };
+    let outcome = solution.outcome.map_or("", PointOutcome::word);
+    let reached = report.measure.show(solution.place.value, 6);
+    format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
+}
+
+/// What else is to be said: that there is no solution, jumps over the goal, and where there is no value.
+pub fn remarks(report: &Report) -> Vec<Remark> {
+    let (axis, measure) = (&report.axis, report.measure);
+    let at = |value: f64| axis.show(value, 6);
+    let shown = |value: f64| measure.show(value, 6);
+    let place =
+        |place: Place| format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at));
+    let mut remarks = Vec::new();
+    for jump in &report.jumps {
+        let (from, to) = (place(jump.before), shown(jump.after.value));
+        let text = format!("no solution, a jump over the goal: {from}, then {to}");
+        remarks.push(Remark::caution("", text));
+    }
+    if report.solutions.is_empty() {
+        remarks.push(Remark::caution("", format!("nothing reaches {}", shown(report.target))));
+        let nearest = report.nearest.map(|it| format!("nearest: {}", place(it)));
+        let range = report
+            .range
+            .map(|(least, most)| format!("least: {}; most: {}", place(least), place(most)));
+        remarks.extend(nearest.into_iter().chain(range).map(|text| Remark::new("", text)));
+    }
+    for gap in &report.gaps {
+        let range = match gap.points {
+            1 => format!("at {}", at(gap.from)),
+            points => format!("from {} to {} ({points} points)", at(gap.from), at(gap.to)),
+        };
+        let why = gap.outcome.without_value(measure);
+        remarks.push(Remark::new("", format!("no value {range}: {why}")));
+    }
+    remarks
 }
 
 /// The lines of the answer.

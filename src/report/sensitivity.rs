@@ -2,12 +2,10 @@
 
 use serde_json::json;
 
-use crate::model::units::significant;
 use crate::numerics::statistics::sorted_by;
 use crate::report::table::{Cells, Table, pretty};
 use crate::study::sensitivity::Report;
 use crate::study::sensitivity::indices::Index;
-use crate::study::sweep::Axis;
 
 /// The variables, the one that matters most first; a row is a variable's place in the report.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
@@ -23,9 +21,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("variable", "", "", move |at| axis(at).symbol())
         .with("key", "key", "", move |at| axis(at).variable().key)
         .with("low", "from", "", move |at| axis(at).ends().0)
-        .shown(move |at, value| Some(show(axis(at), value.as_f64()?)))
+        .shown(move |at, value| Some(axis(at).show(value.as_f64()?, 4)))
         .with("high", "to", "", move |at| axis(at).ends().1)
-        .shown(move |at, value| Some(show(axis(at), value.as_f64()?)))
+        .shown(move |at, value| Some(axis(at).show(value.as_f64()?, 4)))
         .with("output_at_low", "result", unit, move |at| bar(at).low)
         .with("output_at_high", "to", unit, move |at| bar(at).high)
         .with("swing", "swing", unit, move |at| bar(at).swing())
@@ -71,12 +69,6 @@ pub fn indices(report: &Report) -> Table<'_, usize> {
         })
         .with("sobol_first", "Sobol first", "", move |at| brief(index(at)?.first))
         .with("sobol_total", "total", "", move |at| brief(index(at)?.total))
-}
-
-/// A value of a variable with its unit.
-fn show(axis: &Axis, value: f64) -> String {
-    let unit = axis.variable().unit().trim_matches('-');
-    format!("{} {unit}", significant(value, 4)).trim_end().to_owned()
 }
 
 /// Everything, as one object; null for what does not exist.

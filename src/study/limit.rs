@@ -22,7 +22,6 @@ mod at_limit;
 pub mod fit;
 pub mod monte_carlo;
 mod search;
-pub mod words;
 
 pub use at_limit::Closures;
 

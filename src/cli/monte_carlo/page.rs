@@ -3,8 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::cli::text::width;
-use crate::model::units::significant;
-use crate::report::monte_carlo::table;
+use crate::report::monte_carlo::{perforation, table};
 use crate::study::monte_carlo::Report;
 
 /// The page.
@@ -20,7 +19,10 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         let words = format!("{} {unit}", tolerance.distribution.words());
         let _ = writeln!(page, "  {:8}{}{again}", tolerance.symbol(), words.trim_end());
     }
-    outcomes(&mut page, report);
+    let _ = writeln!(page, "\n{}", report.outcomes);
+    if let Some(perforation) = perforation(report) {
+        let _ = writeln!(page, "{perforation}");
+    }
     let mut table = table(name, report);
     table.rows.retain(|summary| !summary.quantiles.is_empty());
     page.push('\n');
@@ -37,18 +39,4 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "  without values: {}", absent.join(", "));
     }
     page
-}
-
-fn outcomes(page: &mut String, report: &Report) {
-    let _ = writeln!(page, "\n{}", report.outcomes);
-    if let Some((part, (low, high))) = report.perforated {
-        let percent = |share: f64| significant(100.0 * share, 3);
-        let _ = writeln!(
-            page,
-            "probability of perforation {} %, with 95 % confidence {} to {} %",
-            percent(part),
-            percent(low),
-            percent(high)
-        );
-    }
 }

@@ -4,10 +4,9 @@ use std::fmt::Write as _;
 
 use crate::cli::text::width;
 use crate::model::units::significant;
-use crate::report::front::{designs, law};
+use crate::report::front::{designs, law, standing};
 use crate::report::table::{Cells, grid};
-use crate::study::quantities::Quantity;
-use crate::study::search::front::{Candidate, Constraint, Front, STEPS_MAX, Standing, Task};
+use crate::study::search::front::{Candidate, Constraint, Front, STEPS_MAX, Task};
 use crate::study::sweep::{Axis, Spacing};
 
 /// Designs of a front that are listed.
@@ -33,10 +32,9 @@ pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
     }
     for axis in &task.axes {
         let (low, high) = axis.ends();
-        let unit = axis.variable().unit().trim_matches('-');
         let log = if axis.spacing() == Spacing::Log { " (log)" } else { "" };
-        let range = format!("{} .. {} {unit}", significant(low, 4), significant(high, 4));
-        let _ = writeln!(page, "  {:8}{}{log}", axis.symbol(), range.trim_end());
+        let (low, high) = (significant(low, 4), axis.show(high, 4));
+        let _ = writeln!(page, "  {:8}{low} .. {high}{log}", axis.symbol());
     }
     for front in fronts {
         one(&mut page, task, front);
@@ -94,33 +92,9 @@ fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
     let found = task.shown().into_iter();
     let found = found.map(|at| measures[at].show_any(candidate.measures[at], 4));
     let found: Vec<String> = found.collect();
-    let words = match &candidate.standing {
-        Standing::OnFront => "on the front: no design of it is better".to_owned(),
-        Standing::Dominated { by } => {
-            format!("off the front: design {} is better throughout", by + 1)
-        }
-        Standing::Breaks(at) => format!("breaks {}", task.constraints[*at].words()),
-        Standing::NoValue(outcome) => match missing(task, candidate) {
-            Some(column) if column.name == "peak_mount_force_n" => {
-                "off the front: a rigid stop is hit, the force has no bound".to_owned()
-            }
-            Some(column) => format!("off the front: {}", outcome.without_value(column)),
-            None => format!("off the front: {}", outcome.word()),
-        },
-        Standing::Impossible => "cannot be made of this scene".to_owned(),
-    };
+    let words = standing(candidate, task).text;
     let _ = writeln!(page, "  {:20}{words}\n  {:20}{}", candidate.name, "", found.join("  "));
     if candidate.source != "as it is" {
         let _ = writeln!(page, "  {:20}{}", "", candidate.source);
     }
-}
-
-/// The first measure a candidate has not.
-fn missing(task: &Task, candidate: &Candidate) -> Option<&'static Quantity> {
-    let is_missing = |column: &&&Quantity| {
-        let measures = task.measures();
-        let at = measures.iter().position(|other| other.name == column.name);
-        at.is_some_and(|at| candidate.measures[at].is_none())
-    };
-    task.objectives.iter().map(|it| &it.measure).find(is_missing).copied()
 }

@@ -164,6 +164,12 @@ impl Axis {
         self.variable.symbol
     }
 
+    /// A value with its unit: `0.24 m`, `1.5e6 N/m^n`.
+    pub fn show(&self, value: f64, digits: usize) -> String {
+        let unit = self.variable.unit().trim_matches('-');
+        format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
+    }
+
     /// The same axis as a scene file has it.
     pub fn asked(&self) -> SweepAxis {
         SweepAxis {

@@ -13,19 +13,10 @@ use crate::tui::pages;
 use crate::tui::pages::Tab;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, put, put_line};
+use crate::tui::widgets::text::{columns, put, put_line, text_role};
 
 /// From this width on the title row has the name of the program.
 const ROOMY: u16 = 100;
-
-/// The role of a message.
-fn role(severity: Severity) -> Role {
-    match severity {
-        Severity::Note => Role::Text,
-        Severity::Warning => Role::Warning,
-        Severity::Error => Role::Error,
-    }
-}
 
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
 pub(in crate::tui) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -114,7 +105,7 @@ pub(in crate::tui) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     let mut before = None;
     for (row, (severity, text)) in (0..area.height).zip(&lines) {
-        let style = app.theme.style(role(*severity));
+        let style = app.theme.style(text_role(*severity));
         if before != Some(*severity) {
             put(canvas, area, (1, row), severity.mark(), style);
         }
@@ -140,7 +131,7 @@ pub(in crate::tui) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         if index > 0 {
             spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
         }
-        spans.push(Span::styled((*text).to_owned(), app.theme.style(role(part.0))));
+        spans.push(Span::styled((*text).to_owned(), app.theme.style(text_role(part.0))));
     }
     put_line(canvas, area, 0, &Line::from(spans));
 }

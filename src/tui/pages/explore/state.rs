@@ -325,7 +325,7 @@ impl App {
         let at = |(place, axis): (usize, &Axis)| {
             let value = grid.coordinate((x, y), place);
             let shown = match words {
-                Detail::Long => axis_value(axis, value),
+                Detail::Long => axis.show(value, 5),
                 Detail::Short => units::significant(value, 5),
                 Detail::Least => units::significant(value, 4),
             };
@@ -379,14 +379,9 @@ impl App {
         }
         let grid = &found.grid;
         let point = self.cursor_point(grid);
-        let mut scene = (*self.scene).clone();
-        let mut words = Vec::new();
-        for (place, axis) in grid.plan().axes().iter().enumerate() {
-            let value = grid.coordinate(point, place);
-            (axis.number().set)(&mut scene, Some(value));
-            words.push(format!("{} = {}", axis.symbol(), axis_value(axis, value)));
-        }
-        Ok((scene, words.join(", ")))
+        let axes = grid.plan().axes().iter().enumerate();
+        let values = axes.map(|(place, axis)| (axis, grid.coordinate(point, place)));
+        Ok(placed((*self.scene).clone(), values))
     }
 }
 
@@ -417,11 +412,17 @@ pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
     (axis.number().set)(to, (axis.number().get)(from));
 }
 
-/// A value of an axis with its unit, short: `0.24 m`, `1.5e6 N/m^n`.
-pub fn axis_value(axis: &Axis, value: f64) -> String {
-    let unit = axis.variable().unit().trim_matches('-');
-    let text = units::significant(value, 5);
-    if unit.is_empty() { text } else { format!("{text} {unit}") }
+/// A scene with some variables at these values, and the values in words.
+pub fn placed<'a>(
+    mut scene: Scene,
+    values: impl IntoIterator<Item = (&'a Axis, f64)>,
+) -> (Scene, String) {
+    let mut words = Vec::new();
+    for (axis, value) in values {
+        (axis.number().set)(&mut scene, Some(value));
+        words.push(format!("{} = {}", axis.symbol(), axis.show(value, 5)));
+    }
+    (scene, words.join(", "))
 }
 
 /// An output with its unit: `64.27 %`, `37.98 mm`.

@@ -13,9 +13,11 @@ use crate::report;
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::{self, Hardware, summary::sentences};
 use crate::study::context::{Context, Progress};
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
+use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::search::lines::Line;
 use crate::worker::Finding;
 use crate::worker::reporter::Reporter;
@@ -130,7 +132,7 @@ impl App {
     /// The cell of the map under the cursor: the one it was moved to, else the one nearest to the scene.
     pub fn efficiency_cursor(&self) -> Option<(usize, usize)> {
         let map = self.comparison()?.map.as_ref()?;
-        let nearest = |axis: &crate::study::sweep::Axis| {
+        let nearest = |axis: &Axis| {
             let value = (axis.number().get)(&self.scene)?;
             usize::try_from(axis.nearest(value)).ok()
         };
@@ -150,31 +152,16 @@ impl App {
         if self.comparison_is_old() {
             return Err("this map belongs to another scene: press r to compute it again".to_owned());
         }
-        let mut scene = self.compared_scene()?;
-        let mut words = Vec::new();
-        for (axis, at) in [(map.x(), x), (map.y(), y)] {
-            let value = axis.value(at as u64);
-            (axis.number().set)(&mut scene, Some(value));
-            words.push(format!(
-                "{} = {}",
-                axis.symbol(),
-                crate::tui::pages::explore::state::axis_value(axis, value)
-            ));
-        }
-        Ok((scene, words.join(", ")))
+        let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
+        Ok(placed(self.compared_scene()?, values))
     }
 
     /// What the map says under its cursor.
     pub fn efficiency_readout(&self) -> Option<String> {
         let map = self.comparison()?.map.as_ref()?;
         let (x, y) = self.efficiency_cursor()?;
-        let place = |axis: &crate::study::sweep::Axis, at: usize| {
-            let value = axis.value(at as u64);
-            format!(
-                "{} {}",
-                axis.symbol(),
-                crate::tui::pages::explore::state::axis_value(axis, value)
-            )
+        let place = |axis: &Axis, at: usize| {
+            format!("{} {}", axis.symbol(), axis.show(axis.value(at as u64), 5))
         };
         let value = match map.cell(x as u64, y as u64) {
             Some(Ok(value)) if value > 1.0 => {

@@ -7,9 +7,11 @@ use std::sync::Arc;
 use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
+use crate::report::Remark;
+use crate::report::limit::{remarks, velocity};
 use crate::study::context::Context;
-use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
-use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot, words};
+use crate::study::limit::monte_carlo::{ModelError, Sampling};
+use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
@@ -121,38 +123,15 @@ impl Ballistic {
     /// Everything but the limit itself, in words.
     pub fn facts(&self) -> Vec<Fact> {
         let Some(report) = &self.report else { return Vec::new() };
-        let mut facts: Vec<Fact> = Vec::new();
-        let mut add = |label, text: String| facts.push((label, Severity::Note, text));
-        if let Some(load) = report.load.as_ref().and_then(words::load) {
-            add("at the limit", load);
-        }
-        if let Some(closures) = &report.closures {
-            add("closure band", words::closures(closures));
-        }
-        if let Some(law) = report.recht_ipson {
-            let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-            add("Recht-Ipson", format!("a {a}, p 2, this v_bl; RMS error {misfit} m/s"));
-        }
-        if let Some(law) = report.lambert_jonas {
-            let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
-            let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
-            add("Lambert-Jonas", format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s"));
-        }
-        match report.sampled {
-            Some(found) => facts.extend(sampled(&found, report)),
-            None if report.limit.velocity_m_s().is_some() && report.is_complete => {
-                let percent = significant(100.0 * SAMPLING.deviation, 2);
-                let text = format!("v: V50 and spread with every input scattered by {percent} %");
-                add("V50", text);
-            }
-            None => {}
-        }
-        facts.extend(report.caution().map(|text| ("caution", Severity::Warning, text)));
-        facts.extend(words::carried(report).map(|text| ("note", Severity::Note, text)));
-        if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
-            let again = velocity(again);
-            let text = format!("no single limit: {again} is stopped again; the lowest is given");
-            facts.insert(0, ("warning", Severity::Warning, text));
+        let fact = |remark: Remark| {
+            let severity = if remark.is_caution { Severity::Warning } else { Severity::Note };
+            (remark.about, severity, remark.text)
+        };
+        let mut facts: Vec<Fact> = remarks(report).into_iter().map(fact).collect();
+        if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
+            let percent = significant(100.0 * SAMPLING.deviation, 2);
+            let text = format!("v: V50 and spread with every input scattered by {percent} %");
+            facts.push(("V50", Severity::Note, text));
         }
         facts
     }
@@ -180,43 +159,6 @@ fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
     lines
 }
 
-fn sampled(found: &SampledLimit, report: &Report) -> Vec<Fact> {
-    let asked = found.sampling;
-    let percent = |part: f64| significant(100.0 * part, 3);
-    let (low, high) = found.range90_m_s;
-    let mut text = format!(
-        "{}, spread {}; 90 % in {} to {}",
-        velocity(found.v50_m_s),
-        velocity(found.deviation_m_s),
-        fixed_significant(low, 4),
-        velocity(high),
-    );
-    if found.without > 0 {
-        let _ = write!(text, "; {} samples have no limit near", found.without);
-    }
-    let through = format!(
-        "{} % of shots at the scene's {} (95 %: {} to {} %)",
-        percent(found.perforated),
-        velocity(report.scene.projectile.velocity_m_s),
-        percent(found.perforated95.0.max(0.0)),
-        percent(found.perforated95.1),
-    );
-    let inputs = format!(
-        "inputs +-{} % (standard deviation), {} samples, seed {}",
-        percent(asked.deviation),
-        asked.samples,
-        asked.seed
-    );
-    [("V50", text), ("goes through", through), ("scatter", inputs)]
-        .map(|(label, text)| (label, Severity::Note, text))
-        .into()
-}
-
-/// A velocity with its unit, to four digits.
-fn velocity(value_m_s: f64) -> String {
-    format!("{} m/s", fixed_significant(value_m_s, 4))
-}
-
 /// How a shot ends, in words.
 fn ends(shot: &Shot) -> String {
     match (shot.outcome, shot.residual_m_s) {
@@ -234,12 +176,9 @@ impl App {
     pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
         let mut facts = self.pages.limit.facts();
         if width >= BESIDE {
-            if facts.iter().any(|fact| fact.0 == "Lambert-Jonas") {
-                let law = "left of v: v_r = a (v^p - v_bl^p)^(1/p)".to_owned();
-                facts.insert(0, ("laws", Severity::Note, law));
-            }
             lines(&facts, FACTS - 2, false)
         } else {
+            facts.retain(|fact| fact.0 != "laws");
             lines(&facts, width.saturating_sub(2), true)
         }
     }

@@ -3,7 +3,6 @@
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
-use crate::tui::pages::log::state::LineKind;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::put;
@@ -23,15 +22,8 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .right(counter)
         .focused(app.dialog.is_none());
     let inner = pane.render(area, canvas, app.theme);
-    for (row, line) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let role = match line.kind {
-            LineKind::Heading => Role::Title,
-            LineKind::Text => Role::Text,
-            LineKind::Dim => Role::Dim,
-            LineKind::Warning => Role::Warning,
-            LineKind::Error => Role::Error,
-        };
-        let column = if line.kind == LineKind::Heading { 1 } else { 3 };
-        put(canvas, inner, (column, row), &line.text, app.theme.style(role));
+    for (row, (role, text)) in inner.rows().zip(lines.iter().skip(first)) {
+        let column = if *role == Role::Title { 1 } else { 3 };
+        put(canvas, row, (column, 0), text, app.theme.style(*role));
     }
 }

@@ -7,34 +7,14 @@ use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::app::status::wrap;
 use crate::tui::pages::run::runs::engineering;
-use crate::tui::theme;
+use crate::tui::theme::{self, Role};
+use crate::tui::widgets::text::text_role;
 
 /// Messages that stand before what is said of the run.
 const NEWEST: usize = 5;
 
-/// What a line of the Log tab is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LineKind {
-    /// A heading.
-    Heading,
-    /// Ordinary text.
-    Text,
-    /// Nothing to report.
-    Dim,
-    /// A warning.
-    Warning,
-    /// An error.
-    Error,
-}
-
-/// A line of the Log tab.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LogLine {
-    /// What it is.
-    pub kind: LineKind,
-    /// Its text.
-    pub text: String,
-}
+/// A line of the Log tab, and what it is.
+pub type LogLine = (Role, String);
 
 impl App {
     /// Keep a line of the program's own log; it does not show in the message row.
@@ -52,19 +32,15 @@ impl App {
         // Two borders, and three columns of indent with one of air.
         let room = columns.saturating_sub(6).max(10);
         let wanted = self.find.log.trim().to_lowercase();
-        let matches = |line: &LogLine| line.text.to_lowercase().contains(&wanted);
+        let matches = |line: &LogLine| line.1.to_lowercase().contains(&wanted);
         let mut lines = self.whole_lines();
         lines.retain(|line| wanted.is_empty() || matches(line));
         let lines = lines.into_iter();
         lines
-            .flat_map(|line| {
-                let kind = line.kind;
-                let parts = if theme::columns(&line.text) > room {
-                    wrap(&line.text, room)
-                } else {
-                    vec![line.text]
-                };
-                parts.into_iter().map(move |text| LogLine { kind, text })
+            .flat_map(|(role, text)| {
+                let fits = theme::columns(&text) <= room;
+                let parts = if fits { vec![text] } else { wrap(&text, room) };
+                parts.into_iter().map(move |text| (role, text))
             })
             .collect()
     }
@@ -73,17 +49,16 @@ impl App {
         let mut lines = Vec::new();
         heading(&mut lines, "Messages of this session, newest first");
         if self.log.is_empty() {
-            push(&mut lines, LineKind::Dim, "none".to_owned());
+            push(&mut lines, Role::Dim, "none".to_owned());
         }
         let (newest, older): (Vec<_>, Vec<_>) =
             self.log.iter().rev().enumerate().partition(|(at, _)| *at < NEWEST);
         let message = |lines: &mut Vec<LogLine>, notice: &Notice| {
-            let kind = match notice.severity {
-                Severity::Note => LineKind::Text,
-                Severity::Warning => LineKind::Warning,
-                Severity::Error => LineKind::Error,
-            };
-            push(lines, kind, format!("{:<8} {}", notice.severity.word(), notice.text));
+            push(
+                lines,
+                text_role(notice.severity),
+                format!("{:<8} {}", notice.severity.word(), notice.text),
+            );
         };
         for (_, notice) in newest {
             message(&mut lines, notice);
@@ -97,7 +72,7 @@ impl App {
             cost(&mut lines, &shown.run);
         } else {
             heading(&mut lines, "Run");
-            push(&mut lines, LineKind::Dim, "no run yet".to_owned());
+            push(&mut lines, Role::Dim, "no run yet".to_owned());
         }
         if !older.is_empty() {
             heading(&mut lines, "Older messages");
@@ -109,45 +84,42 @@ impl App {
     }
 }
 
-fn push(lines: &mut Vec<LogLine>, kind: LineKind, text: String) {
-    lines.push(LogLine { kind, text });
+fn push(lines: &mut Vec<LogLine>, role: Role, text: String) {
+    lines.push((role, text));
 }
 
 fn heading(lines: &mut Vec<LogLine>, text: &str) {
     if !lines.is_empty() {
-        push(lines, LineKind::Text, String::new());
+        push(lines, Role::Text, String::new());
     }
-    push(lines, LineKind::Heading, text.to_owned());
+    push(lines, Role::Title, text.to_owned());
 }
 
 fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
     heading(lines, &format!("Warnings of the run{which}"));
     let warnings = envelope::warnings(run);
     if warnings.is_empty() {
-        push(lines, LineKind::Dim, "none".to_owned());
+        push(lines, Role::Dim, "none".to_owned());
     }
     for warning in warnings {
-        push(lines, LineKind::Warning, format!("! {warning}"));
+        push(lines, Role::Warning, format!("! {warning}"));
     }
 }
 
 fn stack(lines: &mut Vec<LogLine>, run: &Run) {
     if let Some(stack) = &run.stack {
         heading(lines, "Stack: plate by plate");
-        for line in crate::study::stack::table(run, stack) {
-            push(lines, LineKind::Text, line);
-        }
+        let table = crate::study::stack::table(run, stack).into_iter();
+        lines.extend(table.map(|line| (Role::Text, line)));
     }
 }
 
 fn events(lines: &mut Vec<LogLine>, run: &Run) {
     heading(lines, "Events");
     if run.events.is_empty() {
-        push(lines, LineKind::Dim, "none".to_owned());
+        push(lines, Role::Dim, "none".to_owned());
     }
-    for line in event_lines(run) {
-        push(lines, LineKind::Text, line);
-    }
+    lines.extend(event_lines(run).into_iter().map(|line| (Role::Text, line)));
 }
 
 /// The events with their times, one a line.
@@ -164,9 +136,7 @@ pub fn event_lines(run: &Run) -> Vec<String> {
 
 fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
     heading(lines, "Energy: where it was at the start, and where it went");
-    for line in energy_lines(ledger) {
-        push(lines, LineKind::Text, line);
-    }
+    lines.extend(energy_lines(ledger).into_iter().map(|line| (Role::Text, line)));
 }
 
 /// The energy ledger, one term a line, with its share of the energy at the start.
@@ -226,6 +196,6 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
         ("error", estimate),
         ("omitted", omitted),
     ] {
-        push(lines, LineKind::Text, format!("{name:<13}{text}"));
+        push(lines, Role::Text, format!("{name:<13}{text}"));
     }
 }

@@ -1,14 +1,14 @@
 //! What was found, as lines of text. No drawing.
 
-use crate::model::units::significant;
-use crate::report::front::designs;
-use crate::report::monte_carlo::table;
+use crate::report::front::{designs, standing};
+use crate::report::monte_carlo::{perforation, table};
 use crate::report::sensitivity::{indices, tornado};
 use crate::report::table::Cells;
+use crate::report::{self, Remark};
 use crate::study::quantities::Quantity;
-use crate::study::search::front::{Candidate, Front, Standing, Task};
+use crate::study::search::front::{Front, Task};
 use crate::study::sensitivity;
-use crate::study::sweep::{Axis, PointOutcome};
+use crate::study::sweep::Axis;
 use crate::study::{monte_carlo, search::seek};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
@@ -108,36 +108,16 @@ pub(in crate::tui) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
 }
 
 fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
-    let axis = &report.axis;
-    let at = |value: f64| crate::tui::pages::explore::state::axis_value(axis, value);
-    let value = |value: f64| report.measure.show(value, 5);
-    let mut lines = Vec::new();
-    for (index, found) in report.solutions.iter().enumerate() {
+    let solutions = report.solutions.iter().enumerate().map(|(index, found)| {
         let mark = if index == selected { ">" } else { " " };
-        let touch = if found.touches { " (least or greatest)" } else { "" };
-        let until = found.until.map_or_else(String::new, |until| format!(" to {}", at(until)));
-        let outcome = found.outcome.map_or("", PointOutcome::word);
-        let place = at(found.place.at);
-        lines.push(note(format!("{mark} {} = {place}{until}  {outcome}{touch}", axis.symbol())));
-    }
-    if report.solutions.is_empty() {
-        let text = format!("nothing reaches {}", value(report.target));
-        lines.push((Severity::Warning, text));
-        if let Some(nearest) = report.nearest {
-            let (there, at) = (value(nearest.value), at(nearest.at));
-            lines.push(note(format!("nearest: {there} at {} = {at}", axis.symbol())));
-        }
-    }
-    for jump in &report.jumps {
-        let (from, to) = (value(jump.before.value), value(jump.after.value));
-        let at = at(jump.before.at);
-        lines.push((Severity::Warning, format!("a jump at {at}: {from} to {to}")));
-    }
-    for gap in &report.gaps {
-        let why = gap.outcome.without_value(report.measure);
-        lines.push(note(format!("no value, {} to {}: {why}", at(gap.from), at(gap.to))));
-    }
-    lines
+        note(format!("{mark} {}", report::seek::solution(report, found)))
+    });
+    solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
+}
+
+/// Words about a result as a line.
+fn line(remark: Remark) -> Line {
+    (if remark.is_caution { Severity::Warning } else { Severity::Note }, remark.text)
 }
 
 fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
@@ -146,7 +126,7 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
     }
     let mut lines = Vec::new();
     for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
-        let (severity, words) = standing(candidate, task);
+        let (severity, words) = line(standing(candidate, task));
         let name = format!("{letter} {:18}", candidate.name);
         let measures = task.measures();
         let value = |at: usize| {
@@ -160,21 +140,6 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
         lines.push((severity, text));
     }
     lines
-}
-
-fn standing(candidate: &Candidate, task: &Task) -> Line {
-    match &candidate.standing {
-        Standing::OnFront => note("on the front".to_owned()),
-        Standing::Dominated { .. } => note("off it: dominated".to_owned()),
-        Standing::Breaks(at) => {
-            (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
-        }
-        Standing::NoValue(PointOutcome::Arrested | PointOutcome::Separated) => {
-            (Severity::Warning, "hits its stop: force unbounded".to_owned())
-        }
-        Standing::NoValue(outcome) => (Severity::Warning, outcome.word().to_owned()),
-        Standing::Impossible => (Severity::Warning, "cannot be made of this scene".to_owned()),
-    }
 }
 
 fn shown(column: &Quantity, value: Option<f64>) -> String {
@@ -214,15 +179,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
 
 fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
     let mut lines = Vec::new();
-    if let Some((part, (low, high))) = report.perforated {
-        let percent = |share: f64| significant(100.0 * share, 3);
-        lines.push(note(format!(
-            "perforation {} %, with 95 % confidence {} to {} %",
-            percent(part),
-            percent(low),
-            percent(high)
-        )));
-    }
+    lines.extend(perforation(report).map(note));
     let again: usize = report.redrawn.iter().sum();
     let again =
         if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };

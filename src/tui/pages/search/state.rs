@@ -12,7 +12,7 @@ use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::ViewRange;
-use crate::tui::pages::explore::state::copy_value;
+use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::{Progress, StatusPart, part};
@@ -276,16 +276,7 @@ impl App {
                 let Some(solution) = report.solutions.get(tab.selected()) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
-                let at = solution.place.at;
-                (report.axis.number().set)(&mut scene, Some(at));
-                Ok((
-                    scene,
-                    format!(
-                        "{} = {}",
-                        report.axis.symbol(),
-                        crate::tui::pages::explore::state::axis_value(&report.axis, at)
-                    ),
-                ))
+                Ok(placed(scene, [(&report.axis, solution.place.at)]))
             }
             (Answer::Front(front), Request::Front(task)) => {
                 let designs = tab.designs();
@@ -293,9 +284,7 @@ impl App {
                     return Err("no design to load: relax a constraint or a bound".to_owned());
                 };
                 scene.interface.law = front.law;
-                for (axis, value) in task.axes.iter().zip(&design.values) {
-                    (axis.number().set)(&mut scene, Some(*value));
-                }
+                let (scene, _) = placed(scene, task.axes.iter().zip(design.values.iter().copied()));
                 Ok((scene, format!("design {} of the front", tab.selected() + 1)))
             }
             _ => Err("no design to load here: goal seek and the Pareto front have some".to_owned()),
@@ -312,8 +301,7 @@ impl App {
         match (&*found.answer, &found.request) {
             (Answer::Seek(report), _) => {
                 let solution = report.solutions.get(tab.selected())?;
-                let at =
-                    crate::tui::pages::explore::state::axis_value(&report.axis, solution.place.at);
+                let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
                 Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
             }
