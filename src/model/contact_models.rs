@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
-use crate::model::event_function::{ActiveEvents, EventId};
+use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
 use crate::model::run::{Mode, ModelNote};
 use crate::model::scene::{ContactModel as Kind, Scene};
@@ -34,14 +34,6 @@ pub(super) trait ContactModel: Debug + Send + Sync {
 
     /// Adds the events that end a mode in which the bodies are not joined.
     fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
-
-    /// The event that rounding has put behind the state. `slip_rate` is the slip's acceleration, m/s².
-    fn missed_event(
-        &self,
-        mode: Mode,
-        hole: &Hole<'_>,
-        slip_rate: &dyn Fn() -> f64,
-    ) -> Option<EventId>;
 
     /// The mode after common velocity is reached.
     fn at_common_velocity(&self) -> Mode;

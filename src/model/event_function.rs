@@ -190,7 +190,18 @@ impl EventFunction {
         self.value(state, self.forces(motion, state))
     }
 
-    fn value(&self, state: &State, forces: Forces) -> f64 {
+    /// How fast a form without forces changes at a state.
+    pub(super) fn rate(&self, motion: &Motion<'_>, state: &State) -> f64 {
+        let (slip_rate, plate_rate) = motion.accelerations(state);
+        self.time
+            + self.travel * state.slip_m_s
+            + self.slip * slip_rate
+            + self.plate * state.plate_m_s
+            + self.plate_speed * plate_rate
+    }
+
+    /// The form where these forces act.
+    pub(super) fn value(&self, state: &State, forces: Forces) -> f64 {
         self.terms(state, forces).iter().sum()
     }
 
@@ -223,7 +234,7 @@ impl EventFunction {
 
 /// The forces that an event function may contain, N.
 #[derive(Clone, Copy, Default)]
-struct Forces {
+pub(super) struct Forces {
     contact: f64,
     mechanism: f64,
     damper: f64,

@@ -8,6 +8,7 @@ use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, FlowForce, Pressure};
 use crate::model::run::Mode;
 use crate::model::scene::Scene;
+use crate::numerics::smaller;
 
 /// Part of the travel at which the engaged area stands for the contact's.
 const LATE: f64 = 0.9;
@@ -75,7 +76,8 @@ impl ContactModel for FlowStrength {
     fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
         match mode {
             Mode::Penetrating | Mode::Closing => {
-                let end_m = hole.geometry.piece(hole.state.travel_m).to_m;
+                let geometry = hole.geometry;
+                let end_m = smaller(geometry.piece(hole.state.travel_m).to_m, geometry.exit_m);
                 events.watch(EventId::PieceEnd, EventFunction::travel_up_to(end_m));
                 events.watch(EventId::SlipZero, EventFunction::slip(1.0));
                 if mode == Mode::Closing {
@@ -91,26 +93,6 @@ impl ContactModel for FlowStrength {
                 events.watch(EventId::Recontact, EventFunction::travel_up_to(0.0));
             }
             _ => {}
-        }
-    }
-
-    fn missed_event(
-        &self,
-        mode: Mode,
-        hole: &Hole<'_>,
-        _slip_rate: &dyn Fn() -> f64,
-    ) -> Option<EventId> {
-        let (q, u) = (hole.state.travel_m, hole.state.slip_m_s);
-        match mode {
-            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(EventId::SlipZero),
-            Mode::Penetrating | Mode::Closing if q >= hole.geometry.exit_m && u > 0.0 => {
-                Some(EventId::PieceEnd)
-            }
-            Mode::Closing if q >= hole.deepest_m && u > 0.0 => Some(EventId::HoleBottom),
-            Mode::Withdrawing if u > 0.0 => Some(EventId::SlipZero),
-            Mode::Withdrawing if q <= 0.0 => Some(EventId::PieceStart),
-            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(EventId::Recontact),
-            _ => None,
         }
     }
 

@@ -56,23 +56,6 @@ impl ContactModel for HalfSine {
         }
     }
 
-    fn missed_event(
-        &self,
-        mode: Mode,
-        hole: &Hole<'_>,
-        _slip_rate: &dyn Fn() -> f64,
-    ) -> Option<EventId> {
-        let u = hole.state.slip_m_s;
-        match mode {
-            Mode::Penetrating | Mode::Withdrawing if hole.state.t_s >= self.pulse.duration_s => {
-                Some(EventId::HistoryEnd)
-            }
-            Mode::Penetrating if u < 0.0 && !hole.still => Some(EventId::SlipZero),
-            Mode::Withdrawing if u > 0.0 && !hole.still => Some(EventId::SlipZero),
-            _ => None,
-        }
-    }
-
     fn at_common_velocity(&self) -> Mode {
         Mode::Withdrawing
     }

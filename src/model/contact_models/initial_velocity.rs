@@ -3,7 +3,7 @@
 //! `w(0) = m_p v/(m_p + m_2)`, and both bodies are one from then on. The model knows no force and no depth.
 
 use super::{ContactModel, Hole, Scales};
-use crate::model::event_function::{ActiveEvents, EventId};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::ContactForce;
 use crate::model::run::Mode;
 use crate::model::scene::Scene;
@@ -28,16 +28,12 @@ impl ContactModel for InitialVelocity {
         ContactForce::None
     }
 
-    fn watch(&self, _mode: Mode, _hole: &Hole<'_>, _events: &mut ActiveEvents) {}
-
     /// The bodies are one from the first moment on.
-    fn missed_event(
-        &self,
-        mode: Mode,
-        _hole: &Hole<'_>,
-        _slip_rate: &dyn Fn() -> f64,
-    ) -> Option<EventId> {
-        (mode == Mode::Penetrating).then_some(EventId::HistoryEnd)
+    fn watch(&self, mode: Mode, _hole: &Hole<'_>, events: &mut ActiveEvents) {
+        if mode == Mode::Penetrating {
+            let end = EventFunction { time: -1.0, ..EventFunction::default() };
+            events.watch(EventId::HistoryEnd, end);
+        }
     }
 
     fn at_common_velocity(&self) -> Mode {

@@ -10,9 +10,6 @@ use crate::model::motion::{ContactForce, ElasticForce};
 use crate::model::run::Mode;
 use crate::model::scene::Scene;
 
-/// Part of forces, or depths, by which they differ although they are meant to be equal.
-const ROUNDING: f64 = 1e-12;
-
 /// The interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lumped {
@@ -114,39 +111,6 @@ impl ContactModel for Lumped {
                 events.watch(EventId::Recontact, EventFunction::travel_up_to(dent_m));
             }
             _ => {}
-        }
-    }
-
-    fn missed_event(
-        &self,
-        mode: Mode,
-        hole: &Hole<'_>,
-        slip_rate: &dyn Fn() -> f64,
-    ) -> Option<EventId> {
-        let (q, u) = (hole.state.travel_m, hole.state.slip_m_s);
-        let law = self.unloading(hole.deepest_m);
-        let push_n = law.stiffness_n_m * (q - law.slack_m) + law.damping_n_s_m * u;
-        let growth = || law.stiffness_n_m * u + law.damping_n_s_m * slip_rate();
-        let rounding_n =
-            ROUNDING * (law.stiffness_n_m * hole.deepest_m + law.damping_n_s_m * u.abs());
-        match mode {
-            Mode::Penetrating if u < 0.0 => Some(EventId::SlipZero),
-            Mode::Withdrawing | Mode::Closing if q >= hole.deepest_m && u > 0.0 => {
-                Some(EventId::HoleBottom)
-            }
-            Mode::Withdrawing | Mode::Closing => {
-                let lost = push_n < -rounding_n || push_n < rounding_n && growth() < 0.0;
-                lost.then_some(EventId::ContactLost)
-            }
-            Mode::FreeFlight if q > law.slack_m && self.damping_n_s_m > 0.0 => {
-                let again = push_n > rounding_n || push_n > -rounding_n && growth() > 0.0;
-                again.then_some(EventId::ContactAgain)
-            }
-            Mode::FreeFlight => {
-                let inside = q - law.slack_m > ROUNDING * hole.deepest_m && u > 0.0;
-                inside.then_some(EventId::Recontact)
-            }
-            _ => None,
         }
     }
 

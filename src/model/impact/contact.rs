@@ -52,9 +52,7 @@ impl Track<'_> {
             Answer::Mechanism => false,
         };
         if !done {
-            let event =
-                self.body.problem.contact.missed_event(self.body.mode, &self.body.hole(), &|| 0.0);
-            match event {
+            match self.body.missed_contact_event() {
                 // A collision that takes no time.
                 Some(EventId::HistoryEnd) => self.apply_transition(EventId::HistoryEnd),
                 _ => self.point(),

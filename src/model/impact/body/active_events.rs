@@ -22,14 +22,21 @@ impl Body<'_> {
         stiff: bool,
         noted: Noted,
     ) -> ActiveEvents {
-        let mut events = ActiveEvents::none();
-        if self.mode != Mode::Fused {
-            self.problem.contact.watch(self.mode, &self.hole(), &mut events);
-        } else if !self.is_still() {
+        let mut events = self.contact_events();
+        if self.mode == Mode::Fused && !self.is_still() {
             self.watch_interface(&mut events, noted);
         }
         if !self.problem.rigid && !self.fixed {
             self.watch_plate(&mut events, stiff);
+        }
+        events
+    }
+
+    /// What may end a contact that does not join the bodies.
+    pub(super) fn contact_events(&self) -> ActiveEvents {
+        let mut events = ActiveEvents::none();
+        if self.mode != Mode::Fused {
+            self.problem.contact.watch(self.mode, &self.hole(), &mut events);
         }
         events
     }

@@ -2,7 +2,7 @@
 //! where another one has put it.
 
 use super::Body;
-use crate::model::event_function::EventId;
+use crate::model::event_function::{EventId, Forces};
 use crate::model::mechanism::sign;
 use crate::model::mechanism::stop::UNSEEN;
 use crate::model::motion::State;
@@ -38,8 +38,20 @@ impl Body<'_> {
         if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
             return Some(EventId::KnotBehind);
         }
-        let slip_rate = || self.motion().accelerations(&self.state).0;
-        problem.contact.missed_event(self.mode, &self.hole(), &slip_rate)
+        self.missed_contact_event()
+    }
+
+    /// An event of the contact that the state has passed: a slip of the wrong sign, or a place, force or time beyond that of its event
+    /// that goes on.
+    pub(in crate::model::impact) fn missed_contact_event(&self) -> Option<EventId> {
+        let events = self.contact_events();
+        let missed = events.iter().find(|(event, form)| {
+            let value = form.value(&self.state, Forces::default());
+            let is_slip = matches!(event, EventId::SlipZero);
+            let goes_on = || form.rate(&self.motion(), &self.state) < 0.0;
+            if is_slip { value < 0.0 } else { value <= 0.0 && goes_on() }
+        });
+        missed.map(|(event, _)| *event)
     }
 
     /// Whether the plate is where an elastic stop that has let go of it would press it again.
@@ -109,10 +121,7 @@ impl Body<'_> {
 
     /// Whether an elastic stop's force is zero and about to pull.
     fn stop_lets_go(&self) -> bool {
-        let form = self.stop_force(1.0);
-        let motion = self.motion();
-        let (_, rate) = motion.accelerations(&self.state);
-        form.at(&motion, &self.state) <= 0.0
-            && form.plate * self.state.plate_m_s + form.plate_speed * rate < 0.0
+        let (form, motion) = (self.stop_force(1.0), self.motion());
+        form.at(&motion, &self.state) <= 0.0 && form.rate(&motion, &self.state) < 0.0
     }
 }
