@@ -7,39 +7,13 @@
 
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::mechanism::{damper_law_of, sign};
+use crate::model::mechanism::{PowerLaw, damper_law_of};
 use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
 
 pub mod listing;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
-
-/// Which reading of the whole listing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Coupling {
-    /// As printed.
-    Printed,
-    /// Depth from the whole relative travel, a damper that resists, and obliquity's cosine in both couplings.
-    Corrected,
-}
-
-impl Coupling {
-    /// The listing with steps of `step_s`.
-    pub fn listing(self, step_s: f64) -> Listing {
-        let reading = match self {
-            Self::Printed => Reading::Printed,
-            Self::Corrected => Reading::Corrected,
-        };
-        Listing {
-            step_s,
-            coupling: reading,
-            damper: reading,
-            obliquity: reading,
-            ..Listing::default()
-        }
-    }
-}
 
 /// Where the scheme is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,8 +60,8 @@ pub struct Scheme {
 #[derive(Clone, Copy, Debug)]
 pub struct Plate {
     mass_kg: f64,
-    spring: (f64, f64),
-    damper: (f64, f64),
+    spring: PowerLaw,
+    damper: PowerLaw,
     signed: bool,
 }
 
@@ -100,11 +74,7 @@ impl Plate {
 
     /// Spring and damper force at a state, N, with the signs the listing gives them.
     pub fn forces_n(&self, [x, w]: [f64; 2]) -> (f64, f64) {
-        let power = |(coefficient, exponent): (f64, f64), z: f64| {
-            if coefficient == 0.0 { 0.0 } else { coefficient * z.abs().powf(exponent) }
-        };
-        let damper = power(self.damper, w) * if self.signed { sign(w) } else { 1.0 };
-        (sign(x) * power(self.spring, x), damper)
+        (self.spring.force(x), self.damper.force(if self.signed { w } else { w.abs() }))
     }
 
     /// A.9: d/dt of (displacement, velocity) under the force.
@@ -276,10 +246,10 @@ impl Scheme {
 pub fn contact(
     scene: &Scene,
     dt_s: f64,
-    coupling: Coupling,
+    coupling: Reading,
     steps_max: usize,
 ) -> Result<Answer, Refusal> {
-    let scheme = Scheme::of(scene, coupling.listing(dt_s));
+    let scheme = Scheme::of(scene, Listing::coupled(dt_s, coupling));
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
@@ -301,11 +271,11 @@ pub fn contact(
 }
 
 fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let (spring, damper) = (&scene.mechanism.spring, damper_law_of(&scene.mechanism.damper));
+    let spring = &scene.mechanism.spring;
     Plate {
         mass_kg: scene.plate_mass_kg(),
-        spring: (spring.coefficient, spring.exponent),
-        damper: (damper.coefficient, damper.exponent),
+        spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
+        damper: damper_law_of(&scene.mechanism.damper),
         signed: damper_reading == Reading::Corrected,
     }
 }
@@ -322,7 +292,7 @@ mod tests {
         scene
     }
 
-    fn depth_mm(scene: &Scene, dt_s: f64, coupling: Coupling) -> f64 {
+    fn depth_mm(scene: &Scene, dt_s: f64, coupling: Reading) -> f64 {
         contact(scene, dt_s, coupling, 1_000_000).unwrap().depth_m * 1e3
     }
 
@@ -332,7 +302,7 @@ mod tests {
         scene.plate.mount = Mount::Rigid;
         let ladder = [(2e-6, 7.1809), (1e-6, 7.1519), (5e-7, 7.1375), (2e-7, 7.1289)];
         for (dt_s, expected) in ladder {
-            for coupling in [Coupling::Printed, Coupling::Corrected] {
+            for coupling in [Reading::Printed, Reading::Corrected] {
                 let depth = depth_mm(&scene, dt_s, coupling);
                 assert!((depth - expected).abs() < 6e-5, "{dt_s}: {depth}");
             }
@@ -341,9 +311,9 @@ mod tests {
 
     #[test]
     fn valid_share_of_the_baseline_with_and_without_the_coupling_error() {
-        let printed = depth_mm(&listing(), 1e-6, Coupling::Printed) / 7.129 * 100.0;
+        let printed = depth_mm(&listing(), 1e-6, Reading::Printed) / 7.129 * 100.0;
         assert!((printed - 82.4).abs() < 0.06, "{printed}");
-        let corrected = depth_mm(&listing(), 1e-6, Coupling::Corrected) / 7.129 * 100.0;
+        let corrected = depth_mm(&listing(), 1e-6, Reading::Corrected) / 7.129 * 100.0;
         assert!((corrected - 64.4).abs() < 0.06, "{corrected}");
     }
 
@@ -353,9 +323,9 @@ mod tests {
         for (cocking_m, printed, corrected) in expected {
             let mut scene = listing();
             scene.plate.cocking_m = cocking_m;
-            let depth = depth_mm(&scene, 1e-6, Coupling::Printed);
+            let depth = depth_mm(&scene, 1e-6, Reading::Printed);
             assert!((depth - printed).abs() < 2e-3, "{cocking_m}: {depth}");
-            let depth = depth_mm(&scene, 1e-6, Coupling::Corrected);
+            let depth = depth_mm(&scene, 1e-6, Reading::Corrected);
             assert!((depth - corrected).abs() < 2e-3, "{cocking_m}: {depth}");
         }
     }
@@ -363,9 +333,9 @@ mod tests {
     #[test]
     fn a_short_budget_and_a_stop_are_told() {
         let mut scene = listing();
-        assert_eq!(contact(&scene, 1e-6, Coupling::Printed, 20), Err(Refusal::StepBudget));
+        assert_eq!(contact(&scene, 1e-6, Reading::Printed, 20), Err(Refusal::StepBudget));
         scene.mechanism.stop.position_m = Some(1e-3);
-        let refused = contact(&scene, 1e-6, Coupling::Corrected, 1_000);
+        let refused = contact(&scene, 1e-6, Reading::Corrected, 1_000);
         assert_eq!(refused, Err(Refusal::StopWithinContact));
     }
 }

@@ -169,13 +169,8 @@ impl Contact {
         }
     }
 
-    /// Run it so that the plate's displacement, too, is accurate relative to itself: where that is far shorter than the travel, to
-    /// a tighter tolerance.
-    pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run(self.minding_plate(tolerance))
-    }
-
-    /// The tolerance for that.
+    /// The tolerance to which the plate's displacement, too, is accurate relative to itself: where that is far shorter than the
+    /// travel, a tighter one.
     fn minding_plate(&self, tolerance: f64) -> f64 {
         tolerance * self.plate_share().unwrap_or(1.0)
     }

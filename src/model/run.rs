@@ -4,24 +4,39 @@
 //! why in [`Run::end`]. Nothing here reads a clock: whoever calls the simulation measures its time.
 
 use std::fmt;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
 
-mod at_least;
 pub mod envelope;
 mod model_note;
-mod settings;
 mod stack;
 mod warning;
 
-pub use at_least::AtLeast;
 pub use model_note::ModelNote;
-pub use settings::{Observer, Settings};
 pub use stack::StackRun;
 pub use warning::Warning;
+
+/// What a run should deliver besides its results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Keep the series to draw from.
+    pub series: bool,
+    /// Compute the error estimate (a second, tighter computation).
+    pub estimate: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { series: true, estimate: true }
+    }
+}
+
+/// Called before every step with the time reached, s; `Break` ends the run as cancelled.
+pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 /// One computed impact.
 #[derive(Clone, Debug, PartialEq)]
@@ -302,6 +317,22 @@ impl EnergyLedger {
     /// What does not add up, relative to the energy at the start.
     pub fn residual(&self) -> f64 {
         (self.final_j() - self.initial_j()) / self.initial_j()
+    }
+}
+
+/// Lower bounds: what a run that ends undecided has reached so far. `None` where the value is final, or nothing is known.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct AtLeast {
+    /// Depth of the hole so far, m.
+    pub penetration_m: Option<f64>,
+    /// Greatest plate displacement so far, m.
+    pub plate_displacement_m: Option<f64>,
+}
+
+impl AtLeast {
+    /// Whether there is none: every value is final.
+    pub fn is_empty(self) -> bool {
+        self == Self::default()
     }
 }
 

@@ -82,6 +82,11 @@ impl Quantity {
         self.row().0
     }
 
+    /// A text that would do.
+    fn example(self) -> &'static str {
+        self.row().2
+    }
+
     fn accepted(self) -> String {
         let mut list = String::new();
         for unit in self.units().iter().filter(|unit| !unit.name.is_empty()) {
@@ -94,56 +99,17 @@ impl Quantity {
     }
 }
 
-/// Why a text is not a quantity. Columns count characters from 1.
+/// Why a text is not a quantity, with the cure. Columns count characters from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum QuantityError {
-    /// Nothing was written.
-    #[error("empty: write a number, for example `{example}`")]
-    Empty {
-        /// A text that would do.
-        example: String,
-    },
-    /// The text does not begin with a number.
-    #[error("`{}` is not a number (column {column}): write for example `{example}`", quoted(.text))]
-    NotANumber {
-        /// What was written.
-        text: String,
-        /// Where reading stopped.
-        column: usize,
-        /// A text that would do.
-        example: String,
-    },
+#[error("{0}")]
+pub struct QuantityError(String);
+
+impl QuantityError {
     /// NaN, an infinity, or an overflow such as `1e999`.
-    #[error("`{}` is not a finite number: write for example `{example}`", quoted(.text))]
-    NotFinite {
-        /// What was written.
-        text: String,
-        /// A text that would do.
-        example: String,
-    },
-    /// An angle without a unit where it could be taken for radians.
-    #[error(
-        "`{}` is an angle without a unit: write `{} deg` or `{} rad`",
-        quoted(.text),
-        quoted(.text),
-        quoted(.text)
-    )]
-    BareAngle {
-        /// What was written.
-        text: String,
-    },
-    /// The suffix is no unit of this kind.
-    #[error("`{}` is not a unit of this quantity (column {column}): use {accepted}{bare}", quoted(.unit))]
-    WrongUnit {
-        /// The suffix.
-        unit: String,
-        /// Where it begins.
-        column: usize,
-        /// The units that are accepted.
-        accepted: String,
-        /// What a number without a unit means, if it may stand.
-        bare: String,
-    },
+    fn not_finite(text: &str, quantity: Quantity) -> Self {
+        let (shown, example) = (quoted(text), quantity.example());
+        Self(format!("`{shown}` is not a finite number: write for example `{example}`"))
+    }
 }
 
 /// What was written, cut short where it would hide the rest of the sentence.
@@ -170,42 +136,45 @@ pub enum Bare {
 /// [`QuantityError`] when the text is empty, no number, not finite, or has a unit of another kind.
 pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, QuantityError> {
     let trimmed = text.trim();
-    let example = example_of(quantity);
+    let example = quantity.example();
     if trimmed.is_empty() {
-        return Err(QuantityError::Empty { example });
+        return Err(QuantityError(format!("empty: write a number, for example `{example}`")));
     }
-    let lead = text.chars().count() - text.trim_start().chars().count();
-    let (value, rest) = expression(trimmed).ok_or_else(|| QuantityError::NotANumber {
-        text: trimmed.to_owned(),
-        column: lead + 1 + number_prefix(trimmed),
-        example: example.clone(),
+    let (shown, column) =
+        (quoted(trimmed), 1 + text.chars().count() - text.trim_start().chars().count());
+    let (value, rest) = expression(trimmed).ok_or_else(|| {
+        let column = column + number_prefix(trimmed);
+        QuantityError(format!(
+            "`{shown}` is not a number (column {column}): write for example `{example}`"
+        ))
     })?;
     let unit = rest.trim();
     let needs_unit = bare == Bare::Si && quantity == Quantity::Angle;
     // Zero is the same in every unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
-        return Err(QuantityError::BareAngle { text: trimmed.to_owned() });
+        return Err(QuantityError(format!(
+            "`{shown}` is an angle without a unit: write `{shown} deg` or `{shown} rad`"
+        )));
     }
     let factor = if unit.is_empty() {
         table::STORED
     } else {
-        find_unit(unit, quantity).ok_or_else(|| QuantityError::WrongUnit {
-            unit: unit.to_owned(),
-            column: lead + 1 + trimmed.chars().count() - rest.trim_start().chars().count(),
-            accepted: quantity.accepted(),
-            bare: if needs_unit {
+        find_unit(unit, quantity).ok_or_else(|| {
+            let before = trimmed.chars().count() - rest.trim_start().chars().count();
+            let (column, accepted) = (column + before, quantity.accepted());
+            let bare = if needs_unit {
                 String::new()
             } else {
                 format!(", or no unit for {}", quantity.unit())
-            },
+            };
+            let unit = quoted(unit);
+            QuantityError(format!(
+                "`{unit}` is not a unit of this quantity (column {column}): use {accepted}{bare}"
+            ))
         })?
     };
     let scaled = value * factor.times / factor.over;
-    if scaled.is_finite() {
-        Ok(scaled)
-    } else {
-        Err(QuantityError::NotFinite { text: trimmed.to_owned(), example })
-    }
+    if scaled.is_finite() { Ok(scaled) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
 }
 
 /// The complaint, with its cure, about a range of which one end has a unit and the other has none. Zero is the same in every
@@ -254,11 +223,7 @@ pub fn parse_relative(
     } else {
         return parse(text, quantity, bare);
     };
-    if new.is_finite() {
-        Ok(new)
-    } else {
-        Err(QuantityError::NotFinite { text: trimmed.to_owned(), example: example_of(quantity) })
-    }
+    if new.is_finite() { Ok(new) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
 }
 
 fn find_unit(unit: &str, quantity: Quantity) -> Option<Unit> {
@@ -338,10 +303,6 @@ fn number_prefix(text: &str) -> usize {
         }
     }
     end
-}
-
-fn example_of(quantity: Quantity) -> String {
-    quantity.row().2.to_owned()
 }
 
 /// What is shown where there is no number: nothing shown is NaN or infinite.

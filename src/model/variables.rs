@@ -4,12 +4,13 @@
 //! not in [`VARIABLES`] does not exist for a user. Values outside the range the thesis searched are legal and
 //! earn a warning; values without physical sense are refused with name, value, what is allowed and the cure.
 
+use thiserror::Error;
+
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
 use crate::model::worded::worded;
 
 mod describe;
-mod error;
 mod names;
 mod springs;
 mod stack;
@@ -18,7 +19,6 @@ mod used;
 mod visible;
 
 pub use describe::used_when;
-pub use error::VariableError;
 pub use names::{find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
@@ -193,6 +193,11 @@ pub enum Value {
     Switch(bool),
 }
 
+/// Why a variable cannot be set, or values make no sense together, with the cure.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{0}")]
+pub struct VariableError(String);
+
 /// A legal value worth a second look.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeWarning {
@@ -215,7 +220,7 @@ impl Variable {
     /// Set the value, refusing what makes no physical sense by itself.
     ///
     /// # Errors
-    /// [`VariableError::Impossible`] or [`VariableError::NotAChoice`]; the scene is unchanged then.
+    /// [`VariableError`]; the scene is unchanged then.
     pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), VariableError> {
         match (&self.kind, value) {
             (Kind::Number(number), Value::Number(new)) => {
@@ -251,7 +256,7 @@ impl Variable {
                 let old = (number.get)(scene).unwrap_or(0.0);
                 let value =
                     units::parse_relative(text, old, number.quantity, bare).map_err(|problem| {
-                        VariableError::Unreadable { symbol: self.symbol, key: self.key, problem }
+                        VariableError(format!("{} ({}): {problem}", self.symbol, self.key))
                     })?;
                 if number.allowed.contains(value) {
                     Ok(Value::Number(value))
@@ -327,12 +332,8 @@ impl Variable {
     }
 
     fn not_a_choice(&self, text: &str) -> VariableError {
-        VariableError::NotAChoice {
-            symbol: self.symbol,
-            key: self.key,
-            text: text.to_owned(),
-            choices: self.allowed(),
-        }
+        let Self { symbol, key, .. } = self;
+        VariableError(format!("{symbol} ({key}) = `{text}` is not one of {}", self.allowed()))
     }
 
     fn impossible(&self, number: &Number, value: f64) -> VariableError {
@@ -353,14 +354,13 @@ impl Variable {
             }
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
-        VariableError::Impossible {
-            symbol: self.symbol,
-            key: self.key,
-            value: format!("{written} {unit}").trim_end_matches(" -").to_owned(),
-            meaning: self.meaning,
-            allowed: number.allowed.describe(number.quantity),
-            cure,
-        }
+        let value = format!("{written} {unit}");
+        let (value, allowed) =
+            (value.trim_end_matches(" -"), number.allowed.describe(number.quantity));
+        let Self { symbol, key, meaning, .. } = self;
+        VariableError(format!(
+            "{symbol} ({key}) = {value} is impossible: {meaning} must be {allowed}; {cure}"
+        ))
     }
 }
 
@@ -406,7 +406,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
         // Not `-d`, which is written as -0 where nothing is cocked.
         let start = 0.0 - scene.plate.cocking_m;
         if position < start {
-            return Err(VariableError::Together(format!(
+            return Err(VariableError(format!(
                 "x_stop (mechanism.stop.position_m) = {} m lies behind the plate's start at -d = {} m: it must be {} m or \
                  more; move the stop or reduce d",
                 units::shortest(position),

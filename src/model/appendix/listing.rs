@@ -107,9 +107,7 @@ impl Work<'_> {
     }
 
     fn spring(&self) -> PowerLaw {
-        let spring = &self.scene.mechanism.spring;
-        let law = PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent };
-        law.only_if(self.scene.plate.mount == Mount::Sprung)
+        self.scheme.plate().map_or(PowerLaw::NONE, |plate| plate.spring)
     }
 
     fn sample(&self, mode: Mode) -> Sample {

@@ -459,28 +459,7 @@ impl Problem {
 mod tests {
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
-
-    /// Decimal digits with an exponent or sign as in the stored file.
-    fn digits(text: &str) -> Number {
-        let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
-        let (negative, mantissa) =
-            mantissa.strip_prefix('-').map_or((false, mantissa), |rest| (true, rest));
-        let ten = Number::from(10.0);
-        let (mut value, mut decimals, mut after) = (Number::ZERO, 0, false);
-        for c in mantissa.chars() {
-            if c == '.' {
-                after = true;
-            } else {
-                value = value * ten + Number::from(f64::from(c.to_digit(10).unwrap()));
-                decimals += i32::from(after);
-            }
-        }
-        let shift = power.parse::<i32>().unwrap() - decimals;
-        for _ in 0..shift.abs() {
-            value = if shift < 0 { value / ten } else { value * ten };
-        }
-        if negative { -value } else { value }
-    }
+    use crate::numerics::double_double::digits;
 
     #[test]
     fn valid_every_stored_scene_but_the_stiffest_to_the_digits_that_are_trusted() {

@@ -151,13 +151,7 @@ impl Problem {
 
     /// The relative motion alone, for a plate that is rigid or free.
     pub(super) fn passage(&self, plate_moves: bool) -> Passage<'_> {
-        Passage {
-            geometry: &self.geometry,
-            mobility_per_kg: self.slip_mobility(plate_moves),
-            strength_pa: self.strength_pa,
-            drag_kg_m3: self.drag_kg_m3,
-            velocity_m_s: self.velocity_m_s,
-        }
+        Passage::unsprung(&self.scene, &self.geometry, plate_moves)
     }
 
     /// Depth at a travel, m; not a number where the contact model knows none.

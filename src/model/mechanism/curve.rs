@@ -208,9 +208,11 @@ impl Curve {
 
     /// Whether the force rises everywhere, so that each force belongs to one displacement.
     pub fn is_rising(&self) -> bool {
-        let mut rising = true;
-        self.look(|piece, x| rising = rising && piece.tangent(x) > 0.0);
-        rising
+        self.segments.pieces.iter().enumerate().all(|(region, piece)| {
+            let (low, high) = self.span(region);
+            let inside = (1..LOOKS).map(|i| low + (high - low) * i as f64 / LOOKS as f64);
+            inside.into_iter().all(|x| piece.tangent(x) > 0.0)
+        })
     }
 
     /// Where a function of the pieces changes sign, rising order not promised, m.
@@ -230,15 +232,6 @@ impl Curve {
             }
         }
         found
-    }
-
-    fn look(&self, mut at: impl FnMut(&Piece, f64)) {
-        for (region, piece) in self.segments.pieces.iter().enumerate() {
-            let (low, high) = self.span(region);
-            for i in 1..LOOKS {
-                at(piece, low + (high - low) * i as f64 / LOOKS as f64);
-            }
-        }
     }
 
     /// The ends of a stretch, finite ones in place of the infinite ones.

@@ -91,6 +91,13 @@ impl Default for Listing {
 }
 
 impl Listing {
+    /// As printed, but for depth, damper and obliquity, which are read so: corrected, depth follows from the whole relative travel, the
+    /// damper resists, and both couplings have obliquity's cosine.
+    pub fn coupled(step_s: f64, reading: Reading) -> Self {
+        let printed = Self::read(step_s, Reading::Printed);
+        Self { coupling: reading, damper: reading, obliquity: reading, ..printed }
+    }
+
     /// Everything put right that can be, with the same step.
     pub fn corrected(step_s: f64) -> Self {
         Self::read(step_s, Reading::Corrected)

@@ -12,14 +12,14 @@ const TITLE: usize = 12;
 /// The variable with this symbol, alias or full key.
 ///
 /// # Errors
-/// [`VariableError::Unknown`], with the nearest names.
+/// [`VariableError`], with the nearest names.
 pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let exact = VARIABLES.iter().find(|variable| {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
     });
     exact
         .or_else(|| describe::named(name))
-        .ok_or_else(|| VariableError::Unknown { name: name.to_owned(), hint: nearest(name) })
+        .ok_or_else(|| VariableError(format!("`{name}` is not a variable: {}", nearest(name))))
 }
 
 /// All symbols by group, a paragraph each, for people.

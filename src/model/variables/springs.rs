@@ -33,7 +33,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
 
 /// A refusal of values that make no sense together.
 fn refuse(text: String) -> Result<(), VariableError> {
-    Err(VariableError::Together(text))
+    Err(VariableError(text))
 }
 
 fn check_one(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
@@ -136,7 +136,7 @@ fn described(mechanism: &scene::Mechanism) -> String {
 /// For the stability map, whose axes are the thesis's own mechanism's.
 ///
 /// # Errors
-/// [`VariableError::Together`] when the scene has another one.
+/// [`VariableError`] when the scene has another one.
 pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
     if scene.plate.mount == Mount::Rigid || scene.mechanism.is_plain() {
         return Ok(());

@@ -10,7 +10,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     let stack = &scene.stack;
     let whole = stack.elements.fract() == 0.0;
     if !whole {
-        return Err(VariableError::Together(format!(
+        return Err(VariableError(format!(
             "elements (stack.elements) = {} is not whole: there are 1 to 50 of them; round it",
             units::shortest(stack.elements)
         )));
@@ -18,7 +18,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     if stack.base_thickness_m.is_none() {
         if stack.elements > 1.0 || !stack.layers.is_empty() {
             let elements = stack.elements + stack.layers.len() as f64;
-            return Err(VariableError::Together(format!(
+            return Err(VariableError(format!(
                 "elements (stack.elements, stack.layer) = {} without h_base (stack.base_thickness_m): a stack must end in a \
                  base plate; write its thickness, for example stack.base_thickness_m = 0.01, or leave the stack out",
                 units::shortest(elements)
@@ -27,7 +27,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
         return Ok(());
     }
     if scene.contact.model != ContactModel::Hydrodynamic {
-        return Err(VariableError::Together(format!(
+        return Err(VariableError(format!(
             "model (contact.model) = {} tells no velocity behind a plate, which a stack (stack.base_thickness_m) needs: set \
              model = hydrodynamic, or h_base = none",
             scene.contact.model.word()
@@ -39,7 +39,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
         let number = index + 1;
         super::validate(&own)
             .and_then(|()| springs::check(&own))
-            .map_err(|error| VariableError::Together(format!("stack.layer {number}: {error}")))?;
+            .map_err(|error| VariableError(format!("stack.layer {number}: {error}")))?;
     }
     Ok(())
 }
@@ -47,11 +47,11 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
 /// For studies that look at one plate.
 ///
 /// # Errors
-/// [`VariableError::Together`] when the scene is a stack.
+/// [`VariableError`] when the scene is a stack.
 pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
     match scene.stack.base_thickness_m {
         None => Ok(()),
-        Some(base) => Err(VariableError::Together(format!(
+        Some(base) => Err(VariableError(format!(
             "h_base (stack.base_thickness_m) = {} m makes the scene a stack, and this study looks at one plate: set h_base = none, \
              elements = 1",
             units::shortest(base)

@@ -33,14 +33,14 @@ pub fn critical_obliquity_deg(scene: &Scene) -> f64 {
 pub(super) fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target;
     if closure == Closure::Cavity && dishing {
-        return Err(VariableError::Together(
+        return Err(VariableError(
             "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
              material that holds it back: set dishing = off, or closure = double-yield"
                 .to_owned(),
         ));
     }
     if closure == Closure::Cavity && modulus_pa <= yield_pa {
-        return Err(VariableError::Together(format!(
+        return Err(VariableError(format!(
             "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
              body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",
             units::shortest(modulus_pa),
@@ -61,7 +61,7 @@ pub(super) fn check_interface_spring(scene: &Scene) -> Result<(), VariableError>
         return Ok(());
     }
     let (load, unload) = (units::shortest(load), units::shortest(unload));
-    Err(VariableError::Together(format!(
+    Err(VariableError(format!(
         "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
          more than it took; it must be {load} N/m or more, or `auto`"
     )))
@@ -70,13 +70,13 @@ pub(super) fn check_interface_spring(scene: &Scene) -> Result<(), VariableError>
 /// For what only makes sense of the hydrodynamic law.
 ///
 /// # Errors
-/// [`VariableError::Together`] when the scene asks for another model.
+/// [`VariableError`] when the scene asks for another model.
 pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
     let model = scene.contact.model;
     if model == ContactModel::Hydrodynamic {
         return Ok(());
     }
-    Err(VariableError::Together(format!(
+    Err(VariableError(format!(
         "model (contact.model) = {} is not for this study, which compares methods for the hydrodynamic law: set model = \
          hydrodynamic",
         model.word()

@@ -4,12 +4,12 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::{self, Coupling};
+use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_phase::{Answer, Ending, Phase, Refusal, Scheme, exact};
 use crate::model::impact::forced::{Forced, simulate_by};
 use crate::model::run::Run;
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::{InterfaceLaw, Reading, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::explicit::rk4::Crossing;
 
@@ -129,10 +129,10 @@ macro_rules! methods {
 methods! {
     /// Appendix A as printed.
     ThesisPrinted: 'T', "thesis as printed", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
-        |job| appendix::contact(&job.scene, job.value(), Coupling::Printed, job.steps_max);
+        |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max);
     /// Appendix A with its coupling and damper corrected.
     ThesisCorrected: 'M', "thesis, corrected", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
-        |job| appendix::contact(&job.scene, job.value(), Coupling::Corrected, job.steps_max);
+        |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max);
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4: 'R', "RK4, no events", OTHER, [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
         |job| job.phase(Scheme::Rk4 { dt_s: job.value(), crossing: Crossing::Notice });

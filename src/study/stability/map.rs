@@ -10,7 +10,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::appendix::{Coupling, Scheme};
+use crate::model::appendix::Scheme;
 use crate::model::contact_phase::Ending;
 use crate::model::contact_phase::section::Faces;
 use crate::model::scene::{Listing, Reading, Scene};
@@ -57,7 +57,7 @@ impl Method {
             Self::Thesis => Reading::Printed,
             Self::Rk4 => Reading::Corrected,
         };
-        Listing { scheme, ..Coupling::Corrected.listing(step_s) }
+        Listing { scheme, ..Listing::coupled(step_s, Reading::Corrected) }
     }
 
     /// Its name.

@@ -1,9 +1,9 @@
 //! Whether other methods get through a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use crate::model::appendix::{self, Coupling};
+use crate::model::appendix;
 use crate::model::contact_phase::{Ending, Phase, Refusal, Scheme};
 use crate::model::run::Run;
-use crate::model::scene::Scene;
+use crate::model::scene::{Reading, Scene};
 
 /// Tolerance the adaptive methods are asked for.
 pub const TOLERANCE: f64 = 1e-9;
@@ -193,6 +193,6 @@ fn of_refusal(refusal: Refusal) -> Verdict {
 }
 
 fn by_thesis(scene: &Scene, dt_s: f64) -> Result<Contact, Refusal> {
-    let answer = appendix::contact(scene, dt_s, Coupling::Printed, FIXED_STEPS_MAX)?;
+    let answer = appendix::contact(scene, dt_s, Reading::Printed, FIXED_STEPS_MAX)?;
     Ok(Contact::new(answer.ending, answer.depth_m, answer.t_s))
 }
