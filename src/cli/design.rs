@@ -88,7 +88,7 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
         output::note(&breach.to_string());
     }
     for warning in variables::range_warnings(&preset.scene) {
-        output::note(&warning.text);
+        output::note(&warning);
     }
     Ok(())
 }

@@ -294,7 +294,6 @@ fn cost(page: &mut String, computed: &Computed) {
         estimates(page, run);
     }
     if !run.omitted.is_empty() {
-        let words: Vec<&str> = run.omitted.iter().map(|omitted| omitted.words()).collect();
-        let _ = writeln!(page, "omitted terms (not needed here): {}", words.join(", "));
+        let _ = writeln!(page, "omitted terms (not needed here): {}", run.omitted.join(", "));
     }
 }

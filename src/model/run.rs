@@ -85,8 +85,8 @@ pub struct Run {
     pub stack: Option<Arc<StackRun>>,
     /// What the computation cost.
     pub cost: Cost,
-    /// What this scene did not need.
-    pub omitted: Vec<Omission>,
+    /// The terms that this scene did not need.
+    pub omitted: Vec<&'static str>,
     /// What a careful reader should know.
     pub warnings: Vec<Warning>,
 }
@@ -373,40 +373,8 @@ pub struct Cost {
     pub reason: &'static str,
 }
 
-worded! {
-    /// A term that a scene does not need, and that its run omits.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Omission: words {
-        /// No spring.
-        Spring = "spring",
-        /// No damper.
-        Damper = "damper",
-        /// No stop.
-        Stop = "stop",
-        /// The mount is rigid: the plate does not move.
-        PlateMotion = "plate motion",
-        /// The spring's exponent is a whole number: no power function.
-        SpringPower = "spring power function",
-        /// The damper's exponent is a whole number: no power function.
-        DamperPower = "damper power function",
-        /// Normal impact: no trigonometry, no oblique section.
-        Obliquity = "obliquity",
-        /// The exit face is out of reach.
-        ExitFace = "exit face",
-        /// Closed form instead of integration.
-        Integration = "integration (closed form)",
-        /// The interface is fused: no law to watch.
-        InterfaceLaw = "interface law",
-        /// No drag: the contact force does not depend on velocity.
-        Drag = "drag",
-        /// The mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
-        MechanismWithinContact = "plate motion within the contact (bounded below rounding)",
-        /// The greatest displacement follows from an energy balance or a closed form: the way there is not integrated.
-        WayOnward = "way to the greatest displacement (energy balance)",
-        /// Nobody asked for the series.
-        Series = "series",
-    }
-}
+/// What a run omits whose mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
+pub const STILL_WITHIN_CONTACT: &str = "plate motion within the contact (bounded below rounding)";
 
 impl Run {
     /// Final penetration over the rigid mount's, in percent; `None` where either does not exist or the plate is perforated.

@@ -198,15 +198,6 @@ pub enum Value {
 #[error("{0}")]
 pub struct VariableError(String);
 
-/// A legal value worth a second look.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RangeWarning {
-    /// The variable's symbol.
-    pub symbol: &'static str,
-    /// The sentence: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis has no figure there`.
-    pub text: String,
-}
-
 impl Variable {
     /// Read the value from a scene.
     pub fn value(&self, scene: &Scene) -> Value {
@@ -312,22 +303,22 @@ impl Variable {
         }
     }
 
-    /// A warning when the value is outside the range the thesis searched.
-    pub fn range_warning(&self, scene: &Scene) -> Option<RangeWarning> {
+    /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis has no
+    /// figure there`.
+    pub fn range_warning(&self, scene: &Scene) -> Option<String> {
         let Kind::Number(number) = &self.kind else {
             return None;
         };
         let (low, high) = number.thesis_range?;
         let value = (number.get)(scene)?;
-        (!(low..=high).contains(&value)).then(|| RangeWarning {
-            symbol: self.symbol,
-            text: format!(
+        (!(low..=high).contains(&value)).then(|| {
+            format!(
                 "{} = {} is outside {}..{} of Table 9.2: the thesis has no figure there",
                 self.symbol,
                 units::significant(value, 6),
                 units::shortest(low),
                 units::shortest(high)
-            ),
+            )
         })
     }
 
@@ -422,7 +413,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
 }
 
 /// Every value that is legal yet outside the range the thesis searched.
-pub fn range_warnings(scene: &Scene) -> Vec<RangeWarning> {
+pub fn range_warnings(scene: &Scene) -> Vec<String> {
     VARIABLES
         .iter()
         .filter(|variable| is_used(variable, scene))

@@ -287,7 +287,7 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
         ("method", Value::from(run.cost.method)),
         ("method_reason", Value::from(run.cost.reason)),
         ("run_time_s", Value::from(took_s)),
-        ("omitted", run.omitted.iter().map(|omitted| omitted.words()).collect()),
+        ("omitted", Value::from(run.omitted.clone())),
         ("warnings", Value::from(warnings(run))),
         ("energy_j", energy(&run.ledger)),
         (

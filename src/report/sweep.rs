@@ -126,10 +126,9 @@ impl Sheet<'_> {
             table = table.with(output.name, "", "", value);
         }
         if is_all {
-            let omitted = |run: &Run| run.omitted.iter().map(|it| it.words()).collect::<Vec<_>>();
             table = table
                 .with("method", "", "", move |row| Some(run(row)?.cost.method))
-                .with("omitted", "", "", move |row| Some(omitted(run(row)?).join("; ")))
+                .with("omitted", "", "", move |row| Some(run(row)?.omitted.join("; ")))
                 .with("warnings", "", "", move |row| {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::contact_phase::{Ending, Scheme};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EndReason, Mode, Omission, Outcome, Run, Sample};
+use crate::model::run::{EndReason, Mode, Outcome, Run, STILL_WITHIN_CONTACT, Sample};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
@@ -333,7 +333,7 @@ impl Peaks {
             if t_s > contact_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let run = simulate(scene, &settings, watch).map_err(|_invalid| EndReason::NonFinite)?;
-        let holds = run.omitted.contains(&Omission::MechanismWithinContact);
+        let holds = run.omitted.contains(&STILL_WITHIN_CONTACT);
         let mechanism = Mechanism::of(scene);
         let mass_kg = moving_plate_kg(scene);
         let (drag, cos) = (scene.drag_kg_m3(), scene.cos_obliquity());

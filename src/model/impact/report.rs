@@ -8,8 +8,8 @@ use crate::model::impact::problem::Problem;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, ModelNote, Omission, Outcome,
-    Run, Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, ModelNote, Outcome, Run,
+    STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
@@ -217,27 +217,28 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
     }
 }
 
-fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
+/// The terms that the scene did not need.
+fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<&'static str> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
     let answer = problem.answer;
     let reached = track.record.max_displacement_m;
     let onward = matches!(track.termination.farthest, MaximumDisplacement::Known(far) if far > reached * (1.0 + AS_FAR));
     let rows = [
-        (problem.rigid, Omission::PlateMotion),
-        (spring.is_absent(), Omission::Spring),
-        (damper.kind() == PowerKind::Absent, Omission::Damper),
-        (problem.mechanism.stop.is_none(), Omission::Stop),
-        (spring.power().is_some_and(|law| whole(law.kind())), Omission::SpringPower),
-        (whole(damper.kind()), Omission::DamperPower),
-        (problem.geometry.nose.sin == 0.0, Omission::Obliquity),
-        (!problem.flows() || track.body.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
-        (track.control.steps == 0, Omission::Integration),
-        (answer == Answer::Fixed, Omission::MechanismWithinContact),
-        (!problem.plastic, Omission::InterfaceLaw),
-        (problem.drag_kg_m3 == 0.0, Omission::Drag),
-        (onward, Omission::WayOnward),
-        (!track.record.keep_series, Omission::Series),
+        (problem.rigid, "plate motion"),
+        (spring.is_absent(), "spring"),
+        (damper.kind() == PowerKind::Absent, "damper"),
+        (problem.mechanism.stop.is_none(), "stop"),
+        (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
+        (whole(damper.kind()), "damper power function"),
+        (problem.geometry.nose.sin == 0.0, "obliquity"),
+        (!problem.flows() || track.body.deepest_m <= problem.geometry.bend_m, "exit face"),
+        (track.control.steps == 0, "integration (closed form)"),
+        (answer == Answer::Fixed, STILL_WITHIN_CONTACT),
+        (!problem.plastic, "interface law"),
+        (problem.drag_kg_m3 == 0.0, "drag"),
+        (onward, "way to the greatest displacement (energy balance)"),
+        (!track.record.keep_series, "series"),
     ];
     rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
 }

@@ -306,7 +306,7 @@ pub fn warnings(run: &Run) -> Vec<String> {
     let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
     let others = run.warnings.iter().filter(|warning| check_of(warning).is_none());
     list.extend(others.map(ToString::to_string));
-    list.extend(variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text));
+    list.extend(variables::range_warnings(&run.scene));
     list
 }
 

@@ -405,9 +405,9 @@ pub fn fitted(title: &str, width: usize) -> String {
 
 /// What a run could do without, in full and as a number.
 fn left_out(run: &Run) -> Option<StatusPart> {
-    let words: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
-    let full = format!("omitted terms: {}", words.join(", "));
-    (!words.is_empty()).then(|| (Severity::Note, full, format!("{} terms omitted", words.len())))
+    let (omitted, count) = (run.omitted.join(", "), run.omitted.len());
+    let (full, short) = (format!("omitted terms: {omitted}"), format!("{count} terms omitted"));
+    (count > 0).then_some((Severity::Note, full, short))
 }
 
 /// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.

@@ -55,7 +55,7 @@ pub(in crate::tui) fn set(
         .filter(|breach| before.iter().all(|old| old.check != breach.check))
         .find(|breach| breach.check.symbol() == variable.symbol)
         .map(|breach| breach.to_string());
-    let warning = breach.or_else(|| variable.range_warning(&scene).map(|warning| warning.text));
+    let warning = breach.or_else(|| variable.range_warning(&scene));
     let effects = commit_scene(app, scene, label, stepping);
     if let Some(warning) = warning {
         app.say(Severity::Warning, warning);

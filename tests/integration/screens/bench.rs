@@ -9,7 +9,7 @@ use std::time::Duration;
 use cmra::files::export::Destination;
 use cmra::model::run::{
     Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
-    Omission, Outcome, Run, Sample, Warning,
+    Outcome, Run, Sample, Warning,
 };
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
@@ -397,7 +397,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         mechanism: cmra::model::run::MechanismLoad::default(),
         stack: None,
         cost: cost(rigid),
-        omitted: vec![Omission::Damper, Omission::Stop, Omission::SpringPower, Omission::Obliquity],
+        omitted: vec!["damper", "stop", "spring power function", "obliquity"],
         warnings: Vec::new(),
     };
     if rigid {

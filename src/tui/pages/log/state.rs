@@ -180,8 +180,8 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
             }
         },
     );
-    let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
-    let omitted = if omitted.is_empty() { "nothing".to_owned() } else { omitted.join(", ") };
+    let omitted =
+        if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
     let cost = &run.cost;
     for (name, text) in [
         ("method", format!("{}: {}", cost.method, cost.reason)),
