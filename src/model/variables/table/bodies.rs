@@ -6,6 +6,33 @@ use crate::model::units::Quantity;
 use crate::model::variables::visible::{Visible, is_oblique, is_sprung, uses_target};
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable, springs};
 
+/// What gives the plate's size instead of gamma.
+macro_rules! size {
+    ($quantity:ident, $key:ident, $size:ident) => {
+        variable!(
+            plate.$key,
+            Kind::Number(Number {
+                absent: Some("none"),
+                get: |scene| match scene.plate.size {
+                    PlateSize::$size(value) => Some(value),
+                    _ => None,
+                },
+                set: |scene, value| match (value, scene.plate.size) {
+                    (Some(value), _) => scene.resize(PlateSize::$size(value)),
+                    (None, PlateSize::$size(_)) => scene.resize(PlateSize::Ratio),
+                    (None, _) => {}
+                },
+                ..Number::of(Quantity::$quantity, Allowed::Positive)
+            })
+        )
+        .visible_when(Visible {
+            listed: |scene| matches!(scene.plate.size, PlateSize::$size(_)),
+            used: is_sprung,
+        })
+        .from("none: gamma gives the mass")
+    };
+}
+
 /// Projectile, target and plate.
 pub(super) const ROWS: &[Variable] = &[
     sizing!(Mass, projectile.mass_kg)
@@ -114,53 +141,13 @@ pub(super) const ROWS: &[Variable] = &[
     .used_when(is_sprung)
     .means("mass ratio, plate mass over projectile mass")
     .from(TABLE_9_2),
-    variable!(
-        plate.mass_kg,
-        Kind::Number(Number {
-            absent: Some("none"),
-            get: |scene| match scene.plate.size {
-                PlateSize::Mass(kg) => Some(kg),
-                PlateSize::Ratio | PlateSize::Face(_) => None,
-            },
-            set: |scene, value| match (value, scene.plate.size) {
-                (Some(kg), _) => scene.resize(PlateSize::Mass(kg)),
-                (None, PlateSize::Mass(_)) => scene.resize(PlateSize::Ratio),
-                (None, PlateSize::Ratio | PlateSize::Face(_)) => {}
-            },
-            ..Number::of(Quantity::Mass, Allowed::Positive)
-        })
-    )
-    .named("m_2", "plate mass")
-    .also(&["m2"])
-    .visible_when(Visible {
-        listed: |scene| matches!(scene.plate.size, PlateSize::Mass(_)),
-        used: is_sprung,
-    })
-    .means("plate mass; gamma = m_2/m_p follows from it")
-    .from("none: gamma gives the mass"),
-    variable!(
-        plate.face_m,
-        Kind::Number(Number {
-            absent: Some("none"),
-            get: |scene| match scene.plate.size {
-                PlateSize::Face(side_m) => Some(side_m),
-                PlateSize::Ratio | PlateSize::Mass(_) => None,
-            },
-            set: |scene, value| match (value, scene.plate.size) {
-                (Some(side_m), _) => scene.resize(PlateSize::Face(side_m)),
-                (None, PlateSize::Face(_)) => scene.resize(PlateSize::Ratio),
-                (None, PlateSize::Ratio | PlateSize::Mass(_)) => {}
-            },
-            ..Number::of(Quantity::Length, Allowed::Positive)
-        })
-    )
-    .named("face", "plate side")
-    .visible_when(Visible {
-        listed: |scene| matches!(scene.plate.size, PlateSize::Face(_)),
-        used: is_sprung,
-    })
-    .means("side of the plate's square face; gamma = rho h face^2/m_p follows from it")
-    .from("none: gamma gives the mass"),
+    size!(Mass, mass_kg, Mass)
+        .named("m_2", "plate mass")
+        .also(&["m2"])
+        .means("plate mass; gamma = m_2/m_p follows from it"),
+    size!(Length, face_m, Face)
+        .named("face", "plate side")
+        .means("side of the plate's square face; gamma = rho h face^2/m_p follows from it"),
     number!(Length, Allowed::NonNegative, plate.cocking_m)
         .named("d", "cocking distance")
         .searched(Some((0.0, 0.5)))
