@@ -7,11 +7,11 @@ use crate::cli::table::at_top;
 use crate::files::clean;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::envelope::warnings;
-use crate::model::run::{EstimateBasis, Outcome, Run};
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
 use crate::report::figures::run::event_letter;
-use crate::report::run::energy_terms;
+use crate::report::run::{energy_terms, estimate_words};
 use crate::study::quantities;
 
 /// Width of the first column.
@@ -244,11 +244,6 @@ fn estimated_quantity(run: &Run) -> &'static str {
     if run.outcome == Outcome::Perforated { "exit time" } else { "depth" }
 }
 
-/// That nothing is known of the error.
-fn unknown_estimate(other: Outcome) -> String {
-    format!("error estimate unknown: outcome differs (a second, tighter computation ends {other})")
-}
-
 /// The greatest of the other results' own estimates.
 fn estimates(page: &mut String, run: &Run) {
     let greatest = run.error_estimates.iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
@@ -276,21 +271,8 @@ fn cost(page: &mut String, computed: &Computed) {
         cost.rejected,
         cost.rhs_evaluations
     );
-    if let Some(estimate) = run.error_estimate {
-        let basis = match estimate.basis {
-            EstimateBasis::ClosedForm => "closed form, rounding only",
-            EstimateBasis::SecondComputation => "from a second, tighter computation",
-            EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
-            EstimateBasis::OutcomeDiffers(other) => {
-                let _ = writeln!(page, "{}", unknown_estimate(other));
-                ""
-            }
-        };
-        if estimate.relative.is_finite() {
-            let what = estimated_quantity(run);
-            let _ =
-                writeln!(page, "error estimate {:.1e} of the {what} ({basis})", estimate.relative);
-        }
+    if let Some(estimate) = estimate_words(run, &format!(" of the {}", estimated_quantity(run))) {
+        let _ = writeln!(page, "error estimate {estimate}");
         estimates(page, run);
     }
     if !run.omitted.is_empty() {

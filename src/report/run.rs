@@ -341,6 +341,22 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
     value.into()
 }
 
+/// The estimate of the error of what is named, and what it rests on, in words; `None` where nothing was estimated.
+pub fn estimate_words(run: &Run, what: &str) -> Option<String> {
+    let estimate = run.error_estimate?;
+    let basis = match estimate.basis {
+        EstimateBasis::ClosedForm => "closed form, rounding only",
+        EstimateBasis::SecondComputation => "from a second, tighter computation",
+        EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
+        EstimateBasis::OutcomeDiffers(other) => {
+            return Some(format!(
+                "unknown: outcome differs (a second, tighter computation ends {other})"
+            ));
+        }
+    };
+    Some(format!("{:.1e}{what} ({basis})", estimate.relative))
+}
+
 /// The relative error estimate of each result.
 fn estimates(run: &Run) -> Value {
     let rows = run.error_estimates.iter();

@@ -281,7 +281,7 @@ fn hidden_labels_leave_their_row_to_the_plot() {
 fn charts_without_room_draw_what_fits() {
     let chart = small(vec![Curve::new('*', "now", &RISING)]);
     assert_eq!(chart.to_lines(0, 0, Theme::PLAIN), [""; 0]);
-    assert_eq!(chart.to_lines(1, 1, Theme::PLAIN), [""]);
+    assert_eq!(chart.to_lines(1, 1, Theme::PLAIN), ["+"]);
     assert_eq!(
         chart.to_lines(10, 4, Theme::PLAIN),
         ["+- y [m] +", "|    ****|", "|****    |", "+--------+"]

@@ -7,6 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use ratatui::buffer::Buffer;
+use ratatui::symbols::border;
 
 /// A set of characters to draw with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -67,6 +68,14 @@ impl GlyphSet {
         }
     }
 
+    /// The frames of panes in this set.
+    pub(super) fn border(self) -> border::Set<'static> {
+        match self {
+            Self::Ascii => ASCII_BORDER,
+            Self::Block | Self::Braille => border::PLAIN,
+        }
+    }
+
     /// The lines and joints of this set.
     pub fn lines(self) -> &'static Lines {
         match self {
@@ -123,14 +132,12 @@ impl FromStr for GlyphChoice {
     }
 }
 
-/// The characters of borders, axes and rules.
+/// The characters of axes and rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the names say where each character stands")]
 pub struct Lines {
     pub horizontal: char,
     pub vertical: char,
-    pub top_left: char,
-    pub top_right: char,
     pub bottom_left: char,
     pub bottom_right: char,
     /// Tick of an axis at the left of a plot.
@@ -149,11 +156,20 @@ pub struct Lines {
     pub crosshair: char,
 }
 
+const ASCII_BORDER: border::Set<'static> = border::Set {
+    top_left: "+",
+    top_right: "+",
+    bottom_left: "+",
+    bottom_right: "+",
+    vertical_left: "|",
+    vertical_right: "|",
+    horizontal_top: "-",
+    horizontal_bottom: "-",
+};
+
 const ASCII_LINES: Lines = Lines {
     horizontal: '-',
     vertical: '|',
-    top_left: '+',
-    top_right: '+',
     bottom_left: '+',
     bottom_right: '+',
     tick_left: '+',
@@ -168,8 +184,6 @@ const ASCII_LINES: Lines = Lines {
 const BLOCK_LINES: Lines = Lines {
     horizontal: '─',
     vertical: '│',
-    top_left: '┌',
-    top_right: '┐',
     bottom_left: '└',
     bottom_right: '┘',
     tick_left: '┤',
@@ -307,9 +321,8 @@ mod tests {
     fn every_line_of_every_set_has_an_ascii_form() {
         for set in [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille] {
             let l = set.lines();
-            let corners = [l.top_left, l.top_right, l.bottom_left, l.bottom_right];
-            let ticks = [l.tick_left, l.tick_right, l.tick_below];
-            assert!(corners.iter().chain(&ticks).all(|c| ascii(*c) == '+'));
+            let ticks = [l.bottom_left, l.bottom_right, l.tick_left, l.tick_right, l.tick_below];
+            assert!(ticks.iter().all(|c| ascii(*c) == '+'));
             assert_eq!([l.horizontal, l.vertical].map(ascii), ['-', '|']);
             assert_eq!([l.event, l.level, l.crosshair].map(ascii)[0], ':');
         }

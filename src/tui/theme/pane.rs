@@ -3,7 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use ratatui::text::Line;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme};
 
@@ -49,79 +50,45 @@ impl<'a> PaneFrame<'a> {
         self
     }
 
+    /// The sides that are drawn.
+    fn block(&self) -> Block<'_> {
+        let without = if self.open_below { Borders::BOTTOM } else { Borders::NONE };
+        Block::new().borders(Borders::ALL.difference(without))
+    }
+
     /// What is inside the frame.
     pub fn inner(&self, area: Rect) -> Rect {
-        let below = u16::from(!self.open_below);
-        Rect {
-            x: area.x.saturating_add(u16::from(area.width > 0)),
-            y: area.y.saturating_add(u16::from(area.height > 0)),
-            width: area.width.saturating_sub(2),
-            height: area.height.saturating_sub(1 + below),
-        }
+        self.block().inner(area)
     }
 
     /// Draws the frame and gives what is inside.
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Rect {
-        let inner = self.inner(area);
         let area = area.intersection(buffer.area);
-        if area.width < 2 || area.height < 1 {
-            return inner.intersection(area);
-        }
-        let role = if self.focused { Role::Focus } else { Role::Border };
-        self.draw_lines(area, buffer, theme, theme.style(role));
-        self.draw_titles(area, buffer, theme.title(self.focused));
-        inner.intersection(area)
-    }
-
-    fn draw_lines(&self, area: Rect, buffer: &mut Buffer, theme: Theme, style: Style) {
-        let lines = theme.lines();
-        let (left, right) = (area.left(), area.right() - 1);
-        let (top, bottom) = (area.top(), area.bottom() - 1);
-        let mut put = |x: u16, y: u16, c: char| {
-            buffer[(x, y)].set_char(c).set_style(style);
-        };
-        for y in top..=bottom {
-            put(left, y, lines.vertical);
-            put(right, y, lines.vertical);
-        }
-        if !self.open_below && bottom > top {
-            for x in left..=right {
-                put(x, bottom, lines.horizontal);
-            }
-            put(left, bottom, lines.bottom_left);
-            put(right, bottom, lines.bottom_right);
-        }
-        for x in left..=right {
-            put(x, top, lines.horizontal);
-        }
-        put(left, top, lines.top_left);
-        put(right, top, lines.top_right);
-    }
-
-    fn draw_titles(&self, area: Rect, buffer: &mut Buffer, style: Style) {
+        let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
+        let set = theme.glyphs.border();
         // corner, line, blank, title, blank ... blank, right, blank, corner
-        let room = area.width.saturating_sub(5);
-        let title_width = width(&self.title).min(room);
-        if title_width > 0 {
-            let x = area.x + 2;
-            buffer[(x, area.y)].set_char(' ');
-            let title = self.title.clone().patch_style(style);
-            let end = buffer.set_line(x + 1, area.y, &title, title_width).0;
-            buffer[(end, area.y)].set_char(' ');
+        let line = Span::styled(set.horizontal_top, border);
+        let styled = |text: &Line<'a>, style: Style| -> Vec<Span<'a>> {
+            let spans = text.spans.iter().cloned();
+            spans.map(|span| span.patch_style(text.style).patch_style(style)).collect()
+        };
+        let mut block = self.block().border_set(set).border_style(border);
+        if self.title.width() > 0 {
+            let title = styled(&self.title, theme.title(self.focused));
+            block = block
+                .title_top(Line::from([vec![line, " ".into()], title, vec![" ".into()]].concat()));
         }
-        let right_width = width(&self.right);
-        let used = 2 + title_width + 2 + 1;
-        if right_width > 0 && used + right_width + 3 <= area.width {
-            let x = area.right() - 2 - right_width;
-            buffer[(x - 1, area.y)].set_char(' ');
-            let end = buffer.set_line(x, area.y, &self.right, right_width).0;
-            buffer[(end, area.y)].set_char(' ');
+        if self.right.width() > 0
+            && self.title.width() + self.right.width() + 8 <= usize::from(area.width)
+        {
+            let right = styled(&self.right, Style::new());
+            let right = Line::from([vec![" ".into()], right, vec![" ".into()]].concat());
+            block = block.title_top(right.right_aligned());
         }
+        let inner = block.inner(area);
+        block.render(area, buffer);
+        inner
     }
-}
-
-fn width(line: &Line<'_>) -> u16 {
-    u16::try_from(line.width()).unwrap_or(u16::MAX / 2).min(u16::MAX / 2)
 }
 
 #[cfg(test)]
@@ -153,7 +120,7 @@ mod tests {
     fn a_narrow_frame_drops_the_right_part_then_cuts_the_title() {
         let pane = PaneFrame::new("Runs").right("t [us]");
         assert_eq!(lines(&pane, 12, 2), ["+- Runs ---+", "+----------+"]);
-        assert_eq!(lines(&pane, 7, 1), ["+- Ru +"]);
+        assert_eq!(lines(&pane, 7, 1), ["+- Run+"]);
         assert_eq!(lines(&pane, 3, 1), ["+-+"]);
     }
 

@@ -1,8 +1,8 @@
 //! What the Log tab says about the run on the screen and about this session, as lines with a meaning. No drawing.
 
-use crate::model::run::{EnergyLedger, EstimateBasis, Run, envelope};
+use crate::model::run::{EnergyLedger, Run, envelope};
 use crate::report::figures::run::event_letter;
-use crate::report::run::{EnergyTerm, energy_terms};
+use crate::report::run::{EnergyTerm, energy_terms, estimate_words};
 use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::app::status::wrap;
@@ -163,23 +163,7 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
 
 fn cost(lines: &mut Vec<LogLine>, run: &Run) {
     heading(lines, "Computation");
-    let estimate = run.error_estimate.map_or_else(
-        || "not estimated".to_owned(),
-        |estimate| match estimate.basis {
-            EstimateBasis::ClosedForm => {
-                format!("{:.1e} (closed form: only rounding is left)", estimate.relative)
-            }
-            EstimateBasis::SecondComputation => {
-                format!("{:.1e} (difference to a second, tighter computation)", estimate.relative)
-            }
-            EstimateBasis::HalfStep => {
-                format!("{:.1e} (twice the difference to half the step)", estimate.relative)
-            }
-            EstimateBasis::OutcomeDiffers(other) => {
-                format!("unknown: outcome differs (a tighter computation ends {other})")
-            }
-        },
-    );
+    let estimate = estimate_words(run, "").unwrap_or_else(|| "not estimated".to_owned());
     let omitted =
         if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
     let cost = &run.cost;
