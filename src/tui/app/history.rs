@@ -37,21 +37,35 @@ pub enum Setting {
     Weights([f64; 7]),
 }
 
+/// What an edit changed, before and after.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Change {
+    /// The scene, or what it is compared with.
+    Scene(Snapshot, Snapshot),
+    /// The setup of a tab.
+    Setting(Setting, Setting),
+    /// A pin was taken away.
+    Unpinned(Pin),
+}
+
 /// One edit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
     /// What was done: `gamma 1 -> 1.25`.
     pub label: String,
-    /// Before it.
-    pub before: Snapshot,
-    /// After it.
-    pub after: Snapshot,
-    /// The pin it took away: then the scene is the same before and after.
-    pub unpinned: Option<Pin>,
-    /// The setup of a tab that it changed, before and after: then the scene is the same before and after, too.
-    pub setting: Option<(Setting, Setting)>,
+    /// What it changed.
+    pub change: Change,
     /// The variable it was stepped with, while further steps still belong to it.
     pub stepping: Option<usize>,
+}
+
+impl Edit {
+    fn pin(&mut self) -> Option<&mut Pin> {
+        match &mut self.change {
+            Change::Unpinned(pin) => Some(pin),
+            Change::Scene(..) | Change::Setting(..) => None,
+        }
+    }
 }
 
 /// The edits of the session, oldest first; those from `done` on have been undone.
@@ -66,7 +80,7 @@ pub struct History {
 impl History {
     /// Add an edit; what had been undone is forgotten. A further step of the same variable extends the last edit.
     pub fn push(&mut self, mut edit: Edit) {
-        if let Some(pin) = &mut edit.unpinned {
+        if let Some(pin) = edit.pin() {
             pin.run.take_if(|run| run.series.len() > ROWS_MAX);
         }
         self.edits.truncate(self.done);
@@ -74,20 +88,27 @@ impl History {
             && edit.stepping.is_some()
             && last.stepping == edit.stepping
         {
-            last.after = edit.after;
             last.label = edit.label;
-            if let (Some((_, last)), Some((_, new))) = (&mut last.setting, edit.setting) {
-                *last = new;
+            match (&mut last.change, edit.change) {
+                (Change::Scene(_, after), Change::Scene(_, new)) => *after = new,
+                (Change::Setting(_, after), Change::Setting(_, new)) => *after = new,
+                (_, change) => last.change = change,
             }
             return;
         }
         self.edits.push(edit);
         self.edits.drain(..self.edits.len().saturating_sub(EDITS_MAX));
         self.done = self.edits.len();
-        let taken = self.edits.iter_mut().rev().filter_map(|edit| edit.unpinned.as_mut());
+        let taken = self.edits.iter_mut().rev().filter_map(Edit::pin);
         if let Some(pin) = taken.skip(RESULTS_KEPT).find(|pin| pin.run.is_some()) {
             pin.run = None;
         }
+    }
+
+    /// What the edit changed that a further step of this variable extends.
+    pub fn extended(&self, stepping: Option<usize>) -> Option<&Change> {
+        let last = self.edits.last()?;
+        (stepping.is_some() && last.stepping == stepping).then_some(&last.change)
     }
 
     /// Further steps start a new edit.
@@ -101,21 +122,6 @@ impl History {
     pub fn undo(&mut self) -> Option<&Edit> {
         self.done = self.done.checked_sub(1)?;
         self.edits.get(self.done)
-    }
-
-    /// The pins that some of the edits took away.
-    pub fn unpinned(&self, edits: std::ops::Range<usize>) -> Vec<Pin> {
-        let edits = self.edits.get(edits).unwrap_or_default();
-        edits.iter().filter_map(|edit| edit.unpinned.clone()).collect()
-    }
-
-    /// The setups of tabs on the way from here to the state after the first `done` edits, in this order.
-    pub fn settings_to(&self, done: usize) -> Vec<Setting> {
-        let of = |range: std::ops::Range<usize>| {
-            self.edits.get(range).unwrap_or_default().iter().filter_map(|it| it.setting.clone())
-        };
-        let back = of(done.min(self.done)..self.done).map(|it| it.0).rev().collect::<Vec<_>>();
-        back.into_iter().chain(of(self.done.min(done)..done).map(|it| it.1)).collect()
     }
 
     /// Do the last undone edit again; gives it.
@@ -139,9 +145,8 @@ mod tests {
         let at = Snapshot { scene, base };
         let mut history = History::default();
         for number in 0..2500 {
-            let (before, after, label) = (at.clone(), at.clone(), number.to_string());
-            let (unpinned, setting, stepping) = (None, None, None);
-            history.push(Edit { label, before, after, unpinned, setting, stepping });
+            let (change, label) = (Change::Scene(at.clone(), at.clone()), number.to_string());
+            history.push(Edit { label, change, stepping: None });
         }
         assert_eq!((history.edits.len(), history.done), (EDITS_MAX, EDITS_MAX));
         assert_eq!(history.edits[0].label, "1500");
@@ -153,8 +158,6 @@ mod tests {
         let scene = Arc::new(Scene::default());
         let go_on = &mut |_| std::ops::ControlFlow::Continue(());
         let run = Arc::new(simulate(&scene, &Settings::default(), go_on).unwrap());
-        let base = Base { name: String::new(), origin: Origin::Bundled, scene: Arc::clone(&scene) };
-        let at = Snapshot { scene: Arc::clone(&scene), base };
         let mut history = History::default();
         for _ in 0..100 {
             let pin = Pin {
@@ -165,19 +168,15 @@ mod tests {
                 visible: true,
                 job: None,
             };
-            let (before, after, label) = (at.clone(), at.clone(), String::new());
             history.push(Edit {
-                label,
-                before,
-                after,
-                unpinned: Some(pin),
-                setting: None,
+                label: String::new(),
+                change: Change::Unpinned(pin),
                 stepping: None,
             });
         }
         // The hundred edits are all there, and the pins; of the results the newest.
-        assert_eq!(history.unpinned(0..100).len(), 100);
+        assert_eq!(history.edits.iter_mut().filter_map(Edit::pin).count(), 100);
         assert_eq!(Arc::strong_count(&run), 1 + RESULTS_KEPT);
-        assert!(history.undo().is_some_and(|edit| edit.unpinned.as_ref().unwrap().run.is_some()));
+        assert!(history.edits.last_mut().unwrap().pin().unwrap().run.is_some());
     }
 }

@@ -6,7 +6,7 @@ use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
-use crate::tui::app::history::{Edit, Setting, Snapshot};
+use crate::tui::app::history::{Change, Edit, Setting, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::dialogs::wrap;
@@ -40,13 +40,12 @@ pub(in crate::tui) fn set(
     if scene == *app.scene {
         return Ok(Vec::new());
     }
-    let old = match app.history.edits.last() {
+    let old = match app.history.extended(stepping) {
         // Held arrows: from where they began.
-        Some(last) if stepping.is_some() && last.stepping == stepping => {
-            shown_value(variable, &last.before.scene, WIDE)
-        }
-        _ => shown_value(variable, &app.scene, WIDE),
+        Some(Change::Scene(first, _)) => &first.scene,
+        _ => &app.scene,
     };
+    let old = shown_value(variable, old, WIDE);
     let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene, WIDE));
     // What was outside before is marked in the list; what comes to be outside is said.
     let before = envelope::of_scene(&app.scene);
@@ -119,17 +118,19 @@ pub(in crate::tui) fn load(app: &mut App, base: Base) -> Vec<Effect> {
 }
 
 fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
-    let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
-    let edit =
-        Edit { label, before, after: after.clone(), unpinned: None, setting: None, stepping };
-    app.history.push(edit);
+    let change = Change::Scene(snapshot(app), after.clone());
+    app.history.push(Edit { label, change, stepping });
     app.first_run = false;
-    install(app, after)
+    (app.scene, app.base) = (after.scene, after.base);
+    follow(app)
 }
 
-fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
-    app.scene = snapshot.scene;
-    app.base = snapshot.base;
+fn snapshot(app: &App) -> Snapshot {
+    Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() }
+}
+
+/// What follows from another scene.
+fn follow(app: &mut App) -> Vec<Effect> {
     let mut effects = jobs::after_edit(app);
     effects.extend(explore::keys::after_edit(app));
     effects.push(Effect::SaveSession);
@@ -139,26 +140,17 @@ fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
 /// Note that a pin was taken away, as one edit.
 pub(in crate::tui) fn note_unpinned(app: &mut App, pin: Pin) {
     let label = format!("unpin {}: {}", pin.letter, pin.name);
-    let edit = Edit { unpinned: Some(pin), ..beside_the_scene(app, label) };
-    app.history.push(edit);
+    app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
 }
 
 /// Note that the setup of a tab was changed, as one edit; `stepping` joins it with the steps just before.
 pub(in crate::tui) fn note_setting(
     app: &mut App,
-    setting: (Setting, Setting),
+    (before, after): (Setting, Setting),
     label: String,
     stepping: Option<usize>,
 ) {
-    let edit = Edit { setting: Some(setting), stepping, ..beside_the_scene(app, label) };
-    app.history.push(edit);
-}
-
-/// An edit that leaves the scene alone.
-fn beside_the_scene(app: &App, label: String) -> Edit {
-    let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
-    let after = before.clone();
-    Edit { label, before, after, unpinned: None, setting: None, stepping: None }
+    app.history.push(Edit { label, change: Change::Setting(before, after), stepping });
 }
 
 /// Set a tab up as it was, or will be again.
@@ -179,54 +171,59 @@ fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
 
 /// Take the last edit back.
 pub(in crate::tui) fn undo(app: &mut App) -> Vec<Effect> {
-    let Some(edit) = app.history.undo().cloned() else {
+    let Some(last) = app.history.done.checked_sub(1) else {
         app.say(Severity::Note, "nothing to undo");
         return Vec::new();
     };
-    app.say(Severity::Note, format!("undone: {} (Ctrl-r redoes)", edit.label));
-    match (edit.unpinned, edit.setting) {
-        (Some(pin), _) => runs::keys::put_back(app, pin),
-        (None, Some((before, _))) => set_up(app, before),
-        (None, None) => install(app, edit.before),
-    }
+    let label = app.history.edits[last].label.clone();
+    app.say(Severity::Note, format!("undone: {label} (Ctrl-r redoes)"));
+    go_to(app, last)
 }
 
 /// Do the last undone edit again.
 pub(in crate::tui) fn redo(app: &mut App) -> Vec<Effect> {
-    let Some(edit) = app.history.redo().cloned() else {
+    let done = app.history.done;
+    let Some(label) = app.history.edits.get(done).map(|edit| edit.label.clone()) else {
         app.say(Severity::Note, "nothing to redo");
         return Vec::new();
     };
-    app.say(Severity::Note, format!("redone: {}", edit.label));
-    match (edit.unpinned, edit.setting) {
-        (Some(pin), _) => runs::keys::take_away(app, &pin),
-        (None, Some((_, after))) => set_up(app, after),
-        (None, None) => install(app, edit.after),
-    }
+    app.say(Severity::Note, format!("redone: {label}"));
+    go_to(app, done + 1)
 }
 
-/// Go to the state after the first `done` edits.
+/// Go to the state after the first `done` edits, and say so.
 pub(in crate::tui) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
     let done = done.min(app.history.edits.len());
     if done == app.history.done {
         return Vec::new();
     }
-    let snapshot = match done.checked_sub(1).and_then(|at| app.history.edits.get(at)) {
-        Some(edit) => edit.after.clone(),
-        None => app.history.edits[0].before.clone(),
-    };
-    let mut effects = Vec::new();
-    let here = app.history.done;
-    let back = app.history.unpinned(done.min(here)..here);
-    effects.extend(back.into_iter().flat_map(|pin| runs::keys::put_back(app, pin)));
-    let gone = app.history.unpinned(here.min(done)..done);
-    effects.extend(gone.into_iter().flat_map(|pin| runs::keys::take_away(app, &pin)));
-    for setting in app.history.settings_to(done) {
-        effects.extend(set_up(app, setting));
-    }
-    app.history.done = done;
     app.say(Severity::Note, format!("back to the state after edit {done}"));
-    effects.extend(install(app, snapshot));
+    go_to(app, done)
+}
+
+/// Undo or redo until the first `done` edits are in force.
+fn go_to(app: &mut App, done: usize) -> Vec<Effect> {
+    let before = snapshot(app);
+    let mut effects = Vec::new();
+    while app.history.done != done {
+        let forward = app.history.done < done;
+        let edit = if forward { app.history.redo() } else { app.history.undo() };
+        let Some(change) = edit.map(|edit| edit.change.clone()) else { break };
+        match change {
+            Change::Scene(before, after) => {
+                let there = if forward { after } else { before };
+                (app.scene, app.base) = (there.scene, there.base);
+            }
+            Change::Setting(before, after) => {
+                effects.extend(set_up(app, if forward { after } else { before }));
+            }
+            Change::Unpinned(pin) if forward => effects.extend(runs::keys::take_away(app, &pin)),
+            Change::Unpinned(pin) => effects.extend(runs::keys::put_back(app, pin)),
+        }
+    }
+    if snapshot(app) != before {
+        effects.extend(follow(app));
+    }
     effects
 }
 

@@ -8,7 +8,7 @@ use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::find::quantity_called;
-use crate::tui::app::history::{Edit, Setting};
+use crate::tui::app::history::{Change, Setting};
 use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::wrap;
@@ -178,13 +178,9 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
     let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
     let stepping = stepped.then_some(STEPPING + 100 * app.pages.search.page.index() + at);
     // Held arrows: from where they began.
-    let first = match app.history.edits.last() {
-        Some(Edit { stepping: last, setting: Some((Setting::Search(first), _)), .. })
-            if stepped && *last == stepping =>
-        {
-            Setup::clone(first)
-        }
-        Some(_) | None => before.clone(),
+    let first = match app.history.extended(stepping) {
+        Some(Change::Setting(Setting::Search(first), _)) => Setup::clone(first),
+        _ => before.clone(),
     };
     let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_line(row, &app.search_bounds());

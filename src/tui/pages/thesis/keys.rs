@@ -6,7 +6,7 @@ use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::thesis::Opens;
-use crate::tui::app::history::{Edit, Setting};
+use crate::tui::app::history::{Change, Setting};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::Action;
@@ -77,11 +77,9 @@ fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
         None => "printed weights".to_owned(),
         Some(at) => {
             // Held arrows: from where they began.
-            let first = match app.history.edits.last() {
-                Some(Edit {
-                    stepping: last, setting: Some((Setting::Weights(first), _)), ..
-                }) if *last == stepping => first[at],
-                Some(_) | None => before[at],
+            let first = match app.history.extended(stepping) {
+                Some(Change::Setting(Setting::Weights(first), _)) => first[at],
+                _ => before[at],
             };
             let percent = |weight| significant(weight, 4);
             format!("{} {} -> {} %", CRITERIA[at], percent(first), percent(weights[at]))
