@@ -7,10 +7,9 @@
 //! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
 
 pub use cmra_engine::{model, numerics};
+pub use cmra_studies::{report, study};
 
 pub mod cli;
 pub mod files;
-pub mod report;
-pub mod study;
 pub mod tui;
 pub mod worker;

@@ -7,7 +7,7 @@ use crate::report::chart::levels::Levels;
 use crate::report::chart::{Chart, Scale, Unit, ViewRange};
 use crate::report::map::Map;
 use crate::report::svg::Picture;
-use crate::tui::chart::heatmap::swatch;
+use crate::tui::chart::{Draw, heatmap::swatch};
 use crate::tui::theme::Theme;
 
 /// Columns and rows.

@@ -37,60 +37,56 @@ pub use crate::report::chart::{
 };
 pub use curve::MARKERS;
 pub use layout::Layout;
+use titles::plan;
 
-impl Chart<'_> {
-    /// Where everything would lie in an area, without drawing.
-    pub fn layout(&self, area: Rect) -> Layout {
-        self.plan(area, Theme::PLAIN).layout
+/// What the report describes and a terminal can show.
+pub trait Draw {
+    /// Draws it into an area, and tells where everything lies.
+    fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout;
+
+    /// It as lines of text, blanks at their ends removed: what `--plain` prints.
+    fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
+        let area = Rect::new(0, 0, width, height);
+        let mut buffer = Buffer::empty(area);
+        self.render(area, &mut buffer, theme);
+        if theme.glyphs == GlyphSet::Ascii {
+            ascii_pass(&mut buffer);
+        }
+        buffer_lines(&buffer)
     }
+}
 
-    /// Draws the chart into an area, and tells where everything lies.
-    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
+impl Draw for Chart<'_> {
+    fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let area = area.intersection(buffer.area);
-        let plan = self.plan(area, theme);
-        self.pane().right(plan.right).titled(plan.title).render(area, buffer, theme);
+        let plan = plan(self, area, theme);
+        frame_of(self).right(plan.right).titled(plan.title).render(area, buffer, theme);
         if let Some(row) = plan.layout.legend {
             buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
         }
         paint::paint(self, &plan.layout, buffer, theme);
         plan.layout
     }
+}
 
-    /// The chart as lines of text, blanks at their ends removed: what `--plain` prints.
-    pub fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
-        lines_of(width, height, theme, |area, buffer| drop(self.render(area, buffer, theme)))
-    }
+/// The frame of a chart.
+fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
+    let frame = PaneFrame::default().focused(chart.focused);
+    if chart.frame == Frame::OpenBelow { frame.open_below() } else { frame }
+}
 
-    /// Its frame.
-    fn pane(&self) -> PaneFrame<'_> {
-        let pane = PaneFrame::default().focused(self.focused);
-        if self.frame == Frame::OpenBelow { pane.open_below() } else { pane }
-    }
+/// Where everything of a chart would lie in an area, without drawing.
+pub fn layout_of(chart: &Chart<'_>, area: Rect) -> Layout {
+    plan(chart, area, Theme::PLAIN).layout
 }
 
 /// Makes the plots of charts stacked on each other begin in one column: gives all the widest gutter.
 pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
-    let gutters = charts.iter().zip(areas).map(|(chart, area)| chart.layout(*area).gutter);
+    let gutters = charts.iter().zip(areas).map(|(chart, area)| layout_of(chart, *area).gutter);
     let widest = gutters.max().unwrap_or(0);
     for chart in charts {
         chart.gutter = widest;
     }
-}
-
-/// What is drawn in an area of its own, as lines of text.
-fn lines_of(
-    width: u16,
-    height: u16,
-    theme: Theme,
-    draw: impl FnOnce(Rect, &mut Buffer),
-) -> Vec<String> {
-    let area = Rect::new(0, 0, width, height);
-    let mut buffer = Buffer::empty(area);
-    draw(area, &mut buffer);
-    if theme.glyphs == GlyphSet::Ascii {
-        ascii_pass(&mut buffer);
-    }
-    buffer_lines(&buffer)
 }
 
 /// A buffer as lines of text, blanks at their ends removed.

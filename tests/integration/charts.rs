@@ -1,6 +1,6 @@
 //! Whole charts as pictures, in every glyph set.
 
-use cmra::tui::chart::{Axis, Chart, Curve, Emphasis, Mark, Scale, Side, Unit, ViewRange};
+use cmra::tui::chart::{Axis, Chart, Curve, Draw, Emphasis, Mark, Scale, Side, Unit, ViewRange};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 const SETS: [GlyphSet; 3] = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];

@@ -8,23 +8,21 @@ use crate::tui::theme::Role;
 /// Characters that tell curves apart, the current run's first; none is used by axes, event lines or the crosshair alone.
 pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
 
-impl Curve<'_> {
-    /// The role that colours it.
-    pub(super) fn role(&self) -> Role {
-        match self.emphasis {
-            Emphasis::Stale => Role::Dim,
-            Emphasis::Normal | Emphasis::Selected => Role::Curve(self.colour),
-        }
+/// The role that colours it.
+pub(super) fn role(curve: &Curve<'_>) -> Role {
+    match curve.emphasis {
+        Emphasis::Stale => Role::Dim,
+        Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
     }
+}
 
-    /// The marker, if it takes exactly one cell; else one that does.
-    pub(super) fn cell_marker(&self) -> char {
-        let mut bytes = [0; 4];
-        let text: &str = self.marker.encode_utf8(&mut bytes);
-        if !self.marker.is_control() && Span::raw(text).width() == 1 {
-            self.marker
-        } else {
-            MARKERS[0]
-        }
+/// The marker, if it takes exactly one cell; else one that does.
+pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
+    let mut bytes = [0; 4];
+    let text: &str = curve.marker.encode_utf8(&mut bytes);
+    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
+        curve.marker
+    } else {
+        MARKERS[0]
     }
 }

@@ -24,7 +24,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 
-use super::{Chart, Layout, lines_of};
+use super::{Chart, Draw, Layout};
 use crate::report::chart::levels::{BANDS_MAX, Levels};
 use crate::report::map::{Cell, LINE, Map, Tone};
 use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
@@ -32,9 +32,8 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 /// The bands in characters, least first.
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
 
-impl Map<'_> {
-    /// Draw it into an area, and tell where everything lies.
-    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
+impl Draw for Map<'_> {
+    fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let chart = Chart {
             focused: self.focused,
             ..Chart::new(&*self.title, self.x.clone(), self.y.clone(), Vec::new())
@@ -43,98 +42,93 @@ impl Map<'_> {
         if layout.plot.is_empty() {
             return layout;
         }
-        self.draw_bands(layout.plot, buffer, theme);
-        self.draw_contour(layout.plot, buffer, theme);
-        self.draw_line(layout.plot, buffer, theme);
-        self.draw_cursor(layout.plot, buffer, theme);
+        draw_bands(self, layout.plot, buffer, theme);
+        draw_contour(self, layout.plot, buffer, theme);
+        draw_line(self, layout.plot, buffer, theme);
+        draw_cursor(self, layout.plot, buffer, theme);
         layout
     }
+}
 
-    /// The map as lines of text, blanks at their ends removed.
-    pub fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
-        lines_of(width, height, theme, |area, buffer| drop(self.render(area, buffer, theme)))
+fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+    let (halves, levels) = (halves(theme), map.levels.as_ref());
+    for row in 0..plot.height {
+        for column in 0..plot.width {
+            let x = spread(column, plot.width, map.counts.0);
+            let at = |half: Half| map.cell(x, half.spread(plot, row, map.counts.1));
+            let (symbol, style) = if halves {
+                two(at(Half::Upper), at(Half::Lower), levels, theme)
+            } else {
+                one(at(Half::Middle), levels, theme)
+            };
+            put(buffer, (plot.x + column, plot.y + row), symbol, style);
+        }
     }
+}
 
-    fn draw_bands(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let (halves, levels) = (halves(theme), self.levels.as_ref());
-        for row in 0..plot.height {
-            for column in 0..plot.width {
-                let x = spread(column, plot.width, self.counts.0);
-                let at = |half: Half| self.cell(x, half.spread(plot, row, self.counts.1));
-                let (symbol, style) = if halves {
-                    two(at(Half::Upper), at(Half::Lower), levels, theme)
-                } else {
-                    one(at(Half::Middle), levels, theme)
-                };
-                put(buffer, (plot.x + column, plot.y + row), symbol, style);
+/// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
+fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+    let Some(level) = map.contour.as_ref().map(|contour| contour.0) else { return };
+    // Where all values are the same but for rounding there is no line between them.
+    let noise = NOISE * level.abs();
+    let value = |column: u16, row: u16| {
+        let x = spread(column, plot.width, map.counts.0);
+        match map.cell(x, Half::Middle.spread(plot, row, map.counts.1)) {
+            Cell::Value(value) => Some(value - level),
+            Cell::Mark(..) | Cell::Empty => None,
+        }
+    };
+    for row in 0..plot.height {
+        for column in 0..plot.width {
+            let Some(here) = value(column, row) else { continue };
+            let crossed = |other: Option<f64>| {
+                other.is_some_and(|other| {
+                    (here < 0.0) != (other < 0.0)
+                        && here.abs() <= other.abs()
+                        && (here - other).abs() > noise
+                })
+            };
+            let beside = [
+                column.checked_sub(1).map(|column| (column, row)),
+                (column + 1 < plot.width).then_some((column + 1, row)),
+                row.checked_sub(1).map(|row| (column, row)),
+                (row + 1 < plot.height).then_some((column, row + 1)),
+            ];
+            if beside.into_iter().flatten().any(|(column, row)| crossed(value(column, row))) {
+                over(buffer, (plot.x + column, plot.y + row), 'O', theme);
             }
         }
     }
+}
 
-    /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
-    fn draw_contour(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let Some(level) = self.contour.as_ref().map(|contour| contour.0) else { return };
-        // Where all values are the same but for rounding there is no line between them.
-        let noise = NOISE * level.abs();
-        let value = |column: u16, row: u16| {
-            let x = spread(column, plot.width, self.counts.0);
-            match self.cell(x, Half::Middle.spread(plot, row, self.counts.1)) {
-                Cell::Value(value) => Some(value - level),
-                Cell::Mark(..) | Cell::Empty => None,
-            }
-        };
-        for row in 0..plot.height {
-            for column in 0..plot.width {
-                let Some(here) = value(column, row) else { continue };
-                let crossed = |other: Option<f64>| {
-                    other.is_some_and(|other| {
-                        (here < 0.0) != (other < 0.0)
-                            && here.abs() <= other.abs()
-                            && (here - other).abs() > noise
-                    })
-                };
-                let beside = [
-                    column.checked_sub(1).map(|column| (column, row)),
-                    (column + 1 < plot.width).then_some((column + 1, row)),
-                    row.checked_sub(1).map(|row| (column, row)),
-                    (row + 1 < plot.height).then_some((column, row + 1)),
-                ];
-                if beside.into_iter().flatten().any(|(column, row)| crossed(value(column, row))) {
-                    over(buffer, (plot.x + column, plot.y + row), 'O', theme);
-                }
-            }
-        }
+/// The line, in every row, and the point to be seen.
+fn draw_line(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+    let style = theme.style(Role::Event);
+    for row in 0..plot.height {
+        let up = Half::Middle.spread(plot, row, map.counts.1);
+        let Some(column) = map.line.get(up).copied().flatten() else { continue };
+        let (column, _) = place(plot, (column, up), map.counts);
+        put(buffer, (plot.x + column, plot.y + row), LINE, style);
     }
+    if let Some((point, letter)) = map.present {
+        let (column, row) = place(plot, point, map.counts);
+        put(buffer, (plot.x + column, plot.y + row), letter, theme.style(Role::Title));
+    }
+}
 
-    /// The line, in every row, and the point to be seen.
-    fn draw_line(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let style = theme.style(Role::Event);
-        for row in 0..plot.height {
-            let up = Half::Middle.spread(plot, row, self.counts.1);
-            let Some(column) = self.line.get(up).copied().flatten() else { continue };
-            let (column, _) = place(plot, (column, up), self.counts);
-            put(buffer, (plot.x + column, plot.y + row), LINE, style);
-        }
-        if let Some((point, letter)) = self.present {
-            let (column, row) = place(plot, point, self.counts);
-            put(buffer, (plot.x + column, plot.y + row), letter, theme.style(Role::Title));
-        }
+/// Its row and column, every other cell, and a cross.
+fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+    let Some((x, y)) = map.cursor else { return };
+    let (column, row) = place(plot, (x, y), map.counts);
+    let lines = theme.lines();
+    for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
+        over(buffer, (plot.x + other, plot.y + row), lines.horizontal, theme);
     }
-
-    /// Its row and column, every other cell, and a cross.
-    fn draw_cursor(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let Some((x, y)) = self.cursor else { return };
-        let (column, row) = place(plot, (x, y), self.counts);
-        let lines = theme.lines();
-        for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
-            over(buffer, (plot.x + other, plot.y + row), lines.horizontal, theme);
-        }
-        for other in (0..plot.height).filter(|other| *other != row) {
-            over(buffer, (plot.x + column, plot.y + other), lines.vertical, theme);
-        }
-        let cross = (plot.x + column, plot.y + row);
-        put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
+    for other in (0..plot.height).filter(|other| *other != row) {
+        over(buffer, (plot.x + column, plot.y + other), lines.vertical, theme);
     }
+    let cross = (plot.x + column, plot.y + row);
+    put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
 }
 
 /// Whether a cell shows two values, one above the other.

@@ -5,6 +5,7 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::Span;
 
 use super::canvas::Canvas;
+use super::curve::{cell_marker, role};
 use super::layout::Layout;
 use super::trace::trace;
 use super::{Chart, Curve, Emphasis, Labels, Mapping, Mark, Scale, Side};
@@ -246,7 +247,7 @@ impl Painter<'_> {
                 if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
                     let curve = &self.chart.curves[owner];
                     let character = match self.theme.glyphs {
-                        GlyphSet::Ascii => curve.cell_marker(),
+                        GlyphSet::Ascii => cell_marker(curve),
                         GlyphSet::Block | GlyphSet::Braille => dots,
                     };
                     let style = self.curve_style(curve);
@@ -259,7 +260,7 @@ impl Painter<'_> {
             if let (Ok(column), Ok(row)) = place {
                 let curve = &self.chart.curves[owner];
                 let style = self.curve_style(curve);
-                self.put(plot.x + column, plot.y + row, curve.cell_marker(), style);
+                self.put(plot.x + column, plot.y + row, cell_marker(curve), style);
             }
         }
         self.crosshair(&canvas);
@@ -273,7 +274,7 @@ impl Painter<'_> {
     }
 
     fn curve_style(&self, curve: &Curve<'_>) -> Style {
-        let style = self.theme.style(curve.role());
+        let style = self.theme.style(role(curve));
         match curve.emphasis {
             Emphasis::Selected => style.add_modifier(Modifier::BOLD),
             Emphasis::Normal | Emphasis::Stale => style,
@@ -293,7 +294,7 @@ impl Painter<'_> {
                 Some((owner, _)) => {
                     let curve = &self.chart.curves[owner];
                     let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
-                    (curve.cell_marker(), style)
+                    (cell_marker(curve), style)
                 }
                 None => (line, self.theme.style(Role::Crosshair)),
             };

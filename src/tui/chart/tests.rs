@@ -262,7 +262,7 @@ fn stacked_charts_begin_in_one_column() {
     charts[1].y.view = ViewRange::new(0.0, 4000.0);
     let areas = [Rect::new(0, 0, 40, 9), Rect::new(0, 9, 40, 9)];
     align_gutters(&mut charts, &areas);
-    let [a, b] = [0, 1].map(|index: usize| charts[index].layout(areas[index]));
+    let [a, b] = [0, 1].map(|index: usize| layout_of(&charts[index], areas[index]));
     assert_eq!((a.plot.x, a.plot.width), (b.plot.x, b.plot.width));
     assert_eq!(a.x, b.x);
 }
@@ -273,7 +273,7 @@ fn hidden_labels_leave_their_row_to_the_plot() {
     chart.x.labels = Labels::Hidden;
     chart.frame = Frame::OpenBelow;
     let lines = chart.to_lines(29, 7, Theme::PLAIN);
-    assert_eq!(chart.layout(Rect::new(0, 0, 29, 7)).plot.height, 5);
+    assert_eq!(layout_of(&chart, Rect::new(0, 0, 29, 7)).plot.height, 5);
     assert_eq!(lines[6], "|   ++----+----+----+----+  |");
 }
 

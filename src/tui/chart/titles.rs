@@ -3,8 +3,9 @@
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use super::curve::{cell_marker, role};
 use super::layout::{self, Layout};
-use super::{Chart, Curve, Emphasis, Legend, Side, trace};
+use super::{Chart, Curve, Emphasis, Legend, Side, frame_of, trace};
 use crate::report::chart::spaced;
 use crate::tui::theme::Theme;
 
@@ -20,86 +21,84 @@ pub(super) struct Plan<'a> {
     pub(super) legend: Line<'a>,
 }
 
-impl Chart<'_> {
-    /// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
-    /// chart, only the curves' markers stay.
-    pub(super) fn plan(&self, area: Rect, theme: Theme) -> Plan<'_> {
-        let left_out = self.left_out();
-        let inner = self.pane().inner(area);
-        let room = usize::from(area.width.saturating_sub(8));
-        let legend = self.legend_line(theme);
-        let axis = |layout: &Layout| self.x.text(layout.x_ticks.exponent);
+/// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
+/// chart, only the curves' markers stay.
+pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'a> {
+    let left_out = left_out(chart);
+    let inner = frame_of(chart).inner(area);
+    let room = usize::from(area.width.saturating_sub(8));
+    let legend = legend_line(chart, theme);
+    let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
 
-        let layout = layout::layout(self, inner, false);
-        let title = self.title_text(&layout, left_out);
-        let both = join(legend.clone(), axis(&layout));
-        if Span::raw(&title).width() + both.width() <= room {
-            return Plan { layout, title, right: both, legend: Line::default() };
-        }
-        let layout = layout::layout(self, inner, legend.width() > 0);
-        let title = self.title_text(&layout, left_out);
-        let axis = Line::from(axis(&layout));
-        let room = room.saturating_sub(Span::raw(&title).width());
-        let (right, legend) = if layout.legend.is_some() {
-            // The row begins a blank from the frame.
-            (axis, whole(legend, usize::from(inner.width.saturating_sub(1))))
-        } else if legend.width() > 0 {
-            (shortened(legend, room), Line::default())
-        } else {
-            (axis, legend)
+    let layout = layout::layout(chart, inner, false);
+    let title = title_text(chart, &layout, left_out);
+    let both = join(legend.clone(), axis(&layout));
+    if Span::raw(&title).width() + both.width() <= room {
+        return Plan { layout, title, right: both, legend: Line::default() };
+    }
+    let layout = layout::layout(chart, inner, legend.width() > 0);
+    let title = title_text(chart, &layout, left_out);
+    let axis = Line::from(axis(&layout));
+    let room = room.saturating_sub(Span::raw(&title).width());
+    let (right, legend) = if layout.legend.is_some() {
+        // The row begins a blank from the frame.
+        (axis, whole(legend, usize::from(inner.width.saturating_sub(1))))
+    } else if legend.width() > 0 {
+        (shortened(legend, room), Line::default())
+    } else {
+        (axis, legend)
+    };
+    Plan { layout, title, right, legend }
+}
+
+/// Points that a logarithmic axis cannot show.
+fn left_out(chart: &Chart<'_>) -> usize {
+    let count = |curve: &Curve<'_>| {
+        let vertical = match (curve.side, &chart.right) {
+            (Side::Right, Some(axis)) => axis.scale,
+            (Side::Right, None) | (Side::Left, _) => chart.y.scale,
         };
-        Plan { layout, title, right, legend }
-    }
+        trace::left_out(curve, chart.x.scale, vertical)
+    };
+    chart.curves.iter().map(count).sum()
+}
 
-    /// Points that a logarithmic axis cannot show.
-    fn left_out(&self) -> usize {
-        let count = |curve: &Curve<'_>| {
-            let vertical = match (curve.side, &self.right) {
-                (Side::Right, Some(axis)) => axis.scale,
-                (Side::Right, None) | (Side::Left, _) => self.y.scale,
-            };
-            trace::left_out(curve, self.x.scale, vertical)
+fn title_text(chart: &Chart<'_>, layout: &Layout, left_out: usize) -> String {
+    let unit = chart.y.unit_text(layout.y_ticks.exponent);
+    let mut text = spaced(&chart.title, &unit);
+    if let Some(axis) = &chart.right {
+        text += ", right: ";
+        text += &axis.text(layout.right_ticks.exponent);
+    }
+    match left_out {
+        0 => text,
+        1 => text + " (1 point <= 0 not drawn)",
+        count => text + &format!(" ({count} points <= 0 not drawn)"),
+    }
+}
+
+fn legend_line<'a>(chart: &'a Chart<'_>, theme: Theme) -> Line<'a> {
+    let mut spans = Vec::new();
+    if chart.legend == Legend::Hidden {
+        return Line::default();
+    }
+    for curve in chart.curves.iter().filter(|curve| !curve.label.is_empty()) {
+        if !spans.is_empty() {
+            spans.push(Span::raw("  "));
+        }
+        let style = theme.style(role(curve));
+        spans.push(Span::styled(cell_marker(curve).to_string(), style));
+        let old = match curve.emphasis {
+            Emphasis::Stale => " (old)",
+            Emphasis::Normal | Emphasis::Selected => "",
         };
-        self.curves.iter().map(count).sum()
+        let side = match curve.side {
+            Side::Left => "",
+            Side::Right => " (right)",
+        };
+        spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
     }
-
-    fn title_text(&self, layout: &Layout, left_out: usize) -> String {
-        let unit = self.y.unit_text(layout.y_ticks.exponent);
-        let mut text = spaced(&self.title, &unit);
-        if let Some(axis) = &self.right {
-            text += ", right: ";
-            text += &axis.text(layout.right_ticks.exponent);
-        }
-        match left_out {
-            0 => text,
-            1 => text + " (1 point <= 0 not drawn)",
-            count => text + &format!(" ({count} points <= 0 not drawn)"),
-        }
-    }
-
-    fn legend_line(&self, theme: Theme) -> Line<'_> {
-        let mut spans = Vec::new();
-        if self.legend == Legend::Hidden {
-            return Line::default();
-        }
-        for curve in self.curves.iter().filter(|curve| !curve.label.is_empty()) {
-            if !spans.is_empty() {
-                spans.push(Span::raw("  "));
-            }
-            let style = theme.style(curve.role());
-            spans.push(Span::styled(curve.cell_marker().to_string(), style));
-            let old = match curve.emphasis {
-                Emphasis::Stale => " (old)",
-                Emphasis::Normal | Emphasis::Selected => "",
-            };
-            let side = match curve.side {
-                Side::Left => "",
-                Side::Right => " (right)",
-            };
-            spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
-        }
-        Line::from(spans)
-    }
+    Line::from(spans)
 }
 
 fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {

@@ -9,7 +9,9 @@ use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::tui::app::App;
 use crate::tui::app::status::wrap;
-use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, MARKERS, Scale, Unit, ViewRange};
+use crate::tui::chart::{
+    self, Chart, Curve, Draw, Emphasis, Layout, MARKERS, Scale, Unit, ViewRange,
+};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::layout::SweepPanes;

@@ -11,7 +11,7 @@ use crate::study::sweep::grid::{self, Grid};
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, shortened};
 use crate::tui::chart::heatmap::{dot, role, swatch};
-use crate::tui::chart::{self, Chart, Curve, Levels, Scale, Unit, ViewRange};
+use crate::tui::chart::{self, Chart, Curve, Draw, Levels, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::curves::{nothing, nothing_exists, value_scale};

@@ -6,7 +6,7 @@ use crate::model::run::Outcome;
 use crate::report::figures::limit::residual;
 use crate::study::limit::Report;
 use crate::tui::app::App;
-use crate::tui::chart::{Emphasis, Layout, Scale};
+use crate::tui::chart::{Draw, Emphasis, Layout, Scale};
 use crate::tui::message::Target;
 use crate::tui::pages::limit::RESIDUAL;
 use crate::tui::pages::limit::state::LimitSearch;

@@ -10,7 +10,7 @@ use crate::study::sweep::PointOutcome;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Draw, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::request::{Answer, Request};

@@ -7,7 +7,7 @@ use crate::report::figures::{column_of, efficiency};
 use crate::report::map::Map;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
-use crate::tui::chart::heatmap;
+use crate::tui::chart::{Draw, heatmap};
 use crate::tui::message::Target;
 use crate::tui::pages::limit::comparison::EqualMass;
 use crate::tui::pages::limit::comparison::GOES_ON;

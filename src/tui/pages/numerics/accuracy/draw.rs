@@ -9,7 +9,7 @@ use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::layout::{WIDE, split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
+use crate::tui::chart::{Chart, Curve, Draw, Emphasis, Legend, Mark, Scale, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;

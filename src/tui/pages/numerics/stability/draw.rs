@@ -7,7 +7,7 @@ use crate::report::map::Map;
 use crate::report::stability::table;
 use crate::study::stability::map::{Cell, nearest};
 use crate::tui::app::App;
-use crate::tui::chart::heatmap::role;
+use crate::tui::chart::{Draw, heatmap::role};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::stability::keys;
 use crate::tui::pages::numerics::stability::{StabilityMap, StiffScenes};

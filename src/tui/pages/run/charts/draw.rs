@@ -9,8 +9,8 @@ use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side, Unit,
-    ViewRange, align_gutters,
+    self, Axis, Chart, Curve, Draw, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side,
+    Unit, ViewRange, align_gutters,
 };
 use crate::tui::message::Target;
 use crate::tui::pages::run::CHARTS;
