@@ -432,18 +432,18 @@ mod tests {
 
     /// Two kernels that share no step. The plate swings fast and touches rest before it turns at its farthest.
     #[test]
-    fn the_full_track_sees_the_greatest_displacement_after_a_touch_of_rest() {
+    fn the_simulation_sees_the_greatest_displacement_after_a_touch_of_rest() {
         for tolerance in [1e-11, 1e-12, 1e-13] {
             let mut scene = scene("k=1.725e6 n=0.332");
             scene.run.tolerance = tolerance;
-            let lean = Contact::of(&scene).run(1e-9).unwrap().farthest_m;
+            let kernel = Contact::of(&scene).run(1e-9).unwrap().farthest_m;
             let full = bare_run(&scene).max_plate_displacement_m.unwrap();
-            assert!((full / lean - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {lean}");
+            assert!((full / kernel - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {kernel}");
         }
     }
 
     #[test]
-    fn scenes_it_is_not_made_for_are_left_to_the_full_track() {
+    fn scenes_it_is_not_made_for_are_left_to_the_simulation() {
         for pairs in ["k=1e5 x_stop=0.01", "d=0.001 k=1e6 n=0.5", "theta=30deg k=1e5 v_i=150"] {
             assert_eq!(Contact::of(&scene(pairs)).run(1e-9), None, "{pairs}");
         }

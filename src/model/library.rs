@@ -98,9 +98,7 @@ impl Entry {
         scene.notes = notes.join("\n");
         Ok(())
     }
-}
 
-impl Entry {
     /// Where its values come from, and what else is to be known.
     pub fn evidence(&self) -> String {
         let note = if self.note.is_empty() { String::new() } else { format!(" ({})", self.note) };

@@ -189,13 +189,13 @@ impl Curve {
         if tangent == 0.0 { self.force(far) } else { tangent * x }
     }
 
-    /// The least |x| on one side (`way` 1 or -1) at which the force is `force_n` that way; infinite where it never is.
-    pub fn at_force(&self, force_n: f64, way: f64) -> f64 {
-        let missing = |x: f64| way * self.force(x) - force_n;
+    /// The least x ahead of zero at which the force is `force_n`; infinite where it never is.
+    pub fn at_force(&self, force_n: f64) -> f64 {
+        let missing = |x: f64| self.force(x) - force_n;
         let all: Vec<f64> = self.stations_m.iter().chain(&self.extremes_m).copied().collect();
-        let marks = ahead(&all, 0.0, way);
-        let place = self.first_place(0.0, way, marks, |x| missing(x) >= 0.0, missing);
-        place.map_or(f64::INFINITY, f64::abs)
+        let marks = ahead(&all, 0.0, 1.0);
+        let place = self.first_place(0.0, 1.0, marks, |x| missing(x) >= 0.0, missing);
+        place.unwrap_or(f64::INFINITY)
     }
 
     /// The displacement at which a law that rises everywhere has this force, m.

@@ -148,7 +148,7 @@ impl Spring {
     pub fn at_force(&self, force_n: f64) -> f64 {
         match self {
             Self::Power(law) => law.at_force(force_n),
-            Self::Curve(curve) => curve.at_force(force_n.abs(), 1.0),
+            Self::Curve(curve) => curve.at_force(force_n.abs()),
         }
     }
 
