@@ -9,7 +9,6 @@ use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::wrap;
 use crate::tui::app::{App, Origin};
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{Ask, Dialog, Purpose, curve};
@@ -18,7 +17,7 @@ use crate::tui::pages;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, put_lines, wrapped};
 
 /// Ask for a text.
 pub(in crate::tui) fn open(app: &mut App, purpose: Purpose, text: TextField) {
@@ -198,9 +197,7 @@ pub(in crate::tui) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut 
         (Some(error), false) => (format!("x {error}"), Role::Error),
         (None, false) => (hint(app, state), Role::Dim),
     };
-    for (row, line) in (3..inner.height).zip(wrap(&text, usize::from(inner.width))) {
-        put(canvas, inner, (0, row), &line, app.theme.style(role));
-    }
+    put_lines(canvas, inner, 3, app.theme, wrapped(&text, inner.width, role));
 }
 
 fn question(app: &App, state: &Ask) -> String {

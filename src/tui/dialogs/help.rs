@@ -12,7 +12,7 @@ use crate::tui::pages::run;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, put_lines, wrapped};
 
 /// Where the sentence of a row begins.
 const SENTENCE: u16 = 14;
@@ -22,11 +22,8 @@ pub(in crate::tui) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mu
     let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
     let inner = frame(app, screen, (92, 48), (title.as_str(), "q closes"), canvas);
     let about = about(app, usize::from(inner.width));
-    let mut top = 0;
-    for (text, role) in &about {
-        put(canvas, inner, (0, top), text, app.theme.style(*role));
-        top += 1;
-    }
+    let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
+    put_lines(canvas, inner, 0, app.theme, about);
     let rest = Rect {
         y: inner.y + top.min(inner.height),
         height: inner.height.saturating_sub(top),
@@ -59,9 +56,7 @@ pub(in crate::tui) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: 
     });
     let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
     let foot = Rect { y: list.bottom(), height: DOES, ..list };
-    for (row, line) in (0..DOES).zip(wrap(&does, usize::from(foot.width))) {
-        put(canvas, foot, (0, row), &line, app.theme.style(Role::Title));
-    }
+    put_lines(canvas, foot, 0, app.theme, wrapped(&does, foot.width, Role::Title));
 }
 
 /// Rows that say what Enter does.

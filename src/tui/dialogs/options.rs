@@ -6,7 +6,6 @@ use crate::model::variables::{self, Kind, VARIABLES, Value};
 use crate::study::parallel::Parallel;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::wrap;
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{self, Picker};
 use crate::tui::message::Effect;
@@ -14,7 +13,7 @@ use crate::tui::theme::Role;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, put_lines, wrapped};
 
 /// One line of the menu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -161,8 +160,6 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
         put(canvas, row, (VALUE, 0), &format!("< {value} >"), app.theme.style(Role::Title));
     });
     let meaning = OptionRow::ALL.get(picker.selected).map_or("", |row| row.meaning());
-    let lines = wrap(meaning, usize::from(inner.width.saturating_sub(2)));
-    for (row, line) in (rows + 1..inner.height).zip(lines) {
-        put(canvas, inner, (1, row), &line, app.theme.style(Role::Dim));
-    }
+    let below = Rect { x: inner.x + 1, width: inner.width.saturating_sub(2), ..inner };
+    put_lines(canvas, below, rows + 1, app.theme, wrapped(meaning, below.width, Role::Dim));
 }

@@ -19,7 +19,7 @@ use crate::tui::theme::Role;
 use crate::tui::update::edit;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List as RowList;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, put_lines};
 
 /// Columns of the list of names.
 const NAMES: u16 = 32;
@@ -73,10 +73,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
         lines.extend(wrap(problem, width).into_iter().map(|line| (line, Role::Text)));
         lines.push(("correct its file, or delete it".to_owned(), Role::Dim));
-        for (row, (text, role)) in (0..area.height).zip(&lines) {
-            put(canvas, area, (0, row), text, app.theme.style(*role));
-        }
-        return;
+        return put_lines(canvas, area, 0, app.theme, lines);
     }
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
@@ -95,9 +92,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
             lines.extend(wrap(&paragraph, width).into_iter().map(|line| (line, Role::Dim)));
         }
     }
-    for (row, (text, role)) in (0..area.height).zip(&lines) {
-        put(canvas, area, (0, row), text, app.theme.style(*role));
-    }
+    put_lines(canvas, area, 0, app.theme, lines);
 }
 
 /// The variables it would change, old and new; a long list in as many columns as needed.

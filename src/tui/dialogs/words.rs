@@ -4,13 +4,12 @@ use ratatui::layout::Rect;
 
 use crate::model::variables::{self, Value};
 use crate::tui::app::App;
-use crate::tui::app::status::wrap;
 use crate::tui::dialogs::Picker;
 use crate::tui::dialogs::popup::frame;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, put_lines, wrapped};
 
 /// Columns of the dialog.
 const WIDTH: u16 = 58;
@@ -42,14 +41,7 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
         Some(text) => (text, Role::Warning),
         None => (variable.meaning.to_owned(), Role::Dim),
     };
-    let below = Rect {
-        y: list.y + list.height + 1,
-        height: inner.height.saturating_sub(list.height + 1),
-        ..inner
-    };
-    for (row, line) in (0..below.height).zip(wrap(&text, usize::from(below.width))) {
-        put(canvas, below, (0, row), &line, app.theme.style(role));
-    }
+    put_lines(canvas, inner, list.height + 1, app.theme, wrapped(&text, inner.width, role));
 }
 
 /// Why the scene makes no sense with this word; `None` where it does.

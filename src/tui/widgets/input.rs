@@ -2,8 +2,9 @@
 
 use std::ops::{Deref, DerefMut};
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::Rect;
+use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
 
 use crate::tui::theme::{Role, Theme};
@@ -43,7 +44,9 @@ impl TextField {
 
     /// Put a key into the field; whether it was one for a field.
     pub fn press(&mut self, key: KeyEvent) -> bool {
-        let Some(request) = request(key) else { return false };
+        let is_control = matches!(key.code, KeyCode::Char(c) if c.is_control());
+        let request = to_input_request(&Event::Key(key)).filter(|_| !is_control);
+        let Some(request) = request else { return false };
         let replaces = matches!(
             request,
             InputRequest::InsertChar(_)
@@ -79,30 +82,6 @@ impl TextField {
         };
         put(canvas, area, (0, 0), &shown, theme.style(role));
         canvas.cursor = Some((area.x + at, area.y));
-    }
-}
-
-fn request(key: KeyEvent) -> Option<InputRequest> {
-    use InputRequest as R;
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    let alt = key.modifiers.contains(KeyModifiers::ALT);
-    match key.code {
-        KeyCode::Char('a') if control => Some(R::GoToStart),
-        KeyCode::Char('e') if control => Some(R::GoToEnd),
-        KeyCode::Char('u') if control => Some(R::DeleteLine),
-        KeyCode::Char('k') if control => Some(R::DeleteTillEnd),
-        KeyCode::Char('w') if control => Some(R::DeletePrevWord),
-        KeyCode::Char('h') if control => Some(R::DeletePrevChar),
-        KeyCode::Char(c) if !control && !alt && !c.is_control() => Some(R::InsertChar(c)),
-        KeyCode::Backspace => Some(R::DeletePrevChar),
-        KeyCode::Delete => Some(R::DeleteNextChar),
-        KeyCode::Left if control => Some(R::GoToPrevWord),
-        KeyCode::Right if control => Some(R::GoToNextWord),
-        KeyCode::Left => Some(R::GoToPrevChar),
-        KeyCode::Right => Some(R::GoToNextChar),
-        KeyCode::Home => Some(R::GoToStart),
-        KeyCode::End => Some(R::GoToEnd),
-        _ => None,
     }
 }
 

@@ -7,7 +7,8 @@ use ratatui::text::Line;
 use tui_input::Input;
 
 use crate::tui::app::notice::Severity;
-use crate::tui::theme::{self, Role};
+use crate::tui::app::status::wrap;
+use crate::tui::theme::{self, Role, Theme};
 
 /// What stands in a tab that studies one plate while the scene is a stack.
 pub(in crate::tui) const NEEDS_SINGLE: &str = "this tab needs a single plate";
@@ -65,6 +66,28 @@ pub(in crate::tui) fn put(
     let room = usize::from(area.width - column);
     let end = buffer.set_stringn(area.x + column, area.y + row, text, room, style).0;
     end - area.x
+}
+
+/// Write lines below each other from a row on, as many as have room.
+pub(in crate::tui) fn put_lines(
+    buffer: &mut Buffer,
+    area: Rect,
+    from: u16,
+    theme: Theme,
+    lines: impl IntoIterator<Item = (String, Role)>,
+) {
+    for (row, (text, role)) in (from..area.height).zip(lines) {
+        put(buffer, area, (0, row), &text, theme.style(role));
+    }
+}
+
+/// The lines of a text of at most so many columns, all in one role.
+pub(in crate::tui) fn wrapped(
+    text: &str,
+    width: u16,
+    role: Role,
+) -> impl Iterator<Item = (String, Role)> {
+    wrap(text, usize::from(width)).into_iter().map(move |line| (line, role))
 }
 
 /// Write a text in the middle of an area.

@@ -7,14 +7,14 @@ use ratatui::layout::Rect;
 use crate::files::export::Meta;
 use crate::report::run;
 use crate::tui::app::App;
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::status::clip;
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{Export, ExportRow};
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::{put, window};
+use crate::tui::widgets::text::{put, put_lines, window, wrapped};
 
 /// Column the values begin in.
 const VALUE: u16 = 9;
@@ -121,18 +121,14 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
             Role::Warning,
         )]
     } else if let Some(error) = &state.error {
-        wrap(&format!("x {error}"), width).into_iter().map(|line| (line, Role::Error)).collect()
+        wrapped(&format!("x {error}"), area.width, Role::Error).collect()
     } else if state.completions.is_empty() {
         preview(app, state).into_iter().map(|line| (line, Role::Dim)).collect()
     } else {
-        wrap(&state.completions.join("  "), width)
-            .into_iter()
-            .map(|line| (line, Role::Note))
-            .collect()
+        wrapped(&state.completions.join("  "), area.width, Role::Note).collect()
     };
-    for (row, (line, role)) in (4..area.height).zip(&lines) {
-        put(canvas, area, (0, row), &clip(line, width), app.theme.style(*role));
-    }
+    let lines = lines.into_iter().map(|(line, role)| (clip(&line, width), role));
+    put_lines(canvas, area, 4, app.theme, lines);
 }
 
 /// The first three lines as they would be written.

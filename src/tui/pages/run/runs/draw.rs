@@ -15,7 +15,7 @@ use crate::tui::pages::run::summary::results;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{columns, paint_row, put};
+use crate::tui::widgets::text::{columns, paint_row, put, put_lines};
 
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
@@ -85,9 +85,7 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
         lines.push((clip(&format!("{whose}:"), width), Role::Title));
         lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
     }
-    for (row, (line, role)) in (row..inner.height).zip(&lines) {
-        put(canvas, inner, (0, row), line, app.theme.style(*role));
-    }
+    put_lines(canvas, inner, row, app.theme, lines);
 }
 
 /// What the current run gained on a pin, and what was changed for it.
