@@ -6,13 +6,13 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Args, FromArgMatches as _, Parser, Subcommand, ValueEnum};
-use clap_complete::Shell;
+use clap::{Parser, ValueEnum};
 
 use crate::files::clean;
 
 mod accuracy;
 mod again;
+mod commands;
 mod compare;
 mod completions;
 mod design;
@@ -71,75 +71,8 @@ pub use output::fail;
                   input file is wrong."
 )]
 pub(crate) struct Arguments {
-    #[command(subcommand)]
-    command: Option<Command>,
     #[command(flatten)]
     workbench: workbench::WorkbenchArguments,
-}
-
-#[derive(Debug, Subcommand)]
-enum Command {
-    /// Run one scene and print what happened
-    Run(run::RunArguments),
-    /// Run a scene at every point of one or more axes
-    Sweep(sweep::SweepArguments),
-    /// Join the parts of a sweep that was computed with --shard
-    Join(join::JoinArguments),
-    /// Compare the error and the run time of every method
-    Accuracy(accuracy::AccuracyArguments),
-    /// Check stiff and extreme scenes; map where a fixed step is stable
-    Stability(stability::StabilityArguments),
-    /// Find the ballistic limit and the residual velocity beyond it
-    Limit(limit::LimitArguments),
-    /// Find V50 from shots of a test, and the strength that gives it
-    Fit(fit::FitArguments),
-    /// Check every claim of the thesis
-    Reproduce(reproduce::ReproduceArguments),
-    /// Compare the model with measurements from the literature
-    Validate(validate::ValidateArguments),
-    /// Print formulas, the screening matrix and the design principles
-    Design(design::DesignArguments),
-    /// Compare with a solid plate of the same areal mass; draw a map
-    #[command(alias = "worth")]
-    Compare(compare::CompareArguments),
-    /// Write one file with scene, results, charts and warnings
-    Report(report::ReportArguments),
-    /// Find the values of a variable that reach a goal
-    Seek(seek::SeekArguments),
-    /// Find the best design under constraints, or a Pareto front
-    #[command(visible_alias = "optimize")]
-    Optimise(optimise::OptimiseArguments),
-    /// Show how results spread when inputs do
-    #[command(name = "montecarlo", alias = "scatter")]
-    MonteCarlo(monte_carlo::MonteCarloArguments),
-    /// Find which variables matter most
-    Sensitivity(sensitivity::SensitivityArguments),
-    /// List the presets, or show one
-    Presets(presets::PresetsArguments),
-    /// List threats, materials and absorbers with their sources
-    Libraries(libraries::LibrariesArguments),
-    /// Print every key of the workbench
-    Keys,
-    /// Explain a topic (scenes, csv, equations, ...) or a command
-    Help(help::HelpArguments),
-    /// List every variable of a scene: symbol, name, default, meaning
-    Variables(variables::VariablesArguments),
-    /// Explain one variable or quantity
-    Explain(explain::ExplainArguments),
-    /// Print where this program keeps presets, session and log
-    Paths,
-    /// Print a completion script for a shell
-    Completions(CompletionsArguments),
-    /// Print the manual page, in roff
-    Man(man::ManArguments),
-    /// Install manual pages and shell completions
-    Install(install::InstallArguments),
-}
-
-#[derive(Debug, Args)]
-struct CompletionsArguments {
-    /// Which shell
-    shell: Shell,
 }
 
 /// Choose the characters of the charts.
@@ -162,13 +95,12 @@ pub(crate) enum Glyphs {
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     pace::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
-    let parsed = help::command()
-        .try_get_matches_from(&written)
-        .and_then(|matches| Arguments::from_arg_matches(&matches));
-    let arguments = match parsed {
-        Ok(arguments) => arguments,
+    let matches = match help::command().try_get_matches_from(&written) {
+        Ok(matches) => matches,
         Err(error) => {
-            match usage::line(&error, &help::command(), &written) {
+            let mut program = commands::program();
+            program.build();
+            match usage::line(&error, &program, &written) {
                 // The parser repeats what was written; a terminal would obey it.
                 Some(line) => output::note(&clean::line(&format!("error: {line}"))),
                 // Help and version; a closed pipe ends them quietly.
@@ -179,35 +111,8 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }
     };
-    match arguments.command {
-        None => workbench::run(&arguments.workbench),
-        Some(Command::Run(arguments)) => run::run(&arguments),
-        Some(Command::Sweep(arguments)) => sweep::run(&arguments),
-        Some(Command::Join(arguments)) => join::run(&arguments),
-        Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
-        Some(Command::Stability(arguments)) => stability::run(&arguments),
-        Some(Command::Limit(arguments)) => limit::run(&arguments),
-        Some(Command::Fit(arguments)) => fit::run(&arguments),
-        Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
-        Some(Command::Validate(arguments)) => validate::run(&arguments),
-        Some(Command::Design(arguments)) => design::run(&arguments),
-        Some(Command::Compare(arguments)) => compare::run(&arguments),
-        Some(Command::Report(arguments)) => report::run(&arguments),
-        Some(Command::Seek(arguments)) => seek::run(&arguments),
-        Some(Command::Optimise(arguments)) => optimise::run(&arguments),
-        Some(Command::MonteCarlo(arguments)) => monte_carlo::run(&arguments),
-        Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
-        Some(Command::Presets(arguments)) => presets::run(&arguments),
-        Some(Command::Keys) => help::run_keys(),
-        Some(Command::Help(arguments)) => help::run(&arguments),
-        Some(Command::Libraries(arguments)) => libraries::run(&arguments),
-        Some(Command::Variables(arguments)) => {
-            variables::run(&arguments).map(|()| ExitCode::SUCCESS)
-        }
-        Some(Command::Explain(arguments)) => explain::run(&arguments).map(|()| ExitCode::SUCCESS),
-        Some(Command::Paths) => paths::run(),
-        Some(Command::Completions(arguments)) => completions::run(arguments.shell),
-        Some(Command::Man(arguments)) => man::run(&arguments),
-        Some(Command::Install(arguments)) => install::run(&arguments),
-    }
+    commands::carry_out(&matches).unwrap_or_else(|| {
+        let arguments = commands::read::<Arguments>(&matches)?;
+        workbench::run(&arguments.workbench)
+    })
 }

@@ -4,10 +4,10 @@
 use std::process::ExitCode;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, Command, CommandFactory as _};
+use clap::{Arg, Args, Command};
 use clap_complete::Shell;
 
-use crate::cli::{Arguments, CliError, output};
+use crate::cli::{CliError, commands, output};
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset;
@@ -15,16 +15,24 @@ use crate::model::library::Library;
 use crate::model::variables::VARIABLES;
 use crate::study::quantities::QUANTITIES;
 
+#[derive(Debug, Args)]
+pub(super) struct CompletionsArguments {
+    /// Which shell
+    shell: Shell,
+}
+
 /// Print the script.
-pub(super) fn run(shell: Shell) -> Result<ExitCode, CliError> {
-    output::print(&String::from_utf8_lossy(&script(shell)))?;
+pub(super) fn run(arguments: &CompletionsArguments) -> Result<ExitCode, CliError> {
+    output::print(&String::from_utf8_lossy(&script(arguments.shell)))?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// The completion script of a shell.
 pub(super) fn script(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut named(Arguments::command()), "cmra", &mut script);
+    let mut program = commands::program();
+    program.build();
+    clap_complete::generate(shell, &mut named(program), "cmra", &mut script);
     script
 }
 

@@ -1,6 +1,7 @@
 //! `cmra explain NAME`: one variable or quantity, or all quantities, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
+use std::process::ExitCode;
 
 use clap::Args;
 
@@ -23,7 +24,12 @@ pub(super) struct ExplainArguments {
 }
 
 /// Explain.
-pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
+pub(super) fn run(arguments: &ExplainArguments) -> Result<ExitCode, CliError> {
+    explain(arguments)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
     let table = &arguments.table;
     table.check()?;
     let name = arguments.name.trim();

@@ -3,39 +3,14 @@
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
-use clap::{Args, Command, CommandFactory as _};
+use clap::{Args, Command};
 
-use crate::cli::{Arguments, CliError, output};
+use crate::cli::commands::{self, COMMANDS, Group, NoArguments};
+use crate::cli::{CliError, output};
 use crate::files::error::did_you_mean;
 use crate::tui::app::status::wrap;
 use crate::tui::keymap::{Keymap, LINES, Scope};
 use crate::tui::pages::all_panes;
-
-/// The commands by what they are for. A test checks that each stands in one group.
-const GROUPS: [(&str, &[&str]); 4] = [
-    ("Run and explore", &["run", "sweep", "join"]),
-    (
-        "Decide",
-        &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo", "report"],
-    ),
-    ("Check", &["accuracy", "stability", "reproduce", "validate"]),
-    (
-        "Data",
-        &[
-            "presets",
-            "variables",
-            "explain",
-            "libraries",
-            "design",
-            "keys",
-            "help",
-            "paths",
-            "completions",
-            "man",
-            "install",
-        ],
-    ),
-];
 
 /// One page of `cmra help`.
 struct Topic {
@@ -69,23 +44,20 @@ pub(super) struct HelpArguments {
 
 /// The command line with its commands in groups.
 pub(super) fn command() -> Command {
-    let command = Arguments::command();
-    let groups = grouped(&command);
-    command.help_template(format!(
+    let groups = grouped();
+    commands::program().help_template(format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\
          Arguments:\n{{positionals}}\n\nOptions:\n{{options}}{{after-help}}"
     ))
 }
 
 /// Each group with its commands and what they do.
-fn grouped(command: &Command) -> String {
+fn grouped() -> String {
     let mut text = String::new();
-    for (group, names) in GROUPS {
-        let _ = writeln!(text, "{group}:");
-        for name in names {
-            let about = command.find_subcommand(name).and_then(Command::get_about);
-            let about = about.map(ToString::to_string).unwrap_or_default();
-            let _ = writeln!(text, "  {name:<12} {about}");
+    for group in Group::ALL {
+        let _ = writeln!(text, "{}:", group.heading());
+        for row in COMMANDS.iter().filter(|row| row.group == group) {
+            let _ = writeln!(text, "  {:<12} {}", row.name, row.about);
         }
         text.push('\n');
     }
@@ -107,22 +79,21 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
     } else if let Some(found) = command.find_subcommand_mut(name) {
         found.render_long_help().to_string()
     } else {
-        return Err(unknown(name, &command));
+        return Err(unknown(name));
     };
     output::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Print the table of keys.
-pub(super) fn run_keys() -> Result<ExitCode, CliError> {
+pub(super) fn run_keys(_: &NoArguments) -> Result<ExitCode, CliError> {
     output::print(&keys())?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn unknown(name: &str, command: &Command) -> CliError {
+fn unknown(name: &str) -> CliError {
     let topics: Vec<&str> = TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect();
-    let commands: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-    let cure = did_you_mean(name, &[topics.clone(), commands].concat())
+    let cure = did_you_mean(name, &[topics.clone(), commands::names()].concat())
         .unwrap_or_else(|| format!("the topics are {}", topics.join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
@@ -175,19 +146,6 @@ mod tests {
     use super::*;
 
     const COLUMNS: usize = 80;
-
-    #[test]
-    fn every_command_stands_in_one_group() {
-        let command = command();
-        for listed in command.get_subcommands().filter(|command| !command.is_hide_set()) {
-            let name = listed.get_name();
-            let times = GROUPS.iter().flat_map(|(_, names)| *names).filter(|one| **one == name);
-            assert_eq!(times.count(), 1, "add `{name}` to GROUPS in src/cli/help.rs");
-        }
-        for name in GROUPS.iter().flat_map(|(_, names)| *names) {
-            assert!(command.find_subcommand(name).is_some(), "{name} is not a command");
-        }
-    }
 
     #[test]
     fn pages_fit_80_columns() {

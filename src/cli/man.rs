@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use clap::{Args, Command, CommandFactory as _};
+use clap::{Args, Command};
 
-use crate::cli::{Arguments, CliError, output};
+use crate::cli::{CliError, commands, output};
 use crate::files::error::nearest;
 
 #[derive(Debug, Args)]
@@ -44,7 +44,7 @@ pub(super) fn pages() -> Result<Vec<Page>, CliError> {
 
 /// The whole command line, with the full names of its subcommands.
 fn program() -> Command {
-    let mut program = Arguments::command();
+    let mut program = commands::program();
     program.build();
     program
 }

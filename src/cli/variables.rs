@@ -1,6 +1,7 @@
 //! `cmra variables`: every variable of a scene, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
+use std::process::ExitCode;
 
 use clap::Args;
 
@@ -18,9 +19,10 @@ pub(super) struct VariablesArguments {
 }
 
 /// Print the table.
-pub(super) fn run(arguments: &VariablesArguments) -> Result<(), CliError> {
+pub(super) fn run(arguments: &VariablesArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    arguments.table.alone().deliver(&page(), &rows(VARIABLES))
+    arguments.table.alone().deliver(&page(), &rows(VARIABLES))?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Variables with everything that is known of them, a row each.

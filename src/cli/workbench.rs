@@ -4,10 +4,10 @@ use std::ffi::{OsStr, OsString};
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory as _};
+use clap::Args;
 
 use crate::cli::run::{self, Charts};
-use crate::cli::{Arguments, CliError, Glyphs, output, scene};
+use crate::cli::{CliError, Glyphs, commands, output, scene};
 use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::preset::Preset;
@@ -43,9 +43,7 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
 /// The scene; a mistyped subcommand arrives here, too.
 fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
-        let command = Arguments::command();
-        let commands: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        match (error, did_you_mean(&name.to_string_lossy(), &commands)) {
+        match (error, did_you_mean(&name.to_string_lossy(), &commands::names())) {
             (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
                 let hint = nearest.replace("you mean", "you mean the subcommand");
                 CliError::File(FileError::UnknownScene { name, hint })

@@ -77,7 +77,12 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let view = map.view();
     let greatest = view.lo().abs().max(view.hi().abs());
     let exponent = common_exponent(greatest);
-    let most = f64::from(map.cells()).max(2.0);
+    // No two labels side by side are nearer than two cells, whatever they say.
+    let nearest = match along {
+        Along::Row => 2.0,
+        Along::Column(_) => 1.0,
+    };
+    let most = (f64::from(map.cells()) / nearest).max(2.0);
     let mut step = Step::at_least(view.span() / most);
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
@@ -116,11 +121,16 @@ fn between(map: Mapping, step: Step, along: Along) -> Vec<u16> {
 
 /// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
-    let [factored, whole] = [exponent, 0].map(|exponent| Ticks {
+    let ticks = |exponent| Ticks {
         labelled: multiples(map, step, exponent),
         exponent,
         ..Ticks::default()
-    });
+    };
+    let whole = ticks(0);
+    if exponent == 0 {
+        return whole;
+    }
+    let factored = ticks(exponent);
     if whole.width() <= factored.width() { whole } else { factored }
 }
 

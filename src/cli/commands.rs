@@ -1,0 +1,128 @@
+//! The commands of the program, a row each: what it is for, its name, what it does, and the function that carries it out.
+
+use std::process::ExitCode;
+
+use clap::{ArgMatches, Args, Command, CommandFactory as _};
+
+use crate::cli::{
+    Arguments, CliError, accuracy, compare, completions, design, explain, fit, help, install, join,
+    libraries, limit, man, monte_carlo, optimise, paths, presets, report, reproduce, run, seek,
+    sensitivity, stability, sweep, validate, variables,
+};
+
+/// What commands are for, as `cmra --help` groups them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    Explore,
+    Decide,
+    Check,
+    Data,
+}
+
+impl Group {
+    pub(super) const ALL: [Self; 4] = [Self::Explore, Self::Decide, Self::Check, Self::Data];
+
+    /// Its heading.
+    pub(super) fn heading(self) -> &'static str {
+        match self {
+            Self::Explore => "Run and explore",
+            Self::Decide => "Decide",
+            Self::Check => "Check",
+            Self::Data => "Data",
+        }
+    }
+}
+
+/// A command of the program.
+pub(super) struct Row {
+    pub(super) group: Group,
+    pub(super) name: &'static str,
+    pub(super) about: &'static str,
+    /// Adds its arguments, which is put off until they are needed.
+    arguments: fn(Command) -> Command,
+    /// Reads them and carries it out.
+    run: fn(&ArgMatches) -> Result<ExitCode, CliError>,
+}
+
+macro_rules! commands {
+    ($($group:ident $name:literal $about:literal $run:path;)*) => {
+        /// Every command, in the order of `cmra --help`.
+        pub(super) const COMMANDS: &[Row] = &[$(Row {
+            group: Group::$group,
+            name: $name,
+            about: $about,
+            // The descriptions of shared arguments would replace its own.
+            arguments: |command| augmented(command, $run).about($about).long_about(None::<&str>),
+            run: |matches| $run(&read(matches)?),
+        }),*];
+    };
+}
+
+commands! {
+    Explore "run" "Run one scene and print what happened" run::run;
+    Explore "sweep" "Run a scene at every point of one or more axes" sweep::run;
+    Explore "join" "Join the parts of a sweep that was computed with --shard" join::run;
+    Decide "limit" "Find the ballistic limit and the residual velocity beyond it" limit::run;
+    Decide "fit" "Find V50 from shots of a test, and the strength that gives it" fit::run;
+    Decide "compare" "Compare with a solid plate of the same areal mass; draw a map" compare::run;
+    Decide "seek" "Find the values of a variable that reach a goal" seek::run;
+    Decide "optimise" "Find the best design under constraints, or a Pareto front" optimise::run;
+    Decide "sensitivity" "Find which variables matter most" sensitivity::run;
+    Decide "montecarlo" "Show how results spread when inputs do" monte_carlo::run;
+    Decide "report" "Write one file with scene, results, charts and warnings" report::run;
+    Check "accuracy" "Compare the error and the run time of every method" accuracy::run;
+    Check "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability::run;
+    Check "reproduce" "Check every claim of the thesis" reproduce::run;
+    Check "validate" "Compare the model with measurements from the literature" validate::run;
+    Data "presets" "List the presets, or show one" presets::run;
+    Data "variables" "List every variable of a scene: symbol, name, default, meaning" variables::run;
+    Data "explain" "Explain one variable or quantity" explain::run;
+    Data "libraries" "List threats, materials and absorbers with their sources" libraries::run;
+    Data "design" "Print formulas, the screening matrix and the design principles" design::run;
+    Data "keys" "Print every key of the workbench" help::run_keys;
+    Data "help" "Explain a topic (scenes, csv, equations, ...) or a command" help::run;
+    Data "paths" "Print where this program keeps presets, session and log" paths::run;
+    Data "completions" "Print a completion script for a shell" completions::run;
+    Data "man" "Print the manual page, in roff" man::run;
+    Data "install" "Install manual pages and shell completions" install::run;
+}
+
+/// Of a command that takes none.
+#[derive(Debug, Args)]
+pub(super) struct NoArguments {}
+
+/// A command with the arguments that its function takes.
+fn augmented<A: Args, T>(command: Command, _: fn(&A) -> T) -> Command {
+    A::augment_args(command)
+}
+
+/// The arguments as written; the parser has checked them.
+pub(super) fn read<A: Args>(matches: &ArgMatches) -> Result<A, CliError> {
+    A::from_arg_matches(matches).map_err(|error| CliError::Option(error.to_string()))
+}
+
+/// The whole command line. The arguments of a command are added when it is named, or by `build`.
+pub(super) fn program() -> Command {
+    let command = |row: &Row| {
+        let command = Command::new(row.name).about(row.about).defer(row.arguments);
+        match row.name {
+            "compare" => command.alias("worth"),
+            "montecarlo" => command.alias("scatter"),
+            "optimise" => command.visible_alias("optimize"),
+            _ => command,
+        }
+    };
+    Arguments::command().subcommands(COMMANDS.iter().map(command))
+}
+
+/// Carry out the command that was named; nothing if none was.
+pub(super) fn carry_out(matches: &ArgMatches) -> Option<Result<ExitCode, CliError>> {
+    let (name, matches) = matches.subcommand()?;
+    let row = COMMANDS.iter().find(|row| row.name == name)?;
+    Some((row.run)(matches))
+}
+
+/// The names of all commands.
+pub(super) fn names() -> Vec<&'static str> {
+    COMMANDS.iter().map(|row| row.name).collect()
+}
