@@ -121,11 +121,8 @@ fn between(map: Mapping, step: Step, along: Along) -> Vec<u16> {
 
 /// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
-    let ticks = |exponent| Ticks {
-        labelled: multiples(map, step, exponent),
-        exponent,
-        ..Ticks::default()
-    };
+    let ticks =
+        |exponent| Ticks { labelled: multiples(map, step, exponent), exponent, ..Ticks::default() };
     let whole = ticks(0);
     if exponent == 0 {
         return whole;
