@@ -98,9 +98,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
     let matches = match help::command().try_get_matches_from(&written) {
         Ok(matches) => matches,
         Err(error) => {
-            let mut program = commands::program();
-            program.build();
-            match usage::line(&error, &program, &written) {
+            match usage::line(&error, &commands::whole(), &written) {
                 // The parser repeats what was written; a terminal would obey it.
                 Some(line) => output::note(&clean::line(&format!("error: {line}"))),
                 // Help and version; a closed pipe ends them quietly.

@@ -2,7 +2,7 @@
 
 use clap::{ArgAction, Command};
 
-use crate::cli::help;
+use crate::cli::commands;
 use crate::files::clean::shell_word;
 use crate::files::export;
 
@@ -14,7 +14,7 @@ const DROPPED: [&str; 9] =
 /// they were typed.
 pub(super) fn comment(scene: Option<&str>) -> String {
     let typed = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
-    export::again(&line(&help::command(), &typed.collect::<Vec<_>>(), scene))
+    export::again(&line(&commands::whole(), &typed.collect::<Vec<_>>(), scene))
 }
 
 /// The words after the program's name that make the rows again on standard output.

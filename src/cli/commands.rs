@@ -115,6 +115,13 @@ pub(super) fn program() -> Command {
     Arguments::command().subcommands(COMMANDS.iter().map(command))
 }
 
+/// The whole command line with the arguments of every command, for those that look them up.
+pub(super) fn whole() -> Command {
+    let mut program = program();
+    program.build();
+    program
+}
+
 /// Carry out the command that was named; nothing if none was.
 pub(super) fn carry_out(matches: &ArgMatches) -> Option<Result<ExitCode, CliError>> {
     let (name, matches) = matches.subcommand()?;

@@ -30,9 +30,7 @@ pub(super) fn run(arguments: &CompletionsArguments) -> Result<ExitCode, CliError
 /// The completion script of a shell.
 pub(super) fn script(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
-    let mut program = commands::program();
-    program.build();
-    clap_complete::generate(shell, &mut named(program), "cmra", &mut script);
+    clap_complete::generate(shell, &mut named(commands::whole()), "cmra", &mut script);
     script
 }
 

@@ -15,7 +15,7 @@ pub(super) struct ManArguments {
 
 /// Print a page.
 pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
-    let mut command = program();
+    let mut command = commands::whole();
     if let Some(name) = &arguments.subcommand {
         let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
         let unknown =
@@ -37,16 +37,9 @@ pub(super) struct Page {
 
 /// The page of the program, and one a subcommand.
 pub(super) fn pages() -> Result<Vec<Page>, CliError> {
-    let program = program();
+    let program = commands::whole();
     let subcommands = program.get_subcommands().cloned();
     std::iter::once(program.clone()).chain(subcommands).map(page).collect()
-}
-
-/// The whole command line, with the full names of its subcommands.
-fn program() -> Command {
-    let mut program = commands::program();
-    program.build();
-    program
 }
 
 fn page(command: Command) -> Result<Page, CliError> {
