@@ -38,6 +38,10 @@ pub(super) struct Row {
     pub(super) group: Group,
     pub(super) name: &'static str,
     pub(super) about: &'static str,
+    /// An old name that still works.
+    old_name: Option<&'static str>,
+    /// Another spelling, which `--help` names.
+    spelling: Option<&'static str>,
     /// Adds its arguments, which is put off until they are needed.
     arguments: fn(Command) -> Command,
     /// Reads them and carries it out.
@@ -45,12 +49,14 @@ pub(super) struct Row {
 }
 
 macro_rules! commands {
-    ($($group:ident $name:literal $about:literal $run:path;)*) => {
+    ($($group:ident $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $run:path;)*) => {
         /// Every command, in the order of `cmra --help`.
         pub(super) const COMMANDS: &[Row] = &[$(Row {
             group: Group::$group,
             name: $name,
             about: $about,
+            old_name: [$($old,)?].first().copied(),
+            spelling: [$($or,)?].first().copied(),
             // The descriptions of shared arguments would replace its own.
             arguments: |command| augmented(command, $run).about($about).long_about(None::<&str>),
             run: |matches| $run(&read(matches)?),
@@ -64,11 +70,11 @@ commands! {
     Explore "join" "Join the parts of a sweep that was computed with --shard" join::run;
     Decide "limit" "Find the ballistic limit and the residual velocity beyond it" limit::run;
     Decide "fit" "Find V50 from shots of a test, and the strength that gives it" fit::run;
-    Decide "compare" "Compare with a solid plate of the same areal mass; draw a map" compare::run;
+    Decide "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare::run;
     Decide "seek" "Find the values of a variable that reach a goal" seek::run;
-    Decide "optimise" "Find the best design under constraints, or a Pareto front" optimise::run;
+    Decide "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise::run;
     Decide "sensitivity" "Find which variables matter most" sensitivity::run;
-    Decide "montecarlo" "Show how results spread when inputs do" monte_carlo::run;
+    Decide "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo::run;
     Decide "report" "Write one file with scene, results, charts and warnings" report::run;
     Check "accuracy" "Compare the error and the run time of every method" accuracy::run;
     Check "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability::run;
@@ -105,12 +111,7 @@ pub(super) fn read<A: Args>(matches: &ArgMatches) -> Result<A, CliError> {
 pub(super) fn program() -> Command {
     let command = |row: &Row| {
         let command = Command::new(row.name).about(row.about).defer(row.arguments);
-        match row.name {
-            "compare" => command.alias("worth"),
-            "montecarlo" => command.alias("scatter"),
-            "optimise" => command.visible_alias("optimize"),
-            _ => command,
-        }
+        command.aliases(row.old_name).visible_aliases(row.spelling)
     };
     Arguments::command().subcommands(COMMANDS.iter().map(command))
 }
