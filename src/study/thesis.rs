@@ -251,7 +251,7 @@ mod tests {
     /// Not only between two claims: the longest take most of a second.
     #[test]
     fn the_claims_are_stopped_within_a_claim() {
-        // Several are checked side by side: those that run when it is stopped are left out, and none is begun after them.
+        // Claims are checked in parallel: those still running at the stop are left out, and no further one starts.
         let mut asked = 0;
         let watch = &mut |_, _: Option<&[Row]>| {
             asked += 1;

@@ -20,7 +20,7 @@ use crate::tui::app::jobs::{News, Running};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
 use crate::tui::message::{Content, Effect, PageTable};
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::theme::Role;
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
@@ -179,7 +179,7 @@ pub(in crate::tui) trait Page: Sync {
     ///
     /// # Errors
     /// Why there is none.
-    fn step(&self, _app: &mut App, _row: usize, _by: (bool, Size)) -> Result<Vec<Effect>, String> {
+    fn step(&self, _app: &mut App, _row: usize, _press: Press) -> Result<Vec<Effect>, String> {
         Ok(Vec::new())
     }
 

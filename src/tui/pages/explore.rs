@@ -25,7 +25,7 @@ use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::Picture;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{About, Page, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
@@ -114,8 +114,8 @@ impl Page for ExploreTab {
         app.pages.explore.row = app.setup_choices()[row];
     }
 
-    fn step(&self, app: &mut App, row: usize, by: (bool, Size)) -> Result<Vec<Effect>, String> {
-        setup::keys::step(app, app.setup_choices()[row], by)
+    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<Vec<Effect>, String> {
+        setup::keys::step(app, app.setup_choices()[row], press)
     }
 
     fn take(&self, app: &mut App, row: usize, text: &str) -> Result<Vec<Effect>, String> {

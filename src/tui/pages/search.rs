@@ -19,7 +19,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
@@ -133,8 +133,8 @@ impl Page for SearchTab {
         (app.pane() == SETUP).then(|| app.search_form())
     }
 
-    fn step(&self, app: &mut App, row: usize, by: (bool, Size)) -> Result<Vec<Effect>, String> {
-        keys::step(app, app.search_choices()[row], by)
+    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<Vec<Effect>, String> {
+        keys::step(app, app.search_choices()[row], press)
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -7,7 +7,7 @@ use crate::tui::keymap::{Action, Pane, Part};
 use crate::tui::message::Effect;
 use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{self, Tab};
 use crate::tui::update::{edit, field, find, zoom};
 
@@ -18,7 +18,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     }
     if !steps(app, action) {
         app.history.commit();
-        app.editor.stride = None;
+        app.editor.stepped = None;
     }
     let page = pages::of(app.tab);
     if let Some(effects) = page.act(app, action).or_else(|| in_form(app, action)) {
@@ -44,8 +44,8 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
 fn in_form(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let page = pages::of(app.tab);
     let form = page.form(app)?;
-    let by = match action {
-        Action::Enter => (true, Size::Plain),
+    let press = match action {
+        Action::Enter => Press::NEXT,
         _ => step_of(action)?,
     };
     let row = form.rows(0).selected;
@@ -53,7 +53,7 @@ fn in_form(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     if action == Action::Enter && form.line()?.text.is_some() {
         return Some(field::open(app, row));
     }
-    Some(page.step(app, row, by).unwrap_or_else(|why| app.refuse(why)))
+    Some(page.step(app, row, press).unwrap_or_else(|why| app.refuse(why)))
 }
 
 /// Move the selection of the pane by rows, stopping at the ends.

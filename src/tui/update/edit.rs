@@ -14,7 +14,7 @@ use crate::tui::message::Effect;
 use crate::tui::pages::explore;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::Pin;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::run::{runs, steps};
 use crate::tui::update::jobs;
 
@@ -258,11 +258,11 @@ pub(in crate::tui) fn reset_all(app: &mut App) -> Vec<Effect> {
 }
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
-pub(in crate::tui) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
+pub(in crate::tui) fn step(app: &mut App, press: Press) -> Vec<Effect> {
     let index = app.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
-        if let Some(value) = cycled(app, index, up) {
+        if let Some(value) = cycled(app, index, press.by()) {
             return finish(app, index, value, None);
         }
 
@@ -271,13 +271,13 @@ pub(in crate::tui) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
         return Vec::new();
     };
     let value = match (number.get)(&app.scene) {
-        Some(value) => step_number(app, index, number, value, (up, size)),
-        None => up.then(|| steps::first_value(number)),
+        Some(value) => step_number(app, index, number, value, press),
+        None => press.up.then(|| steps::first_value(number)),
     };
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));
     }
-    app.say(Severity::Note, edge(variable, up));
+    app.say(Severity::Note, edge(variable, press.up));
     Vec::new()
 }
 
@@ -286,14 +286,14 @@ fn step_number(
     index: usize,
     number: &Number,
     value: f64,
-    (up, size): (bool, Size),
+    press: Press,
 ) -> Option<f64> {
-    let stride = match app.editor.stride {
+    let plain = match app.editor.stepped {
         Some((same, decade)) if same == index => decade,
         _ => steps::decade(number, value),
     };
-    app.editor.stride = Some((index, stride));
-    steps::stepped(number, value, up, size, stride)
+    app.editor.stepped = Some((index, plain));
+    steps::stepped(number, value, press, plain)
 }
 
 fn edge(variable: &Variable, up: bool) -> String {
@@ -313,11 +313,11 @@ fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) ->
 }
 
 /// The neighbour of a choice or switch; `None` where there is only one value, or the variable is a number.
-fn cycled(app: &App, index: usize, up: bool) -> Option<Value> {
+fn cycled(app: &App, index: usize, by: isize) -> Option<Value> {
     match &VARIABLES[index].kind {
         Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
         Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = wrap((choice.get)(&app.scene), if up { 1 } else { -1 }, choice.words.len());
+            let next = wrap((choice.get)(&app.scene), by, choice.words.len());
             Some(Value::Word(choice.words[next]))
         }
         Kind::Choice(_) | Kind::Number(_) => None,

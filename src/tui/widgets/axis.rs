@@ -9,7 +9,7 @@ use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::run::editor::shown_number;
-use crate::tui::pages::run::steps::{self, Size};
+use crate::tui::pages::run::steps::{self, Press};
 use crate::tui::widgets::form::{Line, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
@@ -58,17 +58,17 @@ impl Part {
         self,
         axis: &mut SweepAxis,
         scene: &Scene,
-        (up, size): (bool, Size),
+        press: Press,
     ) -> Result<(), String> {
         match self {
             Self::Name => {
                 let all: Vec<&'static Variable> = numeric().collect();
-                let next = wrap(place(axis, &all).unwrap_or(0), if up { 1 } else { -1 }, all.len());
+                let next = wrap(place(axis, &all).unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
-            Self::From | Self::To => step_end(self, axis, (up, size))?,
+            Self::From | Self::To => step_end(self, axis, press)?,
             Self::Points => {
-                let next = if up {
+                let next = if press.up {
                     COUNTS.into_iter().find(|other| *other > axis.count)
                 } else {
                     COUNTS.into_iter().rev().find(|other| *other < axis.count)
@@ -110,13 +110,13 @@ impl Part {
 }
 
 /// Step an end by the size of the range: from 0 there is no size of its own.
-fn step_end(part: Part, axis: &mut SweepAxis, (up, size): (bool, Size)) -> Result<(), String> {
+fn step_end(part: Part, axis: &mut SweepAxis, press: Press) -> Result<(), String> {
     let variable = find(&axis.name)?;
     let number = number_of(variable)?;
     let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
-    let stride = steps::decade(number, greatest);
+    let plain = steps::decade(number, greatest);
     let end = if part == Part::From { &mut axis.from } else { &mut axis.to };
-    *end = steps::stepped(number, *end, up, size, stride).ok_or_else(|| {
+    *end = steps::stepped(number, *end, press, plain).ok_or_else(|| {
         format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
     })?;
     Ok(())

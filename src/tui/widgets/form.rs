@@ -125,10 +125,10 @@ pub(in crate::tui) fn quantity_meaning(name: &str) -> String {
     )
 }
 
-/// The name of the quantity after or before another one, in a circle.
-pub(in crate::tui) fn quantity_beside(name: &str, up: bool) -> &'static str {
+/// The name of the quantity so many after another one, in a circle.
+pub(in crate::tui) fn quantity_beside(name: &str, by: isize) -> &'static str {
     let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
-    QUANTITIES[wrap(at, if up { 1 } else { -1 }, QUANTITIES.len())].name
+    QUANTITIES[wrap(at, by, QUANTITIES.len())].name
 }
 
 /// The setup of a study.

@@ -75,7 +75,7 @@ impl<'a> ChartView<'a> {
             (cell, _) => cell,
         };
         let points: Vec<grid::Cell> = points.map(seen).collect();
-        // What a fit leaves over has both signs.
+        // Residuals of a fit are positive and negative.
         let scale = if residuals { Scale::Linear } else { value_scale(app) };
         let empty = || {
             let unit = Unit::with_prefix(1.0, column.unit());

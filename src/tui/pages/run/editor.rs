@@ -15,7 +15,7 @@ pub struct Editor {
     /// The text that the rows shown match.
     pub filter: String,
     /// The arrow step in use: the variable and its decade, kept while the arrows go on.
-    pub stride: Option<(usize, i32)>,
+    pub stepped: Option<(usize, i32)>,
 }
 
 /// One row of the list.

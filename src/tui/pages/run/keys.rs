@@ -5,7 +5,7 @@ use crate::tui::app::App;
 use crate::tui::dialogs::List;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::{Press, Size};
 use crate::tui::pages::run::{CHARTS, RUNS, charts, runs};
 use crate::tui::pages::{self, Tab};
 use crate::tui::update::{edit, field, jobs};
@@ -26,21 +26,22 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 }
 
 /// Up or down, and by how much, an action steps a value.
-pub(in crate::tui) fn step_of(action: Action) -> Option<(bool, Size)> {
+pub(in crate::tui) fn step_of(action: Action) -> Option<Press> {
+    let press = |up, size| Some(Press { up, size });
     match action {
-        Action::Left => Some((false, Size::Plain)),
-        Action::Right => Some((true, Size::Plain)),
-        Action::FarLeft => Some((false, Size::Coarse)),
-        Action::FarRight => Some((true, Size::Coarse)),
-        Action::FineLess => Some((false, Size::Fine)),
-        Action::FineMore => Some((true, Size::Fine)),
+        Action::Left => press(false, Size::Plain),
+        Action::Right => press(true, Size::Plain),
+        Action::FarLeft => press(false, Size::Coarse),
+        Action::FarRight => press(true, Size::Coarse),
+        Action::FineLess => press(false, Size::Fine),
+        Action::FineMore => press(true, Size::Fine),
         _ => None,
     }
 }
 
 fn in_variables(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    if let Some((up, size)) = step_of(action) {
-        return Some(edit::step(app, up, size));
+    if let Some(press) = step_of(action) {
+        return Some(edit::step(app, press));
     }
     match action {
         Action::Enter => Some(open(app)),
@@ -57,7 +58,7 @@ pub(in crate::tui) fn open(app: &mut App) -> Vec<Effect> {
             app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
             Vec::new()
         }
-        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, true, Size::Plain),
+        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
         Kind::Number(_) => {
             let row = pages::of(Tab::Run).rows(app).map_or(0, |rows| rows.selected);
             field::open(app, row)

@@ -4,6 +4,25 @@ use crate::model::units::Quantity;
 use crate::model::variables::{Number, Step};
 use crate::tui::pages::run::editor::shown_number;
 
+/// One press of an arrow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Press {
+    /// To the next value; else to the one before.
+    pub up: bool,
+    /// How far.
+    pub size: Size,
+}
+
+impl Press {
+    /// To the next value.
+    pub const NEXT: Self = Self { up: true, size: Size::Plain };
+
+    /// The number of values a choice goes on by.
+    pub fn by(self) -> isize {
+        if self.up { 1 } else { -1 }
+    }
+}
+
 /// How far one press goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
@@ -16,6 +35,15 @@ pub enum Size {
 }
 
 impl Size {
+    /// What it is of a plain step.
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Fine => 0.1,
+            Self::Plain => 1.0,
+            Self::Coarse => 10.0,
+        }
+    }
+
     fn decade(self) -> i32 {
         match self {
             Self::Fine => -1,
@@ -60,11 +88,11 @@ fn decade_at_zero(number: &Number) -> i32 {
 
 /// The value one press away, `None` where that would make no physical sense.
 ///
-/// `stride` is the decade of a plain linear step ([`decade`]); up and down by the same stride come back to the same value.
-pub fn stepped(number: &Number, value: f64, up: bool, size: Size, stride: i32) -> Option<f64> {
+/// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
+pub fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<f64> {
     let next = match number.step {
-        Step::Linear => linear(value, up, stride + size.decade()),
-        Step::Log => logarithmic(number, value, up, size),
+        Step::Linear => linear(value, press.up, plain + press.size.decade()),
+        Step::Log => logarithmic(number, value, press),
     };
     let next = clamp(number, value, next);
     (number.allowed.contains(next) && next.to_bits() != value.to_bits()).then_some(next)
@@ -102,7 +130,7 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-fn logarithmic(number: &Number, value: f64, up: bool, size: Size) -> f64 {
+fn logarithmic(number: &Number, value: f64, Press { up, size }: Press) -> f64 {
     let smallest = smallest(number);
     if value == 0.0 {
         return if up { smallest } else { 0.0 };
@@ -110,12 +138,8 @@ fn logarithmic(number: &Number, value: f64, up: bool, size: Size) -> f64 {
     if !up && value <= smallest * 1.001 && number.allowed.contains(0.0) {
         return 0.0;
     }
-    let tenths = match size {
-        Size::Fine => 0.1,
-        Size::Plain => 1.0,
-        Size::Coarse => 10.0,
-    };
-    let exponent = value.log10() * 10.0 + if up { tenths } else { -tenths };
+    let tenths = if up { size.factor() } else { -size.factor() };
+    let exponent = value.log10() * 10.0 + tenths;
     // Near a tenth (or hundredth) of a decade: exactly there, so that up and down meet again.
     let grid = if size == Size::Fine { 10.0 } else { 1.0 };
     let snapped = (exponent * grid).round() / grid;
@@ -157,9 +181,11 @@ mod tests {
         }
     }
 
+    const BACK: Press = Press { up: false, size: Size::Plain };
+
     fn up(symbol: &str, value: f64, size: Size) -> Option<f64> {
         let number = number(symbol);
-        stepped(number, value, true, size, decade(number, value))
+        stepped(number, value, Press { up: true, size }, decade(number, value))
     }
 
     #[test]
@@ -179,22 +205,22 @@ mod tests {
         let k = number("k");
         let mut value = 1e5;
         for expected in [1.26e5, 1.58e5, 2e5, 2.51e5, 3.16e5] {
-            value = stepped(k, value, true, Size::Plain, 0).unwrap();
+            value = stepped(k, value, Press::NEXT, 0).unwrap();
             assert_eq!(value.to_bits(), f64::to_bits(expected));
         }
-        assert_eq!(stepped(k, 0.0, true, Size::Plain, 0), Some(1e3));
-        assert_eq!(stepped(k, 1e3, false, Size::Plain, 0), Some(0.0));
-        assert_eq!(stepped(k, 0.0, false, Size::Plain, 0), None);
+        assert_eq!(stepped(k, 0.0, Press::NEXT, 0), Some(1e3));
+        assert_eq!(stepped(k, 1e3, BACK, 0), Some(0.0));
+        assert_eq!(stepped(k, 0.0, BACK, 0), None);
     }
 
     #[test]
     fn no_step_leads_to_an_impossible_value() {
         let theta = number("theta");
-        assert_eq!(stepped(theta, 89.5, true, Size::Plain, 0), None);
-        assert_eq!(stepped(theta, 0.5, false, Size::Plain, 0), Some(0.0));
+        assert_eq!(stepped(theta, 89.5, Press::NEXT, 0), None);
+        assert_eq!(stepped(theta, 0.5, BACK, 0), Some(0.0));
         let gamma = number("gamma");
-        assert_eq!(stepped(gamma, 0.1, false, Size::Plain, -1), None);
+        assert_eq!(stepped(gamma, 0.1, BACK, -1), None);
         let restitution = number("e");
-        assert_eq!(stepped(restitution, 0.95, true, Size::Plain, -1), Some(1.0));
+        assert_eq!(stepped(restitution, 0.95, Press::NEXT, -1), Some(1.0));
     }
 }

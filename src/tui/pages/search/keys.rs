@@ -16,7 +16,7 @@ use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::Tab;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::search;
 use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::bounds::read_bound;
@@ -153,13 +153,9 @@ pub(in crate::tui) fn report(app: &mut App, running: &Running, news: &News) {
 ///
 /// # Errors
 /// Why there is none.
-pub(in crate::tui) fn step(
-    app: &mut App,
-    row: Row,
-    by: (bool, Size),
-) -> Result<Vec<Effect>, String> {
+pub(in crate::tui) fn step(app: &mut App, row: Row, press: Press) -> Result<Vec<Effect>, String> {
     let before = app.pages.search.setup.clone();
-    change(app, row, by)?;
+    change(app, row, press)?;
     note(app, row, before, true);
     Ok(after_edit(app))
 }
@@ -196,11 +192,11 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
     edit::note_setting(app, setting, label, stepping);
 }
 
-fn change(app: &mut App, row: Row, (up, size): (bool, Size)) -> Result<(), String> {
+fn change(app: &mut App, row: Row, press: Press) -> Result<(), String> {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
     let setup = &mut app.pages.search.setup;
-    let by = if up { 1 } else { -1 };
+    let (up, by) = (press.up, press.by());
     let within = |value: usize, (least, most, each): (usize, usize, usize)| {
         let moved = if up { value + each } else { value.saturating_sub(each) };
         moved.clamp(least, most)
@@ -209,11 +205,11 @@ fn change(app: &mut App, row: Row, (up, size): (bool, Size)) -> Result<(), Strin
     match row {
         Row::Axis(part) => {
             let mut axis = setup.seek.clone();
-            part.step(&mut axis, &app.scene, (up, size))?;
+            part.step(&mut axis, &app.scene, press)?;
             setup.seek = checked(axis)?;
         }
-        Row::Result => setup.goal.0 = quantity_beside(setup.goal.0, up),
-        Row::Output => setup.output = quantity_beside(setup.output, up),
+        Row::Result => setup.goal.0 = quantity_beside(setup.goal.0, by),
+        Row::Output => setup.output = quantity_beside(setup.output, by),
         Row::Bound(at) => {
             setup.bounds = bounds;
             if let Some(bound) = setup.bounds.get_mut(at) {

@@ -16,7 +16,6 @@ use crate::tui::pages::explore;
 use crate::tui::pages::explore::state::{Picture, Spread};
 use crate::tui::pages::run;
 use crate::tui::pages::run::keys::step_of;
-use crate::tui::pages::run::steps::Size;
 use crate::tui::pages::thesis::state::Claims;
 use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
 use crate::tui::update::{edit, jobs};
@@ -39,14 +38,10 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let pane = app.pane();
-    if let (SCREENING, Some((up, size))) = (pane, step_of(action)) {
-        let step = match size {
-            Size::Plain => STEP,
-            Size::Coarse => 10.0 * STEP,
-            Size::Fine => 0.1 * STEP,
-        };
+    if let (SCREENING, Some(press)) = (pane, step_of(action)) {
+        let step = STEP * press.size.factor();
         let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
-        weights[at] = (weights[at] + if up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
+        weights[at] = (weights[at] + if press.up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
         weigh(app, weights, Some(at));
         return Some(Vec::new());
     }

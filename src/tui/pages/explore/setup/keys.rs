@@ -20,7 +20,7 @@ use crate::tui::message::Effect;
 use crate::tui::pages::explore::setup::{Part, SetupRow};
 use crate::tui::pages::explore::state::{Picture, Spread, Sweeping, has_family, sweep_of};
 use crate::tui::pages::run;
-use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::steps::Press;
 use crate::tui::update::edit;
 use crate::tui::widgets::axis::{numeric, over, place, whole};
 use crate::tui::widgets::form::quantity_beside;
@@ -50,7 +50,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 
 /// The variable along on the other scale.
 pub(in crate::tui) fn toggle_spacing(app: &mut App) -> Vec<Effect> {
-    let stepped = step(app, SetupRow::Axis(0, Part::Spacing), (true, Size::Plain));
+    let stepped = step(app, SetupRow::Axis(0, Part::Spacing), Press::NEXT);
     stepped.unwrap_or_else(|error| app.refuse(error))
 }
 
@@ -104,15 +104,15 @@ fn choose_output(app: &mut App, mut sweep: Sweep, name: &str) -> Vec<Effect> {
 pub(in crate::tui) fn step(
     app: &mut App,
     row: SetupRow,
-    (up, size): (bool, Size),
+    press: Press,
 ) -> Result<Vec<Effect>, String> {
     let mut sweep = sweep_of(&app.scene);
     let picture = app.picture();
-    let by = if up { 1 } else { -1 };
+    let by = press.by();
     match row {
         SetupRow::Axis(at, Part::Name) => next_variable(app, at, by),
         SetupRow::Axis(at, part) => {
-            part.step(&mut sweep.axes[at], &app.scene, (up, size))?;
+            part.step(&mut sweep.axes[at], &app.scene, press)?;
             checked(app, sweep, at)
         }
         SetupRow::Picture => {
@@ -135,10 +135,10 @@ pub(in crate::tui) fn step(
             tried(app, picture, |sweeping| sweeping.visits.curves = next)
         }
         SetupRow::Output => {
-            let next = quantity_beside(&sweep.outputs[app.pages.explore.output_of(&sweep)], up);
+            let next = quantity_beside(&sweep.outputs[app.pages.explore.output_of(&sweep)], by);
             Ok(choose_output(app, sweep, next))
         }
-        SetupRow::Held(_) => Ok(edit::step(app, up, size)),
+        SetupRow::Held(_) => Ok(edit::step(app, press)),
         SetupRow::Heading(_) => Ok(Vec::new()),
     }
 }
