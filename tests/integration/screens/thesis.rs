@@ -20,6 +20,25 @@ fn bench(columns: u16, rows: u16) -> Bench {
     bench
 }
 
+#[test]
+fn the_count_of_every_verdict_fits_80_columns() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("6");
+    let id = asked(&mut bench).expect("the claims are asked for");
+    let one = check(&claims()[0]);
+    // The counts that the report of all claims ends with.
+    let counts = [25, 29, 22, 83, 23, 17];
+    let rows = Verdict::ALL.into_iter().zip(counts).flat_map(|(verdict, count)| {
+        let mut row = one.clone();
+        row.found.verdict = verdict;
+        std::iter::repeat_n(row, count)
+    });
+    let rows: Vec<Row> = rows.collect();
+    bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
+    let counts = "25 reproduced, 29 corrected, 22 misprint, 83 hold, 23 fail, 17 unchecked";
+    assert!(bench.screen().contains(counts), "{}", bench.screen());
+}
+
 /// The number of the study of the claims that was asked for.
 fn asked(bench: &mut Bench) -> Option<u64> {
     let studies = bench.studies();

@@ -159,9 +159,10 @@ impl App {
             let listed = |show: fn(Verdict) -> &'static str| {
                 let parts = Verdict::ALL.iter().zip(counts);
                 let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
-                format!("{} rows: {}", rows.len(), parts.collect::<Vec<_>>().join(", "))
+                parts.collect::<Vec<_>>().join(", ")
             };
-            parts.push((Severity::Note, listed(Verdict::words), listed(Verdict::brief)));
+            let full = format!("{} rows: {}", rows.len(), listed(Verdict::words));
+            parts.push((Severity::Note, full, listed(Verdict::brief)));
         }
         parts
     }
