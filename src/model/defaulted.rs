@@ -1,6 +1,7 @@
-//! Structs whose fields have their default values beside them.
+//! The structs of a scene, whose fields have their default values beside them.
 
-/// Defines structs, and their defaults by the value of each field.
+/// Defines structs, and their defaults by the value of each field. What a field means, its unit and what it may be is said in the
+/// row of its path in [`VARIABLES`](crate::model::variables::VARIABLES).
 macro_rules! defaulted {
     ($(
         $(#[$meta:meta])*
@@ -9,6 +10,7 @@ macro_rules! defaulted {
         }
     )+) => {$(
         $(#[$meta])*
+        #[expect(missing_docs, reason = "the table of variables says what each field means")]
         pub struct $name {
             $($(#[$doc])* pub $field: $type,)+
         }

@@ -10,14 +10,12 @@ use crate::model::worded::worded;
 
 mod contact;
 mod spring;
-mod stack;
 
 pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
 pub use spring::{
     Beam, Bistable, Column, Combination, ConstantForce, Crush, Helix, Normalised, OwnMass, Spring,
     SpringKind, Table, Wire,
 };
-pub use stack::{LAYERS_MAX, Layer, Stack};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -50,19 +48,12 @@ defaulted! {
     /// A rigid projectile with a hemispherical nose.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile {
-        /// `m_p`, > 0 kg.
         pub mass_kg: f64 = 0.0295,
-        /// `R`, > 0 m.
         pub tip_radius_m: f64 = 0.00635,
-        /// `v_i`, > 0 m/s.
         pub velocity_m_s: f64 = 100.0,
-        /// theta between the projectile's axis and the plate's normal, 0 to below 90 degrees.
         pub obliquity_deg: f64 = 0.0,
-        /// `rho_p`, > 0 kg/m³: with the mass, it gives the rod's length in the formula for ricochet.
         pub density_kg_m3: f64 = 7850.0,
-        /// `Y_p`, > 0 Pa: the rod's strength in that formula.
         pub strength_pa: f64 = 1e9,
-        /// The nose's shape: the law is for a hemisphere whatever it is; others are outside the model's validity.
         pub nose: Nose = Nose::Hemispherical,
     }
 }
@@ -71,7 +62,6 @@ worded! {
     /// The shape of a projectile's nose.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Nose: word {
-        /// A hemisphere, as the law has it.
         #[default]
         Hemispherical = "hemispherical",
         /// An ogive or a cone.
@@ -85,21 +75,14 @@ defaulted! {
     /// The plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Target {
-        /// `h`, > 0 m.
         pub thickness_m: f64 = 0.0254,
-        /// rho, > 0 kg/m³.
         pub density_kg_m3: f64 = 2710.0,
         /// `S_y`, dynamic flow strength, >= 0 Pa; what counts is [`Scene::flow_strength_pa`].
         pub flow_strength_pa: f64 = 1.52e8,
-        /// Where the flow strength comes from.
         pub closure: Closure = Closure::Given,
-        /// Y > 0, yield strength, Pa, for a closure.
         pub yield_pa: f64 = 75.8e6,
-        /// E > Y, modulus of elasticity, Pa, for a closure.
         pub modulus_pa: f64 = 73.1e9,
-        /// `C_d`, >= 0.
         pub drag_coefficient: f64 = 0.5,
-        /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
         pub dishing: bool = true,
     }
 }
@@ -123,13 +106,10 @@ defaulted! {
     /// The plate as a body.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Plate {
-        /// gamma = plate mass / projectile mass, > 0.
         pub mass_ratio: f64 = 1.0,
         /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
         pub size: PlateSize = PlateSize::Ratio,
-        /// How it is carried.
         pub mount: Mount = Mount::Sprung,
-        /// `d` >= 0 m: the plate starts at x = -d, at rest.
         pub cocking_m: f64 = 0.0,
     }
 }
@@ -150,53 +130,39 @@ worded! {
     /// How the plate is carried.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Mount: word {
-        /// On its spring and damper (either may be absent).
         #[default]
         Sprung = "sprung",
-        /// It cannot move.
         Rigid = "rigid",
     }
 }
 
-/// Spring, damper and stop.
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Mechanism {
-    /// Force `b |w|^m sgn(w)` against the plate's velocity.
-    pub damper: Damper,
-    /// Force against the plate's displacement.
-    pub spring: Spring,
-    /// How the second spring acts with the first.
-    pub combination: Combination,
-    /// The second spring; without effect where the first is alone.
-    pub second: Spring,
-    /// Energy that the spring or absorber takes up per mass of its own, > 0 J/kg; `None`: what the first spring's wire stores.
-    pub energy_j_kg: Option<f64>,
-    /// A mechanical stop, if there is one.
-    pub stop: Stop,
-}
-
 defaulted! {
+    /// Spring, damper and stop.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Mechanism {
+        pub damper: Damper = Damper::default(),
+        pub spring: Spring = Spring::default(),
+        pub combination: Combination = Combination::Alone,
+        /// Without effect where the first spring is alone.
+        pub second: Spring = Spring::default(),
+        pub energy_j_kg: Option<f64> = None,
+        pub stop: Stop = Stop::default(),
+    }
+
     /// A power-law damper.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Damper {
-        /// `b` >= 0, N(s/m)^m.
         pub coefficient: f64 = 0.0,
-        /// `m` > 0.
         pub exponent: f64 = 1.0,
     }
 
     /// A mechanical stop at x = `position_m`, which acts on the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Stop {
-        /// Where the plate meets it, >= -d; `None`: there is no stop.
         pub position_m: Option<f64> = None,
-        /// Rigid or elastic.
         pub kind: StopKind = StopKind::Rigid,
-        /// Rigid stop: the plate's velocity w becomes -e w, 0 to 1.
         pub restitution: f64 = 0.0,
-        /// Elastic stop: one-sided stiffness, > 0 N/m.
         pub stiffness_n_m: f64 = 1e8,
-        /// Elastic stop: one-sided damping, >= 0 N s/m.
         pub damping_n_s_m: f64 = 0.0,
     }
 }
@@ -205,10 +171,8 @@ worded! {
     /// The kind of stop.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum StopKind: word {
-        /// An impact with a coefficient of restitution.
         #[default]
         Rigid = "rigid",
-        /// A one-sided spring and damper.
         Elastic = "elastic",
     }
 }
@@ -217,9 +181,7 @@ defaulted! {
     /// The interface between projectile and plate after the first arrest.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Interface {
-        /// Which law.
         pub law: InterfaceLaw = InterfaceLaw::Fused,
-        /// g >= 0: the greatest pull is `g A S_y`. An assumption, 0.1 unless given.
         pub grip: f64 = 0.1,
     }
 }
@@ -240,9 +202,7 @@ defaulted! {
     /// How a run is computed.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct RunSettings {
-        /// Relative accuracy asked of depth and time, 1e-14 to 1e-2.
         pub tolerance: f64 = 1e-9,
-        /// The run goes on to this time, > 0 s; `None`: chosen from the scene.
         pub horizon_s: Option<f64> = None,
     }
 }
@@ -271,6 +231,33 @@ pub struct SweepAxis {
     pub log: bool,
     /// The values themselves, in this order, instead of a range; empty for a range.
     pub values: Vec<f64>,
+}
+
+/// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
+pub const LAYERS_MAX: usize = 50;
+
+defaulted! {
+    /// What stands behind the scene's own plate.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Stack {
+        pub base_thickness_m: Option<f64> = None,
+        pub base_strength_pa: Option<f64> = None,
+        pub elements: f64 = 1.0,
+        pub gap_m: Option<f64> = None,
+        /// Further elements that are not like the first, in order.
+        pub layers: Vec<Layer> = Vec::new(),
+    }
+}
+
+/// One element of a stack: a plate on its mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// The plate's material.
+    pub target: Target,
+    /// The plate as a body.
+    pub plate: Plate,
+    /// What carries it.
+    pub mechanism: Mechanism,
 }
 
 impl Damper {
