@@ -13,11 +13,8 @@ worded! {
     /// Which library.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Library: word {
-        /// Projectiles and their velocities.
         Threats = "threat",
-        /// Densities, strengths and moduli of plates.
         Materials = "material",
-        /// Springs and crushable absorbers, with their energy per mass.
         Absorbers = "absorber",
     }
 }
@@ -46,9 +43,7 @@ worded! {
     /// How well the values of an entry are known.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Status: word {
-        /// Measured, and published with the measurement.
         Measured = "measured",
-        /// Set by a standard.
         Standard = "standard",
         /// Typical of its kind, or computed from a published formula.
         Typical = "typical",

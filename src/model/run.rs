@@ -1,7 +1,7 @@
 //! What a run gives back: series, events, outcome, energy ledger, cost and warnings. Plain data in SI units.
 //!
 //! A quantity that does not exist for a scene is `None`, never zero. A run that had to end early keeps all it has and says
-//! why in [`Run::end`]. Nothing here reads a clock: whoever calls the simulation measures its time.
+//! why in [`Run::end`]. Nothing here reads a clock: the caller measures the time.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -39,7 +39,7 @@ impl Default for Settings {
 pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 /// One computed impact.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Run {
     /// The scene as it was run.
     pub scene: Arc<Scene>,
@@ -93,15 +93,13 @@ pub struct Run {
 
 worded! {
     /// What became of the shot.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Outcome: word {
-        /// The projectile stays in the plate.
         Arrested = "arrested",
-        /// The nose passed the rear face.
         Perforated = "perforated",
         /// The projectile left through the entry face and will not come back.
         Separated = "separated",
-        /// Not decided when the run ended.
+        #[default]
         Moving = "moving",
     }
 }
@@ -114,25 +112,19 @@ impl fmt::Display for Outcome {
 
 worded! {
     /// Why the computation ended.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum EndReason: words {
-        /// The outcome and the greatest displacement are known.
+        #[default]
         Decided = "outcome decided",
-        /// The horizon was reached.
         Horizon = "horizon reached",
         /// No horizon was given, and nothing was decided within five hundred swings.
         Swings = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
-        /// The step budget was used up.
         StepBudget = "ended early: the step budget was used up",
-        /// Steps became too small to move time forward.
         StepUnderflow = "ended early: steps became too small to move time forward",
-        /// A value stopped being finite.
         NonFinite = "ended early: a value stopped being finite",
         /// Too many events in a row (a plate rattling on its stop, for instance).
         EventBudget = "ended early: too many events",
-        /// The printed listing breaks off where its depth turns negative.
         BreaksOff = "ended early: the printed listing breaks off at a negative depth",
-        /// The observer asked to stop.
         Cancelled = "cancelled: what was finished is kept",
     }
 }
@@ -161,17 +153,13 @@ worded! {
     /// What the bodies are doing.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Mode: word {
-        /// The hole deepens.
         Penetrating = "penetrating",
-        /// Together at common velocity.
         Fused = "fused",
-        /// The projectile is being pulled out of its hole.
         Withdrawing = "withdrawing",
         /// Apart, or in the hole without force.
         FreeFlight = "free-flight",
         /// In the hole again, moving towards its bottom.
         Closing = "closing",
-        /// The nose has passed the rear face; the plate goes on alone.
         Perforated = "perforated",
     }
 }
@@ -218,31 +206,19 @@ worded! {
     /// The kinds of events a person wants marked on a chart.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum EventKind: words {
-        /// Common velocity for the first time.
         FirstArrest = "first arrest",
-        /// Common velocity again.
         Arrest = "arrest",
         /// The nose is buried to its full radius.
         NoseBuried = "nose buried",
-        /// The nose reaches the rear face.
         RearFace = "rear face reached",
-        /// The nose is clear of the rear face.
         Perforation = "perforation",
-        /// The interface gives way and penetration goes on.
         Resumption = "penetration resumes",
-        /// The projectile starts to be pulled out.
         PullOut = "pull-out begins",
-        /// The projectile has left through the entry face.
         Separation = "separation",
-        /// The projectile touches the plate again.
         Recontact = "contact again",
-        /// The plate is at its greatest displacement.
         GreatestDisplacement = "greatest displacement",
-        /// The plate hits the stop.
         StopHit = "stop hit",
-        /// The plate comes to rest on the stop.
         StopHold = "held by the stop",
-        /// The plate leaves the stop.
         StopRelease = "leaves the stop",
         /// The fused interface is first asked for more than it can carry.
         InterfaceExceeded = "interface limit exceeded",

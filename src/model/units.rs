@@ -16,36 +16,23 @@ use table::Unit;
 /// `SpringCoefficient` and `DamperCoefficient` carry the unit `N/m^n` and `N(s/m)^m`, whose dimension depends
 /// on an exponent; they accept the units of the linear case (`N/m`, `N s/m`) with SI prefixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the row of each has its unit and an example")]
 pub enum Quantity {
-    /// A pure number.
     Number,
-    /// kg
     Mass,
-    /// m
     Length,
-    /// m/s
     Velocity,
     /// deg (the SI unit is rad; angles are kept in degrees, see [`Quantity`])
     Angle,
-    /// kg/m³
     Density,
-    /// Pa
     Pressure,
-    /// s
     Time,
-    /// N
     Force,
-    /// J
     Energy,
-    /// J/kg
     SpecificEnergy,
-    /// N/m, for a stop
     Stiffness,
-    /// N s/m, for a stop
     Damping,
-    /// N/m^n
     SpringCoefficient,
-    /// N(s/m)^m
     DamperCoefficient,
 }
 
@@ -82,7 +69,6 @@ impl Quantity {
         self.row().0
     }
 
-    /// A text that would do.
     fn example(self) -> &'static str {
         self.row().2
     }

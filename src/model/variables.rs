@@ -53,15 +53,11 @@ worded! {
     /// The groups of the editor, in order.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Group: title {
-        /// The projectile.
         Projectile = "Projectile",
         /// The plate's material.
         Target = "Target",
-        /// The plate as a body.
         Plate = "Plate",
-        /// Spring and damper.
         Mechanism = "Mechanism",
-        /// The mechanical stop.
         Stop = "Stop",
         /// What stands behind the plate.
         Stack = "Stack",

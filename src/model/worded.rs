@@ -1,6 +1,7 @@
 //! Enums whose variants have a word each, or a few, in files and on screens.
 
-/// Defines an enum, its variants and their words in order, and the method that gives a variant's.
+/// Defines an enum, its variants and their words in order, and the method that gives a variant's. The words are its documentation
+/// where they say enough.
 macro_rules! worded {
     (
         $(#[$meta:meta])*
@@ -10,7 +11,7 @@ macro_rules! worded {
     ) => {
         $(#[$meta])*
         pub enum $name {
-            $($(#[$doc])* $variant,)+
+            $($(#[$doc])* #[doc = concat!("`", $word, "`")] $variant,)+
         }
 
         impl $name {

@@ -12,8 +12,8 @@ use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
-    Arrest, AtLeast, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, MechanismLoad,
-    Mode, ModelNote, Observer, Outcome, Run, Sample, Settings, Warning,
+    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, ModelNote, Observer, Outcome,
+    Run, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
@@ -31,7 +31,6 @@ const TAIL: f64 = 0.25;
 /// Without a spring, a plate that has this part of the impact velocity left has arrived.
 const FADED: f64 = 1e-6;
 
-/// The listing at work.
 struct Work<'a> {
     scene: &'a Scene,
     listing: Listing,
@@ -47,7 +46,7 @@ struct Work<'a> {
 }
 
 /// Simulate a valid scene by the listing.
-pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
+pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let mut run = simulate(scene, settings, observer);
     if scene.plate.mount == Mount::Rigid {
         run.baseline_penetration_m = run.final_penetration_m;
@@ -81,7 +80,7 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
         listing,
         scheme,
         state,
-        run: blank(scene),
+        run: Run { scene: Arc::clone(scene), ..Run::default() },
         keep,
         t_s: 0.0,
         deepest_m: 0.0,
@@ -130,7 +129,7 @@ impl Work<'_> {
         }
     }
 
-    /// Note a point: work done since the one before by the trapezoid, extremes, and every so-manieth for the series.
+    /// Notes a point: work done since the one before by the trapezoid, extremes, and some of them for the series.
     fn note(&mut self, sample: Sample, step: usize, every: usize) {
         if let Some(before) = self.before {
             let mean = |f: fn(&Sample) -> f64| 0.5 * (f(&before) + f(&sample));
@@ -330,35 +329,5 @@ impl Work<'_> {
         ];
         self.run.warnings.extend(notes.into_iter().flatten().map(Warning::Model));
         self.run
-    }
-}
-
-/// A run with nothing in it yet.
-fn blank(scene: &Arc<Scene>) -> Run {
-    Run {
-        scene: Arc::clone(scene),
-        outcome: Outcome::Moving,
-        end: EndReason::Decided,
-        first_arrest: None,
-        final_penetration_m: None,
-        baseline_penetration_m: None,
-        peak_contact_force_n: None,
-        max_plate_displacement_m: None,
-        at_least: AtLeast::default(),
-        penetration_at_most_m: None,
-        residual_velocity_m_s: None,
-        exit_time_s: None,
-        separation: None,
-        interface_demand_ratio: None,
-        error_estimate: None,
-        error_estimates: Vec::new(),
-        series: Vec::new(),
-        events: Vec::new(),
-        ledger: EnergyLedger::default(),
-        mechanism: MechanismLoad::default(),
-        stack: None,
-        cost: Cost::default(),
-        omitted: Vec::new(),
-        warnings: Vec::new(),
     }
 }

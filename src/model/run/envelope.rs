@@ -38,7 +38,6 @@ worded! {
     pub enum Check: label {
         /// Plate thickness over projectile diameter.
         Thickness = "h/D",
-        /// The shape of the nose.
         Nose = "nose",
         /// The pressure on the nose over the projectile's strength.
         NosePressure = "nose pressure",
@@ -46,9 +45,7 @@ worded! {
         NoseMass = "nose mass",
         /// The plate's face over the projectile's diameter.
         Face = "plate face",
-        /// Impact velocity.
         Velocity = "velocity",
-        /// Obliquity.
         Obliquity = "obliquity",
         /// Velocity, stress and travel of the spring.
         Spring = "spring",
@@ -139,7 +136,6 @@ fn breach(check: Check, direction: Direction, text: String) -> Breach {
     Breach { check, direction, text }
 }
 
-/// What concerns the plate.
 fn target(scene: &Scene) -> Vec<Breach> {
     let mut found = Vec::new();
     let uses_plate =
@@ -174,7 +170,6 @@ fn target(scene: &Scene) -> Vec<Breach> {
     found
 }
 
-/// What concerns the shot.
 fn shot(scene: &Scene) -> Vec<Breach> {
     let mut found = Vec::new();
     let projectile = &scene.projectile;

@@ -2,21 +2,12 @@
 
 /// What a contact model does not contain, or takes for granted.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the sentence of each says what it means")]
 pub enum ModelNote {
-    /// The prescribed force goes on although the bodies have reached common velocity.
-    Overruns {
-        /// First common velocity, s.
-        t_s: f64,
-        /// `t_d`, s.
-        duration_s: f64,
-    },
-    /// The model knows no rear face, and the depth is beyond it.
+    Overruns { t_s: f64, duration_s: f64 },
     DeeperThanPlate,
-    /// The plastic interface law belongs to the hydrodynamic model.
     NoPlasticLaw,
-    /// The listing has no stop.
     NoStop,
-    /// The listing goes on with projectile and plate as one although the plate is perforated.
     JoinedThroughHole,
 }
 

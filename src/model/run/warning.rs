@@ -8,73 +8,21 @@ use crate::model::units::{self, Engineering};
 
 /// What a careful reader should know about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the sentence of each says what it means")]
 pub enum Warning {
-    /// Fused, the interface was asked to push harder than its strength; penetration would resume.
-    InterfacePush {
-        /// Greatest N/(A `S_y`).
-        ratio: f64,
-        /// When the limit was first exceeded, s.
-        t_s: f64,
-    },
-    /// Fused, the interface was asked to pull harder than its grip; the projectile would be pulled out.
-    InterfacePull {
-        /// Greatest -N/(g A `S_y`).
-        ratio: f64,
-        /// When the limit was first exceeded, s.
-        t_s: f64,
-    },
-    /// The interface has no strength at all, so no ratio exists.
+    InterfacePush { ratio: f64, t_s: f64 },
+    InterfacePull { ratio: f64, t_s: f64 },
     InterfaceWithoutStrength,
-    /// Plastic: penetration went on after the first arrest.
-    PenetrationResumed {
-        /// When it first did, s.
-        t_s: f64,
-    },
-    /// The energy ledger does not close as well as it should.
-    EnergyDrift {
-        /// Relative residual.
-        residual: f64,
-    },
-    /// The run ended early.
+    PenetrationResumed { t_s: f64 },
+    EnergyDrift { residual: f64 },
     EndedEarly(EndReason),
-    /// The run ended while the plate, or the projectile in its hole, still moved.
-    StillMoving {
-        /// What is decided of the shot.
-        outcome: Outcome,
-        /// What is known as a lower bound only.
-        at_least: AtLeast,
-    },
-    /// The run did not come as far as it was asked to.
-    HorizonNotReached {
-        /// Why.
-        reason: EndReason,
-        /// Where it stopped, s.
-        t_s: f64,
-        /// The horizon, s.
-        horizon_s: f64,
-    },
-    /// Of so many steps the series has fewer rows, which show the same curves.
-    SeriesThinned {
-        /// Rows.
-        rows: usize,
-        /// Steps.
-        steps: usize,
-    },
-    /// The rigid mount, too, is perforated: there is no baseline to compare with.
+    StillMoving { outcome: Outcome, at_least: AtLeast },
+    HorizonNotReached { reason: EndReason, t_s: f64, horizon_s: f64 },
+    SeriesThinned { rows: usize, steps: usize },
     NoBaseline,
-    /// What the interaction model does not contain.
     Model(ModelNote),
-    /// A spring went beyond where its law is good.
     Limit(Limit),
-    /// A plate of a stack travels farther than the gap behind it.
-    PlateMeetsNext {
-        /// The plate, 0 for the first.
-        plate: usize,
-        /// How far it goes, m.
-        travel_m: f64,
-        /// The gap, m.
-        gap_m: f64,
-    },
+    PlateMeetsNext { plate: usize, travel_m: f64, gap_m: f64 },
 }
 
 /// An energy residual above this earns a warning.
@@ -131,7 +79,7 @@ impl fmt::Display for Warning {
             ),
             Self::InterfacePull { ratio, t_s } if !ratio.is_finite() => write!(
                 f,
-                "the fused interface is asked to pull, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
+                "the fused interface must pull, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
                  would be pulled out; try interface = plastic",
                 t_s * 1e3
             ),
