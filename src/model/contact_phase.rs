@@ -37,7 +37,6 @@ worded! {
     /// How the first contact ends.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Ending: word {
-        /// Common velocity.
         Arrest = "arrest",
         /// The nose is clear of the rear face.
         Perforation = "perforation",
@@ -65,7 +64,6 @@ worded! {
     /// Why a method gives no answer.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Refusal: words {
-        /// A mechanism acts: there is no closed form.
         NoClosedForm = "no closed form: a mechanism acts",
         /// The method knows the power law `k |x|^n` of the thesis only.
         NoPowerLaw = "refused: it knows massless k |x|^n only",
@@ -73,25 +71,15 @@ worded! {
         StopWithinContact = "refused: it knows no stop, and one acts",
         /// The plate may leave the stop it rests on before the contact ends, which is not followed.
         LeavesStop = "gave up: the plate may leave its stop again",
-        /// The kernel of sweeps leaves such a scene to the full run.
-        NotLean = "left to the full run, as in a sweep",
-        /// The step budget was used up.
+        NeedsSimulation = "left to the simulation, as in a sweep",
         StepBudget = "gave up: step budget used up",
-        /// Steps became too small to move time forward.
         StepUnderflow = "gave up: steps too small to move time",
-        /// A value stopped being finite.
         NonFinite = "blew up: a value is not finite",
-        /// The projectile left the way it came before common velocity.
         Separated = "wrong: projectile leaves the way it came",
-        /// It neither stopped nor left in any sensible time.
         NoEnd = "gave up: neither arrest nor perforation",
-        /// Taylor steps alone cannot pass a stiff stretch.
         TooStiff = "gave up: too stiff for Taylor steps",
-        /// It ends in another way than the reference says.
         OtherEnding = "wrong: another ending than the reference",
-        /// The scene's run ended early.
         EndedEarly = "the run ended early",
-        /// The plate has swung through a singular zero too often.
         Rattles = "gave up: the velocity changes sign too often",
         /// Nothing that shares no code with the method could be computed to judge it by.
         NoReference = "not run: nothing independent judges it",

@@ -37,26 +37,20 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
 mod tests {
     use super::*;
     use crate::model::contact_phase::{Phase, Scheme};
+    use crate::model::variables::scene_without_spring as scene;
 
     #[test]
     fn the_closed_form_and_dop853_agree_from_thin_to_thick_and_from_normal_to_oblique() {
-        for (theta, thickness_m, velocity) in
-            [(0.0, 0.0254, 100.0), (0.0, 0.003, 400.0), (30.0, 0.0254, 100.0), (60.0, 0.01, 300.0)]
-        {
-            for mount in [Mount::Rigid, Mount::Sprung] {
-                let mut scene = Scene::default();
-                scene.mechanism.spring.coefficient = 0.0;
-                scene.projectile.obliquity_deg = theta;
-                scene.projectile.velocity_m_s = velocity;
-                scene.target.thickness_m = thickness_m;
-                scene.plate.mount = mount;
+        for pairs in ["", "h=0.003 v_i=400", "theta=30deg", "theta=60deg h=0.01 v_i=300"] {
+            for mount in Mount::WORDS {
+                let scene = scene(&format!("mount={mount} {pairs}"));
                 let exact = solve(&scene).unwrap();
                 let method = Scheme::Dop853 { tolerance: 1e-12 };
                 let other = Phase::of(&scene).solve(method, 100_000).unwrap();
                 assert_eq!(exact.ending, other.ending);
                 let (time, depth) =
                     (exact.t_s / other.t_s - 1.0, exact.depth_m / other.depth_m - 1.0);
-                assert!(time.abs() < 1e-10 && depth.abs() < 1e-10, "{theta}: {time:e} {depth:e}");
+                assert!(time.abs() < 1e-10 && depth.abs() < 1e-10, "{pairs}: {time:e} {depth:e}");
             }
         }
     }

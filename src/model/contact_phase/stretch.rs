@@ -72,7 +72,6 @@ enum Behind {
     Elastic([f64; 3]),
 }
 
-/// The equations on one stretch between boundaries.
 pub(super) struct Stretch<'a> {
     pub(super) phase: &'a Phase,
     /// Whether events are located, and formulas kept to up to them.
@@ -244,7 +243,6 @@ impl<'a> Stretch<'a> {
         if is_held { Ok(()) } else { Err(Refusal::LeavesStop) }
     }
 
-    /// The contact force.
     pub(super) fn contact_force(&self, q: f64, u: f64) -> f64 {
         let phase = self.phase;
         phase.faces.area(q, self.piece) * (phase.sigma + phase.kappa * u * u)
@@ -277,7 +275,6 @@ impl<'a> Stretch<'a> {
         (slope * pressure, 2.0 * area * phase.kappa * u)
     }
 
-    /// The spring's force and tangent.
     pub(super) fn spring(&self, x: f64) -> (f64, f64) {
         (self.phase.spring.force(x, self.region), self.phase.spring.tangent(x, self.region))
     }
@@ -290,7 +287,6 @@ impl<'a> Stretch<'a> {
         }
     }
 
-    /// Whether the plate cannot move.
     pub(super) fn is_still(&self) -> bool {
         self.phase.rigid || matches!(self.behind, Behind::Held(_))
     }

@@ -260,7 +260,7 @@ fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 }
 
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
-    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NotLean)?;
+    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
     Ok(Answer {
         ending: if end.arrested { Ending::Arrest } else { Ending::Perforation },
         t_s: end.t_s,

@@ -182,7 +182,7 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         }
         Refusal::StepUnderflow
         | Refusal::LeavesStop
-        | Refusal::NotLean
+        | Refusal::NeedsSimulation
         | Refusal::NoEnd
         | Refusal::TooStiff
         | Refusal::EndedEarly
