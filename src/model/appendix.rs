@@ -10,7 +10,7 @@ use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::mechanism::{PowerLaw, damper_law_of};
 use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
 
-pub mod listing;
+pub(super) mod listing;
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
@@ -89,7 +89,6 @@ impl Plate {
     }
 }
 
-/// One classical Runge-Kutta step.
 fn runge_kutta<const N: usize>(
     y: [f64; N],
     dt_s: f64,
@@ -215,7 +214,6 @@ impl Scheme {
         }
     }
 
-    /// Area, m², and force, N.
     fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
         let r = self.radius_m;
         let overwritten =
@@ -283,59 +281,33 @@ fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::variables::scene_with;
 
     /// The constants of the listing on a plate of the thesis: 2024 aluminium, twice 75.8 `MPa`.
-    fn listing() -> Scene {
-        let mut scene = Scene::default();
-        scene.target.density_kg_m3 = 2780.0;
-        scene.target.flow_strength_pa = 2.0 * 75.8e6;
-        scene
-    }
-
-    fn depth_mm(scene: &Scene, dt_s: f64, coupling: Reading) -> f64 {
-        contact(scene, dt_s, coupling, 1_000_000).unwrap().depth_m * 1e3
+    fn listing(pairs: &str) -> Scene {
+        scene_with(&format!("rho=2780 S_y=1.516e8 {pairs}"))
     }
 
     #[test]
-    fn valid_time_step_ladder_of_the_listing_on_a_rigid_plate() {
-        let mut scene = listing();
-        scene.plate.mount = Mount::Rigid;
-        let ladder = [(2e-6, 7.1809), (1e-6, 7.1519), (5e-7, 7.1375), (2e-7, 7.1289)];
-        for (dt_s, expected) in ladder {
-            for coupling in [Reading::Printed, Reading::Corrected] {
-                let depth = depth_mm(&scene, dt_s, coupling);
-                assert!((depth - expected).abs() < 6e-5, "{dt_s}: {depth}");
+    fn valid_depths_of_a_cocked_plate() {
+        for (cocking_m, printed, corrected) in
+            [(0.01, 5.769, 4.468), (0.1, 5.025, 3.560), (0.5, 2.856, 1.686)]
+        {
+            let scene = listing(&format!("d={cocking_m}"));
+            for (coupling, expected) in
+                [(Reading::Printed, printed), (Reading::Corrected, corrected)]
+            {
+                let depth_mm = contact(&scene, 1e-6, coupling, 1_000_000).unwrap().depth_m * 1e3;
+                assert!((depth_mm - expected).abs() < 2e-3, "{cocking_m}: {depth_mm}");
             }
         }
     }
 
     #[test]
-    fn valid_share_of_the_baseline_with_and_without_the_coupling_error() {
-        let printed = depth_mm(&listing(), 1e-6, Reading::Printed) / 7.129 * 100.0;
-        assert!((printed - 82.4).abs() < 0.06, "{printed}");
-        let corrected = depth_mm(&listing(), 1e-6, Reading::Corrected) / 7.129 * 100.0;
-        assert!((corrected - 64.4).abs() < 0.06, "{corrected}");
-    }
-
-    #[test]
-    fn valid_depths_of_a_cocked_plate() {
-        let expected = [(0.01, 5.769, 4.468), (0.1, 5.025, 3.560), (0.5, 2.856, 1.686)];
-        for (cocking_m, printed, corrected) in expected {
-            let mut scene = listing();
-            scene.plate.cocking_m = cocking_m;
-            let depth = depth_mm(&scene, 1e-6, Reading::Printed);
-            assert!((depth - printed).abs() < 2e-3, "{cocking_m}: {depth}");
-            let depth = depth_mm(&scene, 1e-6, Reading::Corrected);
-            assert!((depth - corrected).abs() < 2e-3, "{cocking_m}: {depth}");
-        }
-    }
-
-    #[test]
-    fn a_short_budget_and_a_stop_are_told() {
-        let mut scene = listing();
-        assert_eq!(contact(&scene, 1e-6, Reading::Printed, 20), Err(Refusal::StepBudget));
-        scene.mechanism.stop.position_m = Some(1e-3);
-        let refused = contact(&scene, 1e-6, Reading::Corrected, 1_000);
-        assert_eq!(refused, Err(Refusal::StopWithinContact));
+    fn a_short_budget_and_a_stop_are_refused() {
+        let few = contact(&listing(""), 1e-6, Reading::Printed, 20);
+        assert_eq!(few, Err(Refusal::StepBudget));
+        let stopped = contact(&listing("x_stop=0.001"), 1e-6, Reading::Corrected, 1_000);
+        assert_eq!(stopped, Err(Refusal::StopWithinContact));
     }
 }

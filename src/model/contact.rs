@@ -423,6 +423,7 @@ impl AreaLaw {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::variables::scene_with;
 
     fn nose(degrees: f64) -> Nose {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -500,24 +501,18 @@ mod tests {
     #[test]
     fn valid_swept_volume_of_the_passage_is_thickness_times_section_without_dishing() {
         // Entry and exit together sweep pi R² h_e whatever the nose and the obliquity.
-        for (degrees, thickness) in [(0.0, 0.0254), (0.0, 0.003), (30.0, 0.0254), (60.0, 0.004)] {
-            let mut scene = Scene::default();
-            scene.target.dishing = false;
-            scene.target.thickness_m = thickness;
-            scene.projectile.obliquity_deg = degrees;
-            let geometry = Geometry::of(&scene);
+        for pairs in ["", "h=0.003", "theta=30deg", "theta=60deg h=0.004"] {
+            let geometry = Geometry::of(&scene_with(&format!("dishing=off {pairs}")));
             let swept = geometry.swept_m3(geometry.exit_m);
             let exact = PI * 0.00635f64.powi(2) * geometry.thickness_m;
-            assert!((swept / exact - 1.0).abs() < 1e-11, "{degrees} {thickness}: {swept} {exact}");
+            assert!((swept / exact - 1.0).abs() < 1e-11, "{pairs}: {swept} {exact}");
         }
     }
 
     #[test]
     fn volume_and_travel_are_inverse() {
-        for degrees in [0.0, 25.0] {
-            let mut scene = Scene::default();
-            scene.projectile.obliquity_deg = degrees;
-            let geometry = Geometry::of(&scene);
+        for pairs in ["", "theta=25deg"] {
+            let geometry = Geometry::of(&scene_with(pairs));
             for part in [1e-6, 0.1, 0.3, 0.7, 0.99] {
                 let q = part * geometry.exit_m;
                 let back = geometry.travel_at_volume_m(geometry.swept_m3(q)).unwrap();
@@ -538,18 +533,15 @@ mod tests {
 
     #[test]
     fn area_of_the_pieces_is_the_area_of_the_faces() {
-        for (degrees, thickness) in [(0.0, 0.0254), (0.0, 0.003), (20.0, 0.003), (50.0, 0.0254)] {
-            let mut scene = Scene::default();
-            scene.target.thickness_m = thickness;
-            scene.projectile.obliquity_deg = degrees;
-            let geometry = Geometry::of(&scene);
+        for pairs in ["", "h=0.003", "theta=20deg h=0.003", "theta=50deg"] {
+            let geometry = Geometry::of(&scene_with(pairs));
             for i in 0..1000 {
                 let q = (f64::from(i) + 0.5) / 1000.0 * geometry.exit_m;
                 let p = geometry.depth_m(q);
                 let faces =
                     geometry.nose.area_m2(p) - geometry.nose.area_m2(p - geometry.thickness_m);
                 let difference = (geometry.area_m2(q) - faces).abs();
-                assert!(difference < 1e-15, "{degrees} {thickness} {q}: {difference}");
+                assert!(difference < 1e-15, "{pairs} {q}: {difference}");
             }
         }
     }

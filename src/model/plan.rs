@@ -8,7 +8,7 @@ use crate::model::mechanism::Mechanism;
 use crate::numerics::smaller;
 
 /// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
-pub const IMMOBILE: f64 = 1e-13;
+pub(crate) const IMMOBILE: f64 = 1e-13;
 /// A contact that ends in an arrest lasts less than this many times as long as its travel takes at the impact velocity.
 const SLOWEST: f64 = 6.0;
 
@@ -17,7 +17,7 @@ const SLOWEST: f64 = 6.0;
 /// `rigid` is the passage into the same plate on a rigid mount. The contact force never exceeds pi R² (S + c v²); against it the
 /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at the speed
 /// (F/b)^(1/m).
-pub fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
+pub(crate) fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
     let (geometry, v) = (rigid.geometry, rigid.velocity_m_s);
     let radius = geometry.nose.radius_m;
     let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
@@ -45,52 +45,28 @@ pub fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> 
 mod tests {
     use super::*;
     use crate::model::contact::Geometry;
-    use crate::model::scene::Scene;
+    use crate::model::variables::scene_without_spring as scene;
 
-    fn still(change: impl Fn(&mut Scene)) -> bool {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        change(&mut scene);
+    fn still(pairs: &str) -> bool {
+        let scene = scene(pairs);
         let geometry = Geometry::of(&scene);
         let rigid = Passage::rigid(&scene, &geometry);
         holds_still(&rigid, &Mechanism::of(&scene), 0.0 - scene.plate.cocking_m)
     }
 
+    /// F is about 2e4 N: (F/k)^(1/n) is 7e-18 m for k = 1e6 and n = 0.1, 4e-6 m for n = 0.3, 2e-4 m for k = 1e8 and n = 1.
     #[test]
-    fn a_spring_that_yields_by_1e_17_m_holds_and_one_that_yields_by_a_micrometre_does_not() {
-        let spring = |k: f64, n: f64| {
-            move |scene: &mut Scene| {
-                scene.mechanism.spring.coefficient = k;
-                scene.mechanism.spring.exponent = n;
-            }
-        };
-        // F is about 2e4 N: (F/k)^(1/n) is 7e-18 m for k = 1e6 and n = 0.1, 4e-6 m for n = 0.3, 2e-4 m for k = 1e8 and n = 1.
-        assert!(still(spring(1e6, 0.1)));
-        assert!(!still(spring(1e6, 0.3)));
-        assert!(!still(spring(1e8, 1.0)));
-        assert!(!still(|_| {}));
+    fn a_spring_that_yields_by_1e_17_m_holds_unless_it_is_cocked_and_one_that_yields_by_a_micrometre_does_not()
+     {
+        assert!(still("k=1e6 n=0.1"));
+        for pairs in ["k=1e6 n=0.3", "k=1e8", "", "k=1e6 n=0.1 d=0.001"] {
+            assert!(!still(pairs), "{pairs}");
+        }
     }
 
     #[test]
     fn a_plate_that_nothing_pushes_holds_still_on_whatever_it_stands() {
-        let pushed_by = |strength_pa: f64| {
-            move |scene: &mut Scene| {
-                scene.target.flow_strength_pa = strength_pa;
-                scene.target.drag_coefficient = 0.0;
-                scene.mechanism.spring.coefficient = 1e6;
-                scene.mechanism.stop.position_m = Some(0.0);
-            }
-        };
-        assert!(still(pushed_by(0.0)));
-        assert!(!still(pushed_by(1e9)));
-    }
-
-    #[test]
-    fn a_cocked_plate_never_holds_still() {
-        assert!(!still(|scene| {
-            scene.mechanism.spring.coefficient = 1e6;
-            scene.mechanism.spring.exponent = 0.1;
-            scene.plate.cocking_m = 1e-3;
-        }));
+        assert!(still("S_y=0 C_d=0 k=1e6 x_stop=0"));
+        assert!(!still("S_y=1e9 C_d=0 k=1e6 x_stop=0"));
     }
 }
