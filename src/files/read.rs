@@ -475,7 +475,7 @@ fn keys_below(table: &str) -> String {
     let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
     let mut names: Vec<&str> =
         if table.is_empty() { vec!["format", "title", "notes", "sweep"] } else { Vec::new() };
-    for variable in VARIABLES {
+    for variable in VARIABLES.iter() {
         let Some(rest) = variable.key.strip_prefix(&prefix) else {
             continue;
         };

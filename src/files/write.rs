@@ -69,7 +69,7 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
     if old.notes != scene.notes {
         put(root, "notes", &quoted(&scene.notes));
     }
-    for variable in VARIABLES {
+    for variable in VARIABLES.iter() {
         if same(variable.value(&old), variable.value(scene)) {
             continue;
         }
@@ -153,7 +153,7 @@ fn layers_text(scene: &Scene) -> String {
         let mut own = scene.clone();
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
         text.push_str("\n[[stack.layer]]\n");
-        for variable in VARIABLES {
+        for variable in VARIABLES.iter() {
             if same(variable.value(&own), variable.value(scene)) {
                 continue;
             }

@@ -213,7 +213,7 @@ prop_compose! {
 /// Equal, and to the last bit.
 fn assert_same(a: &Scene, b: &Scene) {
     assert_eq!(a, b);
-    for variable in VARIABLES {
+    for variable in VARIABLES.iter() {
         if let (Value::Number(a), Value::Number(b)) = (variable.value(a), variable.value(b)) {
             assert_eq!(a.to_bits(), b.to_bits(), "{}", variable.key);
         }

@@ -62,7 +62,7 @@ fn every_preset_is_written_and_read_without_loss() {
 fn the_baseline_is_the_default_scene() {
     let baseline = preset::baseline().unwrap().scene;
     let defaults = Scene::default();
-    for variable in VARIABLES {
+    for variable in VARIABLES.iter() {
         assert_eq!(variable.value(&baseline), variable.value(&defaults), "{}", variable.key);
     }
     assert_eq!(baseline.sweep, None);

@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn names_are_unique_and_lead_to_their_variable() {
         let mut seen: HashMap<String, &str> = HashMap::new();
-        for variable in VARIABLES {
+        for variable in VARIABLES.iter() {
             let name = variable.name();
             let before = seen.insert(name.clone(), variable.key);
             assert_eq!(before, None, "{name}: {}", variable.key);

@@ -2,7 +2,7 @@
 
 use super::{Group, VARIABLES, Variable, VariableError, describe};
 
-/// The symbols of the thesis, which are asked for most.
+/// The symbols of the thesis, which are used most.
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
 /// Columns of a line of the listing.
 const WIDTH: usize = 78;

@@ -1,5 +1,7 @@
 //! The rows of the table of variables, in the order of the editor: one file a subject.
 
+use std::sync::LazyLock;
+
 use super::visible::Visible;
 use super::{Allowed, Kind, Number, Step, Variable};
 use crate::model::scene::{Combination, Scene};
@@ -182,45 +184,6 @@ impl Number {
     }
 }
 
-/// The tables one after the other; N is how many rows they have together.
-const fn joined<const N: usize>(tables: &[&[Variable]]) -> [Variable; N] {
-    let mut rows = [bodies::ROWS[0]; N];
-    let (mut table, mut at) = (0, 0);
-    while table < tables.len() {
-        let mut row = 0;
-        while row < tables[table].len() {
-            rows[at] = tables[table][row];
-            at += 1;
-            row += 1;
-        }
-        table += 1;
-    }
-    assert!(at == N, "every row has its place");
-    rows
-}
-
-const TABLES: &[&[Variable]] = &[
-    bodies::ROWS,
-    mechanism::DAMPER,
-    spring::FIRST,
-    mechanism::COMBINATION,
-    spring::SECOND,
-    mechanism::STOP,
-    mechanism::STACK,
-    contact::ROWS,
-];
-
-const COUNT: usize = {
-    let (mut count, mut table) = (0, 0);
-    while table < TABLES.len() {
-        count += TABLES[table].len();
-        table += 1;
-    }
-    count
-};
-
-static ROWS: [Variable; COUNT] = joined(TABLES);
-
 /// The rows whose values a run of this scene may read: a plain spring has no need of the rest.
 pub(super) fn checked(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
     let alone = scene.mechanism.combination == Combination::Alone;
@@ -235,7 +198,19 @@ pub(super) fn checked(scene: &Scene) -> impl Iterator<Item = &'static Variable> 
 }
 
 /// Every variable there is.
-pub static VARIABLES: &[Variable] = &ROWS;
+pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
+    let tables: [&[Variable]; 8] = [
+        bodies::ROWS,
+        mechanism::DAMPER,
+        spring::FIRST,
+        mechanism::COMBINATION,
+        spring::SECOND,
+        mechanism::STOP,
+        mechanism::STACK,
+        contact::ROWS,
+    ];
+    tables.concat()
+});
 
 #[cfg(test)]
 mod tests {
@@ -246,7 +221,7 @@ mod tests {
     #[test]
     fn names_are_unique() {
         let mut seen = HashSet::new();
-        for variable in VARIABLES {
+        for variable in VARIABLES.iter() {
             for name in [variable.symbol, variable.key].iter().chain(variable.aliases) {
                 assert!(seen.insert(*name), "{name} twice");
             }

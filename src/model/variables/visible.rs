@@ -65,7 +65,6 @@ pub(super) fn uses_target(scene: &Scene) -> bool {
     }
 }
 
-/// Whether a stop would act.
 pub(super) fn may_stop(scene: &Scene) -> bool {
     is_sprung(scene) && !is_listing(scene)
 }

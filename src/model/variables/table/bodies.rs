@@ -33,7 +33,6 @@ macro_rules! size {
     };
 }
 
-/// Projectile, target and plate.
 pub(super) const ROWS: &[Variable] = &[
     sizing!(Mass, projectile.mass_kg)
         .named("m_p", "projectile mass")

@@ -16,7 +16,6 @@ macro_rules! quirk {
     };
 }
 
-/// Contact, interface and analysis.
 pub(super) const ROWS: &[Variable] = &[
     choice!(ContactModel, contact.model)
         .named("model", "contact model")

@@ -8,7 +8,6 @@ use crate::model::variables::visible::{
 };
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable};
 
-/// The damper.
 pub(super) const DAMPER: &[Variable] = &[
     number!(DamperCoefficient, Allowed::NonNegative, mechanism.damper.coefficient)
         .named("b", "damping")
@@ -44,7 +43,6 @@ pub(super) const COMBINATION: &[Variable] = &[
         .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others"),
 ];
 
-/// The mechanical stop.
 pub(super) const STOP: &[Variable] = &[
     optional!(Length, Allowed::Any, "none", mechanism.stop.position_m)
         .named("x_stop", "stop position")
