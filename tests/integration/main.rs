@@ -63,13 +63,13 @@ mod sensitivity;
 #[cfg(test)]
 mod sequences;
 #[cfg(test)]
+mod singular_crossing;
+#[cfg(test)]
 mod soak;
 #[cfg(test)]
 mod stability;
 #[cfg(test)]
 mod stack;
-#[cfg(test)]
-mod strides;
 #[cfg(test)]
 mod studies;
 #[cfg(test)]

@@ -1,5 +1,5 @@
-//! Plates that swing through the zero of a broken power law, which the run strides over (`src/model/impact/singular_crossing.rs`), against
-//! closed forms.
+//! Plates that oscillate through the zero of a non-integer power law, which the run crosses in one step
+//! (`src/model/impact/singular_crossing.rs`), against closed forms.
 
 use cmra::model::run::{EndReason, Mode, Outcome, Run};
 
