@@ -55,13 +55,11 @@ impl NearZero {
 #[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]
 pub(super) struct Body<'a> {
     pub(super) problem: &'a Problem,
-    /// Relative accuracy of this computation.
     pub(super) tolerance: f64,
     pub(super) state: State,
     pub(super) mode: Mode,
     /// Greatest travel so far: the bottom of the hole, m.
     pub(super) deepest_m: f64,
-    /// The plate rests on its rigid stop.
     pub(super) rests_on_stop: bool,
     /// The rigid stop has released the plate at this moment: no rounding of the forces brings it back.
     pub(super) released: bool,
@@ -69,7 +67,6 @@ pub(super) struct Body<'a> {
     pub(super) fixed: bool,
     /// The plate, on which nothing but its mechanism acts, has come to rest.
     pub(super) at_rest: bool,
-    /// The elastic stop is in contact.
     pub(super) stop_touches: bool,
     /// The spring near x = 0, and the damper near w = 0.
     pub(super) x_zero: NearZero,
@@ -133,7 +130,6 @@ impl<'a> Body<'a> {
         matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing)
     }
 
-    /// The equations of the present mode.
     pub(super) fn motion(&self) -> Motion<'a> {
         let problem = self.problem;
         let mechanism = &problem.mechanism;
@@ -161,7 +157,6 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// The projectile in its hole.
     pub(super) fn hole(&self) -> Hole<'_> {
         Hole {
             geometry: &self.problem.geometry,
@@ -171,16 +166,8 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// What samples and records need.
     pub(super) fn setting<'m>(&'m self, motion: &'m Motion<'m>) -> Setting<'m> {
-        Setting {
-            problem: self.problem,
-            motion,
-            mode: self.mode,
-            still: self.is_still(),
-            rests_on_stop: self.rests_on_stop,
-            interface_n: if self.mode == Mode::Fused { self.interface_n() } else { 0.0 },
-        }
+        Setting { body: self, motion }
     }
 
     /// The spring as a power law; none where it is a curve.
@@ -252,7 +239,6 @@ impl<'a> Body<'a> {
         self.tolerance * LOCAL
     }
 
-    /// Put the state exactly on the event that ended the step.
     pub(super) fn project_onto_event(&mut self, event: EventId, before: &State) {
         let geometry = &self.problem.geometry;
         match event {

@@ -13,10 +13,8 @@ use crate::numerics::{larger, maximum, smaller};
 const LIMIT_MARGIN: f64 = 0.05;
 /// Points to draw on each stretch of the closed form.
 const POINTS: usize = 16;
-/// How the plate answers during the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// It does not move.
     Rigid,
     /// The mechanism cannot move it noticeably.
     Fixed,
@@ -27,7 +25,6 @@ pub(super) enum Answer {
 }
 
 impl Problem {
-    /// How the plate answers during the contact.
     pub(super) fn find_answer(&self) -> Answer {
         if !self.flows() {
             Answer::Mechanism
@@ -131,7 +128,6 @@ impl Track<'_> {
     }
 }
 
-/// The greatest contact force.
 fn peak_n(passage: &Passage<'_>, moments: &[Moment]) -> f64 {
     let geometry = passage.geometry;
     let end = moments.last().map_or(0.0, |moment| moment.travel_m);

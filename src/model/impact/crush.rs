@@ -15,7 +15,6 @@ use crate::numerics::larger;
 const ROUNDING: f64 = 1e-12;
 
 impl Problem {
-    /// Whether there is an absorber.
     pub(super) fn has_absorber(&self) -> bool {
         let sprung = self.mechanism.spring.curve().is_some();
         sprung && inertia::acting(&self.scene.mechanism).any(|one| one.kind == SpringKind::Crush)

@@ -15,7 +15,6 @@ use crate::model::run::{Arrest, EventKind, Mode};
 const UNFELT_STEP: f64 = 1e-3;
 
 impl Track<'_> {
-    /// Decide what follows an event.
     pub(super) fn handle(&mut self, event: EventId) {
         match event {
             EventId::PieceEnd => self.piece_end(),
@@ -54,8 +53,7 @@ impl Track<'_> {
                     self.body.state.plate_m > self.body.problem.mechanism.stop_at_m;
             }
             EventId::StopRelease => self.release(),
-            EventId::PushLimit => self.push_limit(),
-            EventId::PullLimit => self.pull_limit(),
+            EventId::PushLimit | EventId::PullLimit => self.pass_limit(event),
         }
         if self.body.rests_on_stop && self.body.net_push_on_stop() < 0.0 {
             self.release();
@@ -164,49 +162,37 @@ impl Track<'_> {
             self.body.problem.share * motion.mechanism_force(&self.body.state)
         };
         let (push, pull) = self.body.interface_limits_n();
-        if self.body.problem.plastic && carried > push {
-            self.resume();
-        } else if self.body.problem.plastic && carried < -pull {
-            self.pull_out();
+        let limit = if carried > push {
+            Some(EventId::PushLimit)
         } else {
-            self.note_excess(carried, push, pull);
+            (carried < -pull).then_some(EventId::PullLimit)
+        };
+        // A fused interface without strength has no limits to pass.
+        if let Some(limit) = limit.filter(|_| self.body.problem.plastic || push != 0.0) {
+            self.pass_limit(limit);
         }
         self.body.mode != Mode::Fused
     }
 
-    /// Fused law: note when the limits are passed already on arrival.
-    fn note_excess(&mut self, carried_n: f64, push_n: f64, pull_n: f64) {
-        if self.body.problem.plastic || push_n == 0.0 {
-            return;
+    /// A plastic interface yields at its limit; for a fused one the first time is noted.
+    fn pass_limit(&mut self, limit: EventId) {
+        let (is_push, t_s) = (limit == EventId::PushLimit, self.body.state.t_s);
+        match (self.body.problem.plastic, is_push) {
+            (true, true) => self.resume(),
+            (true, false) => {
+                self.body.mode = Mode::Withdrawing;
+                self.record.event(t_s, EventKind::PullOut);
+            }
+            (false, _) => {
+                let record = &mut self.record;
+                let first_s =
+                    if is_push { &mut record.push_exceeded_s } else { &mut record.pull_exceeded_s };
+                if first_s.is_none() {
+                    *first_s = Some(t_s);
+                    record.event(t_s, EventKind::InterfaceExceeded);
+                }
+            }
         }
-        if carried_n > push_n {
-            self.note_push();
-        }
-        if carried_n < -pull_n {
-            self.note_pull();
-        }
-    }
-
-    fn note_push(&mut self) {
-        if self.record.push_exceeded_s.is_none() {
-            self.record.push_exceeded_s = Some(self.body.state.t_s);
-            self.record.event(self.body.state.t_s, EventKind::InterfaceExceeded);
-        }
-    }
-
-    fn note_pull(&mut self) {
-        if self.record.pull_exceeded_s.is_none() {
-            self.record.pull_exceeded_s = Some(self.body.state.t_s);
-            self.record.event(self.body.state.t_s, EventKind::InterfaceExceeded);
-        }
-    }
-
-    fn push_limit(&mut self) {
-        if self.body.problem.plastic { self.resume() } else { self.note_push() }
-    }
-
-    fn pull_limit(&mut self) {
-        if self.body.problem.plastic { self.pull_out() } else { self.note_pull() }
     }
 
     /// The interface yields forwards.
@@ -223,11 +209,6 @@ impl Track<'_> {
         self.body.mode = Mode::Penetrating;
         self.record.resumed_s.get_or_insert(self.body.state.t_s);
         self.record.event(self.body.state.t_s, EventKind::Resumption);
-    }
-
-    fn pull_out(&mut self) {
-        self.body.mode = Mode::Withdrawing;
-        self.record.event(self.body.state.t_s, EventKind::PullOut);
     }
 
     fn plate_zero(&mut self) {
@@ -251,7 +232,6 @@ impl Track<'_> {
         }
     }
 
-    /// The plate's velocity has changed its sign.
     pub(super) fn turned_round(&mut self) {
         self.note_greatest_displacement();
         self.body.w_zero.side = -self.body.w_zero.side;
@@ -264,7 +244,6 @@ impl Track<'_> {
         }
     }
 
-    /// The plate meets its stop.
     fn hit_stop(&mut self) {
         self.record.reach(&self.body.state);
         let Some(stop) = self.body.problem.mechanism.rigid_stop() else {
@@ -438,27 +417,17 @@ mod tests {
     #[test]
     fn an_end_of_a_piece_is_noted_by_its_place() {
         let radius_m = 0.00635;
-        for (pairs, mode, event, travel_m, notes) in [
-            (
-                "k=1e5 dishing=off",
-                Mode::Penetrating,
-                EventId::PieceEnd,
-                radius_m,
-                vec![EventKind::NoseBuried],
-            ),
-            (
-                "k=1e5 dishing=off",
-                Mode::Penetrating,
-                EventId::PieceEnd,
-                0.0254,
-                vec![EventKind::RearFace],
-            ),
-            ("k=1e5 dishing=off", Mode::Closing, EventId::PieceEnd, radius_m, vec![]),
-            ("k=1e5 model=lumped", Mode::FreeFlight, EventId::DentLeft, 4e-3, vec![]),
-        ] {
+        #[rustfmt::skip]
+        let cases: [(&str, Mode, EventId, f64, &[EventKind]); 4] = [
+            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, radius_m, &[EventKind::NoseBuried]),
+            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, 0.0254, &[EventKind::RearFace]),
+            ("k=1e5 dishing=off", Mode::Closing, EventId::PieceEnd, radius_m, &[]),
+            ("k=1e5 model=lumped", Mode::FreeFlight, EventId::DentLeft, 4e-3, &[]),
+        ];
+        for (pairs, mode, event, travel_m, notes) in cases {
             let state = [travel_m, 9.0, 0.0, 1.0];
             let found = after(pairs, mode, event, state);
-            assert_eq!((found.0, found.3), (mode, notes), "{pairs} {event:?} {travel_m}");
+            assert_eq!((found.0, &*found.3), (mode, notes), "{pairs} {event:?} {travel_m}");
         }
     }
 

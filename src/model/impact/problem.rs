@@ -25,39 +25,30 @@ pub(super) struct Problem {
     pub(super) scene: Arc<Scene>,
     pub(super) geometry: Geometry,
     pub(super) mechanism: Mechanism,
-    /// How projectile and plate push on each other.
     pub(super) contact: Arc<dyn ContactModel>,
-    /// `m_p`, kg.
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds, kg.
     pub(super) plate_kg: f64,
-    /// What the mechanism adds.
     pub(super) inertia: Inertia,
     /// `m_2` + `m_p` cos², the mass that moves with the plate when both move together, kg.
     pub(super) joined_kg: f64,
     /// Part of the mechanism's force that the interface carries while fused: `m_p` cos / joined mass.
     pub(super) share: f64,
-    /// cos(theta).
     pub(super) cos: f64,
     /// `S_y`, Pa.
     pub(super) strength_pa: f64,
-    /// c, kg/m³.
     pub(super) drag_kg_m3: f64,
     /// g.
     pub(super) grip: f64,
-    /// `v_i`, m/s.
     pub(super) velocity_m_s: f64,
     /// Of projectile and spring at first contact, J.
     pub(super) energy_j: f64,
-    /// The plate cannot move.
     pub(super) rigid: bool,
     /// The plastic interface law.
     pub(super) plastic: bool,
-    /// Where the plate starts, m.
     pub(super) start_m: f64,
     /// When the run ends at the latest, s.
     pub(super) horizon_s: f64,
-    /// How the plate answers during the contact.
     pub(super) answer: Answer,
     /// How far the plate yields within the contact, relative to the travel.
     pub(super) yields_part: f64,

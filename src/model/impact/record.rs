@@ -1,11 +1,10 @@
 //! The record of a run: series, events, extremes and work.
 
-use crate::model::impact::body::Noted;
-use crate::model::impact::problem::Problem;
+use crate::model::impact::body::{Body, Noted};
 use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
-use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
+use crate::model::run::{Arrest, EnergyLedger, Event, EventKind, Mode, Sample};
 use crate::numerics::root::each_fall;
 use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
@@ -25,16 +24,6 @@ const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
 /// Part of a series' variation by which it may miss its quantity at the end of a step.
 const CONVERGED: f64 = 1e-7;
 
-/// Energies that have to be integrated, J.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-#[expect(clippy::struct_field_names, reason = "units end every name")]
-pub(super) struct Work {
-    pub(super) penetration_j: f64,
-    pub(super) crush_j: f64,
-    pub(super) damper_j: f64,
-    pub(super) stop_j: f64,
-}
-
 /// Everything that was noticed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Record<'a> {
@@ -45,7 +34,8 @@ pub(super) struct Record<'a> {
     /// Rows have been left out of the series.
     pub(super) is_thinned: bool,
     pub(super) events: Vec<Event>,
-    pub(super) work: Work,
+    /// The energies that have to be integrated; of the others nothing.
+    pub(super) work: EnergyLedger,
     pub(super) first_arrest: Option<Arrest>,
     pub(super) exit: Option<(f64, f64)>,
     pub(super) separation: Option<(f64, f64)>,
@@ -53,7 +43,6 @@ pub(super) struct Record<'a> {
     pub(super) peak_contact_n: f64,
     /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not determine it, N.
     pub(super) peak_mount_n: f64,
-    /// Greatest plate displacement so far, m.
     pub(super) max_displacement_m: f64,
     pub(super) max_displacement_s: f64,
     /// Greatest push and pull through the interface while fused, over A `S_y`, and when the limits were first passed, s.
@@ -71,40 +60,33 @@ pub(super) struct Times {
     pub(super) to_s: f64,
 }
 
-/// What a sample needs besides the state.
+/// The body on a step, with the equations that hold on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setting<'a> {
-    pub(super) problem: &'a Problem,
+    pub(super) body: &'a Body<'a>,
     pub(super) motion: &'a Motion<'a>,
-    pub(super) mode: Mode,
-    /// The plate cannot move.
-    pub(super) still: bool,
-    /// The plate rests on its stop.
-    pub(super) rests_on_stop: bool,
-    /// What the interface can push at the present travel, A `S_y`, N.
-    pub(super) interface_n: f64,
 }
 
 impl Setting<'_> {
-    /// The sample at a state.
     pub(super) fn sample(&self, state: &State, is_step: bool) -> Sample {
-        let (problem, motion) = (self.problem, self.motion);
+        let Self { body, motion } = self;
+        let (problem, mode) = (body.problem, body.mode);
         let mechanism = &problem.mechanism;
         let (spring, damper) =
             (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
-        let contact = match self.mode {
-            Mode::Fused if self.still => 0.0,
+        let contact = match mode {
+            Mode::Fused if body.is_still() => 0.0,
             Mode::Fused => problem.share * (spring + damper + motion.stop.force(state)),
             _ => motion.contact_force(state),
         };
-        let stop = if self.rests_on_stop {
+        let stop = if body.rests_on_stop {
             contact * problem.cos - spring
         } else {
             motion.stop.force(state)
         };
         Sample {
             t_s: state.t_s,
-            mode: self.mode,
+            mode,
             penetration_m: problem.depth_m(state.travel_m),
             projectile_displacement_m: state.travel_m
                 + (state.plate_m - problem.start_m) * problem.cos,
@@ -231,24 +213,28 @@ impl Record<'_> {
         setting: &Setting<'_>,
         greatest: impl Fn(Force, f64) -> f64,
     ) {
-        match setting.mode {
-            Mode::Closing | Mode::Withdrawing if setting.problem.flows() => {}
+        let (body, problem) = (setting.body, setting.body.problem);
+        match body.mode {
+            Mode::Closing | Mode::Withdrawing if problem.flows() => {}
             Mode::Penetrating | Mode::Closing | Mode::Withdrawing => {
                 let peak = greatest(Force::Contact, self.peak_contact_n);
                 self.peak_contact_n = larger(peak, self.peak_contact_n);
             }
             Mode::Fused => {
-                let [push, pull] = self.known_loads_n(setting);
-                self.carried(setting, greatest(Force::Push, push), greatest(Force::Pull, pull));
+                // The greatest forces forwards and backwards so far, as far as the interface's strength says.
+                let per_ratio_n = body.interface_n() / problem.share;
+                let push_n = self.push_ratio.unwrap_or(0.0) * per_ratio_n;
+                let pull_n = self.pull_ratio * per_ratio_n;
+                self.carried(body, greatest(Force::Push, push_n), greatest(Force::Pull, pull_n));
             }
             Mode::FreeFlight | Mode::Perforated => {}
         }
-        if !setting.problem.follows_mount_force() {
+        if !problem.follows_mount_force() {
             return;
         }
         // What a plate on its stop does not take, the mount does.
-        let (forces, part): (&[Force], f64) = if setting.rests_on_stop {
-            (&[Force::Contact], setting.problem.cos)
+        let (forces, part): (&[Force], f64) = if body.rests_on_stop {
+            (&[Force::Contact], problem.cos)
         } else {
             (&[Force::Push, Force::Pull], 1.0)
         };
@@ -258,19 +244,14 @@ impl Record<'_> {
         }
     }
 
-    /// The greatest forces of the mechanism, forwards and backwards, noted so far, as far as the interface's strength says, N.
-    fn known_loads_n(&self, setting: &Setting<'_>) -> [f64; 2] {
-        let force = setting.interface_n / setting.problem.share;
-        [self.push_ratio.unwrap_or(0.0) * force, self.pull_ratio * force]
-    }
-
     /// Note the greatest forces of the mechanism, forwards and backwards, N, that the interface has to share while fused.
-    pub(super) fn carried(&mut self, setting: &Setting<'_>, push_n: f64, pull_n: f64) {
-        if setting.still || !setting.problem.flows() {
+    pub(super) fn carried(&mut self, body: &Body<'_>, push_n: f64, pull_n: f64) {
+        if body.is_still() || !body.problem.flows() {
             return;
         }
-        if setting.interface_n > 0.0 {
-            let part = setting.problem.share / setting.interface_n;
+        let interface_n = body.interface_n();
+        if interface_n > 0.0 {
+            let part = body.problem.share / interface_n;
             let (push, pull) = (part * push_n, part * pull_n);
             let known = self.push_ratio.unwrap_or(0.0);
             self.push_ratio = Some(if push > known { push } else { known });

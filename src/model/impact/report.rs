@@ -17,7 +17,6 @@ use crate::numerics::larger;
 /// Displacements this part apart are the same.
 const AS_FAR: f64 = 1e-8;
 
-/// Gather what a track has found.
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
     let outcome =
         track.termination.decided.map_or_else(|| track.body.outcome(), |decided| decided.0);
@@ -96,7 +95,6 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
 fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
     let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
     let state = &track.body.state;
-    let work = &track.record.work;
     let speed = state.slip_m_s + state.plate_m_s * problem.cos;
     let spring = &problem.mechanism.spring;
     let (spring_j, crush_j) = track.spring_energies();
@@ -109,13 +107,10 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
         inertia_j: kinetic(added_kg, state.plate_m_s),
         spring_j,
         crush_j,
-        damper_j: work.damper_j,
-        penetration_j: work.penetration_j,
-        stop_j: work.stop_j,
+        ..track.record.work
     }
 }
 
-/// The load of the mechanism.
 fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> MechanismLoad {
     let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
     let speed = track.body.speed_scale_m_s;
@@ -217,7 +212,6 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
     }
 }
 
-/// The terms that the scene did not need.
 fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<&'static str> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));

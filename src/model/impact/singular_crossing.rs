@@ -101,7 +101,6 @@ impl Track<'_> {
         }
     }
 
-    /// To the zero.
     fn cross_in(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
         let from = variable.now().abs();
         let refused = &mut self.control.crossing_refused[variable.law as usize];

@@ -31,7 +31,6 @@ const LEFT_OUT: f64 = 1e-4;
 /// How fast things happen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimeScales {
-    /// Duration of the contact, s.
     pub(super) contact_s: f64,
     /// How far the mechanism yields to the contact force, relative to the travel.
     pub(super) yields_part: f64,

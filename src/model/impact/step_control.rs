@@ -19,10 +19,8 @@ const UNDECIDED_STEPS: usize = 15_000;
 /// Time unit of the first expansion without the law, in times it takes to leave the neighbourhood.
 const UNIT_PER_CROSSING: f64 = 4.0;
 
-/// Step size, method and work.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct StepControl {
-    /// Time unit of the next expansion, s.
     pub(super) unit_s: f64,
     /// The implicit method has this stretch.
     pub(super) stiff: bool,
@@ -35,7 +33,6 @@ pub(super) struct StepControl {
     /// The sign of the force on the plate at the last step.
     pub(super) pushed: f64,
     pub(super) steps: usize,
-    /// Steps of the implicit method.
     pub(super) stiff_steps: usize,
     pub(super) rejected: usize,
     pub(super) evaluations: usize,
@@ -54,26 +51,8 @@ pub(super) struct StepControl {
 }
 
 impl StepControl {
-    /// Before the first step, with this time unit, s.
     pub(super) fn new(unit_s: f64) -> Self {
-        Self {
-            unit_s,
-            stiff: false,
-            stretch_steps: 0,
-            creeping_steps: 0,
-            turns: 0,
-            pushed: 0.0,
-            steps: 0,
-            stiff_steps: 0,
-            rejected: 0,
-            evaluations: 0,
-            work: Cell::new(0),
-            event_count: 0,
-            crossing_refused: [f64::INFINITY; 2],
-            crossed_to: [0.0; 2],
-            crossing_error: 0.0,
-            is_second: false,
-        }
+        Self { unit_s, crossing_refused: [f64::INFINITY; 2], ..Self::default() }
     }
 
     /// Count how often the force on the plate changes its sign, by its acceleration at every step.

@@ -302,7 +302,6 @@ fn newton(
     solved
 }
 
-/// A step that was taken.
 struct Taken<'a> {
     control: &'a StepControl,
     system: &'a Unknowns<'a>,

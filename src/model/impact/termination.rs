@@ -3,9 +3,9 @@
 //! Bounds come from energy: what is left, all of it in the spring, tells how far the plate can still go and what force the
 //! interface may still have to carry.
 
-use crate::model::impact::body::MaximumDisplacement;
-use crate::model::impact::demand::Swing;
+use crate::model::impact::body::{MaximumDisplacement, NO_ENERGY};
 use crate::model::impact::track::Track;
+use crate::model::motion::ContactForce;
 use crate::model::run::{EndReason, Mode, Outcome};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
@@ -21,41 +21,41 @@ const LAST_SLIPS: f64 = 2e-2;
 const LOST: f64 = 1e-9;
 /// A plate slowed by its damper alone to this part of its speed has arrived, to be drawn.
 const FADED: f64 = 1e-2;
+/// Part of the interface's load by which it may still grow without being followed.
+const DEMANDED: f64 = 1e-9;
+/// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
+const LITTLE_ENERGY: f64 = 1e-18;
 
 /// What is known of how the run ends.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Termination {
     /// The outcome, once it is decided, and the steps taken until then.
     pub(super) decided: Option<(Outcome, usize)>,
-    /// The greatest displacement, as far as it is known.
     pub(super) farthest: MaximumDisplacement,
-    /// When the outcome was last computed, on a curve.
-    pub(super) asked: Option<Asked>,
+    /// For what the outcome was last computed, on a curve.
+    computed_for: Option<Conditions>,
     /// How far the first half-oscillation of the joined body has come.
-    pub(super) swing: Swing,
+    swing: Swing,
 }
 
-impl Default for Termination {
-    fn default() -> Self {
-        Self {
-            decided: None,
-            farthest: MaximumDisplacement::Pending,
-            asked: None,
-            swing: Swing::Back,
-        }
-    }
+/// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+enum Swing {
+    #[default]
+    Back,
+    Forward,
+    Turned,
 }
 
 /// What the outcome depends on while projectile and plate are together: if none of it changes, it stays the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Asked {
+struct Conditions {
     energy_j: f64,
     travel_m: f64,
     slips: usize,
 }
 
 impl Track<'_> {
-    /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         self.follow_swing();
         let at_horizon =
@@ -86,24 +86,24 @@ impl Track<'_> {
         (!wanted).then_some(EndReason::Decided)
     }
 
-    /// Whether the outcome is worth asking for again. On a curve that costs roots; without losses, in the same hole, it is what
+    /// Whether the outcome is to be computed again. On a curve that costs roots; without losses, in the same hole, it is what
     /// it was at the step before, and an undamped mount may oscillate a million times.
     fn may_have_decided(&mut self) -> bool {
         if self.body.mode != Mode::Fused || self.body.problem.mechanism.spring.curve().is_none() {
             return true;
         }
-        let asked = Asked {
+        let now = Conditions {
             energy_j: self.body.energy_j(),
             travel_m: self.body.state.travel_m,
             slips: self.body.yields_since_deeper,
         };
-        let same = self.termination.asked.is_some_and(|before| {
-            before.travel_m.to_bits() == asked.travel_m.to_bits()
-                && before.slips == asked.slips
-                && asked.energy_j > before.energy_j * (1.0 - LOST)
+        let same = self.termination.computed_for.is_some_and(|before| {
+            before.travel_m.to_bits() == now.travel_m.to_bits()
+                && before.slips == now.slips
+                && now.energy_j > before.energy_j * (1.0 - LOST)
         });
         if !same {
-            self.termination.asked = Some(asked);
+            self.termination.computed_for = Some(now);
         }
         !same
     }
@@ -122,7 +122,6 @@ impl Track<'_> {
         TAIL * larger(end_s, least_s)
     }
 
-    /// The time beyond which the next step must not go, s.
     pub(super) fn until_s(&self) -> f64 {
         let tail = self.tail_s();
         let in_tail = self.termination.decided.is_some()
@@ -194,6 +193,64 @@ impl Track<'_> {
         self.body.state.travel_m += travel;
         self.body.deepest_m = self.body.state.travel_m;
         self.record.work.penetration_j += lost;
+    }
+
+    /// Note what the interface carries as soon as both bodies are one, and whether their first forward half-oscillation is over.
+    fn follow_swing(&mut self) {
+        if self.body.mode != Mode::Fused {
+            return;
+        }
+        if self.record.push_ratio.is_none() && !self.body.is_still() && self.body.problem.flows() {
+            let motion = self.body.motion();
+            let force = motion.mechanism_force(&self.body.state);
+            self.record.carried(&self.body, force, -force);
+        }
+        self.termination.swing = match self.termination.swing {
+            Swing::Back if self.body.state.plate_m_s > 0.0 => Swing::Forward,
+            Swing::Forward if self.body.state.plate_m_s <= 0.0 => Swing::Turned,
+            swing => swing,
+        };
+    }
+
+    /// Whether the fused interface may still have to carry more than it has so far: until the first forward half-oscillation is
+    /// over, unless the energy that is left cannot push harder.
+    fn demand_may_grow(&self) -> bool {
+        let strength = self.body.interface_n();
+        self.body.mode == Mode::Fused
+            && self.termination.swing != Swing::Turned
+            && !self.body.is_still()
+            && strength > 0.0
+            && self.record.push_ratio.is_some_and(|known| {
+                self.body.push_at(self.body.energy_j()) > known * strength * (1.0 + DEMANDED)
+            })
+    }
+
+    /// Puts a plate at rest that oscillates about zero without contact, with less energy than rounding leaves, until it is struck
+    /// again. A plate that nothing can strike any more, on a spring whose oscillations grow ever faster, rests a little earlier:
+    /// they never end.
+    pub(super) fn come_to_rest(&mut self) {
+        let Some(law) = self.body.problem.mechanism.spring.power().filter(|law| !law.is_absent())
+        else {
+            return;
+        };
+        let for_good = self.termination.decided.is_some() && law.exponent < 1.0;
+        let least = match self.body.mode {
+            Mode::FreeFlight | Mode::Withdrawing | Mode::Closing
+                if self.body.motion().contact == ContactForce::None =>
+            {
+                NO_ENERGY
+            }
+            Mode::Perforated | Mode::Fused if for_good => LITTLE_ENERGY,
+            _ => return,
+        };
+        if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
+            if self.body.mode != Mode::Fused {
+                self.body.state.slip_m_s += self.body.state.plate_m_s * self.body.problem.cos;
+            }
+            (self.body.state.plate_m, self.body.state.plate_m_s) = (0.0, 0.0);
+            self.body.at_rest = true;
+            self.control.stiff = false;
+        }
     }
 }
 

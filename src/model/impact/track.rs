@@ -54,7 +54,6 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// Run to the end.
     pub(super) fn run<const N: usize>(&mut self, observer: Observer<'_>) -> EndReason {
         loop {
             if let Some(reason) = self.finished() {
@@ -111,7 +110,6 @@ impl<'a> Track<'a> {
         copy
     }
 
-    /// Everything that may end the present stretch.
     pub(super) fn active_events(&self) -> ActiveEvents {
         self.body.active_events(self.control.stiff, self.record.noted())
     }
@@ -195,7 +193,6 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// Records the present state.
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
         self.record.point(&self.body.setting(&motion), &self.body.state, true);
@@ -238,7 +235,6 @@ impl<'a> Track<'a> {
     }
 }
 
-/// Whether every component is finite.
 pub(super) fn is_finite(state: &State) -> bool {
     state.travel_m.is_finite()
         && state.slip_m_s.is_finite()

@@ -1,4 +1,4 @@
-//! A window into a run that goes on: its own rows so far, for whoever watches. Nobody who does not ask pays for it.
+//! A window into a run that goes on: its own rows so far, for an observer. It costs nothing unless a look is requested.
 
 use std::cell::{Cell, RefCell};
 
@@ -18,7 +18,6 @@ struct Even {
     dt_s: f64,
     rows: Vec<Sample>,
     rows_max: usize,
-    /// The last row of the solver.
     last: Option<Sample>,
 }
 

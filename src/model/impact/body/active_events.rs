@@ -16,7 +16,6 @@ pub(in crate::model::impact) struct Noted {
 }
 
 impl Body<'_> {
-    /// Everything that may end the present stretch.
     pub(in crate::model::impact) fn active_events(
         &self,
         stiff: bool,
@@ -109,7 +108,6 @@ impl Body<'_> {
         ROUNDED * (contact_n.abs() + spring_n.abs() + damper_n.abs())
     }
 
-    /// The ends of the stretch of the spring's law.
     fn watch_knots(&self, events: &mut ActiveEvents) {
         let (behind, ahead) = self.spring_ends();
         if ahead.is_finite() {

@@ -14,7 +14,6 @@ const FARTHEST_M: f64 = 1e3;
 const SLIP_RESERVE: f64 = 1.25;
 
 impl Body<'_> {
-    /// Mass that moves with the plate, kg.
     pub(in crate::model::impact) fn moving_kg(&self) -> f64 {
         if self.mode == Mode::Fused { self.problem.joined_kg } else { self.problem.plate_kg }
     }

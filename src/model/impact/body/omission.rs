@@ -38,7 +38,6 @@ impl Body<'_> {
         self.x_zero.clear / w.abs()
     }
 
-    /// The same for the singular damper.
     pub(in crate::model::impact) fn omit_damper(&mut self) -> f64 {
         let least = LEAST * self.problem.velocity_m_s;
         let near = larger(self.near_zero_m_s(), 2.0 * self.state.plate_m_s.abs());

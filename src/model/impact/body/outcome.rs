@@ -15,14 +15,11 @@ const AT_REST: f64 = 1e-9;
 /// as arrested: an undamped mount rattles for ever.
 const RATTLES: usize = 24;
 
-/// The greatest displacement, as far as it is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(in crate::model::impact) enum MaximumDisplacement {
-    /// It is this, m.
     Known(f64),
-    /// Nothing ever stops the plate.
     Unbounded,
-    /// The plate is still on its way.
+    #[default]
     Pending,
 }
 
@@ -96,7 +93,6 @@ impl Body<'_> {
             })
     }
 
-    /// Apart, moving apart, and unable to meet again.
     fn gone_for_good(&self) -> bool {
         let State { travel_m, slip_m_s, plate_m, plate_m_s, .. } = self.state;
         let problem = self.problem;

@@ -22,11 +22,9 @@ pub(super) enum Law {
 /// m/s; and of what the variable leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
 pub(super) type Unknowns = [f64; 4];
 
-/// The equations of a crossing step.
 pub(super) struct IndependentVariable<'a> {
     pub(super) law: Law,
     pub(super) motion: &'a Motion<'a>,
-    /// Where the crossing step starts.
     pub(super) from: State,
     /// The way in which the variable runs: the sign of its pace.
     pub(super) heading: f64,
@@ -38,12 +36,10 @@ impl<'a> IndependentVariable<'a> {
         Self { heading: sign(variable.speed()), ..variable }
     }
 
-    /// What the variable shows at the start.
     pub(super) fn now(&self) -> f64 {
         self.shown(&self.from)
     }
 
-    /// What the variable shows at a state.
     pub(super) fn shown(&self, state: &State) -> f64 {
         match self.law {
             Law::Spring => state.plate_m,
@@ -87,7 +83,6 @@ impl<'a> IndependentVariable<'a> {
         0.5 * w * w + self.potential(self.from.plate_m)
     }
 
-    /// The unknowns' derivatives by the variable.
     pub(super) fn rate(&self, state: &State) -> Unknowns {
         let motion = self.motion;
         let (cos, w) = (motion.coupling, state.plate_m_s);

@@ -15,7 +15,6 @@ const ON_STOP: f64 = 0.5;
 /// The present motion in the implicit method's unknowns.
 pub(super) struct Unknowns<'a> {
     pub(super) motion: &'a Motion<'a>,
-    /// When the step starts, s.
     from_s: f64,
     spring: Carrier<'a>,
     damper: Carrier<'a>,
@@ -107,7 +106,6 @@ impl<'a> Unknowns<'a> {
         z - ((self.datum_m + z) - self.datum_m)
     }
 
-    /// The stop's force, N.
     fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
         let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.motion.stop;
         stiffness_n_m * (x_from_datum - (position_m - self.datum_m)) + damping_n_s_m * w
