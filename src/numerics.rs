@@ -1,34 +1,34 @@
 //! Numerical methods that know no plate, no projectile, no metre and no screen.
 //!
-//! Map of the folder, in reading order: [`series`] is arithmetic on truncated power series, from which a model builds the
-//! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
+//! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
+//! Taylor expansion of its solution; `taylor` chooses the step such an expansion is good for; `implicit` is an
 //! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
-//! with; [`graded`] starts where broken powers are singular; [`arc`] is an accepted step of any of them but the Taylor steps, and
-//! [`event`] locates what happens on it; [`root`] finds zeros, [`crossing`] those of which there is one; [`quadrature`] integrates;
-//! [`random`] and [`statistics`] serve samples; [`wide`] is several numbers at once, and [`power`] what their vectors need that the
-//! standard library has for single ones alone; [`exponential`] has the functions of closed forms.
+//! with; `graded` starts where broken powers are singular; `arc` is an accepted step of any of them but the Taylor steps, and
+//! `event` locates what happens on it; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
+//! [`random`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
+//! standard library has for single ones alone; `exponential` has the functions of closed forms.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
-pub mod arc;
-pub mod crossing;
+pub(crate) mod arc;
+pub(crate) mod crossing;
 pub mod double_double;
-pub mod event;
+pub(crate) mod event;
 pub mod explicit;
-pub mod exponential;
-pub mod graded;
-pub mod implicit;
+pub(crate) mod exponential;
+pub(crate) mod graded;
+pub(crate) mod implicit;
 pub mod linear;
-pub mod maximum;
+pub(crate) mod maximum;
 pub mod minimum;
-pub mod monotone;
-pub mod power;
+pub(crate) mod monotone;
+pub(crate) mod power;
 pub mod quadrature;
 pub mod random;
 pub mod root;
-pub mod series;
+pub(crate) mod series;
 pub mod statistics;
-pub mod taylor;
-pub mod wide;
+pub(crate) mod taylor;
+pub(crate) mod wide;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
 pub fn larger(a: f64, b: f64) -> f64 {

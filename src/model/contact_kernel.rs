@@ -223,7 +223,6 @@ impl Contact {
         }
     }
 
-    /// Plain steps from first contact.
     fn start(&self, tolerance: f64, terms: usize) -> InitialPhase {
         let starts = self.start_m == 0.0;
         let singular = Singular {

@@ -27,9 +27,7 @@ use lumped::Lumped;
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-/// A contact model.
 pub(super) trait ContactModel: Debug + Send + Sync {
-    /// The force in a mode.
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
 
     /// Adds the events that end a mode in which the bodies are not joined.
@@ -68,14 +66,12 @@ pub(super) trait ContactModel: Debug + Send + Sync {
     }
 }
 
-/// The projectile in its hole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hole<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) state: State,
     /// Greatest travel so far, m.
     pub(super) deepest_m: f64,
-    /// The plate cannot move.
     pub(super) still: bool,
 }
 
@@ -87,7 +83,6 @@ pub(super) struct Scales {
     pub(super) force_n: f64,
 }
 
-/// The contact model of a valid scene.
 pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
     match scene.contact.model {
         Kind::Hydrodynamic | Kind::Appendix => Arc::new(FlowStrength::of(scene, geometry)),

@@ -10,7 +10,6 @@ pub(super) enum EventId {
     PieceEnd,
     /// The area law changes, coming out.
     PieceStart,
-    /// The bottom of the hole is reached again.
     HoleBottom,
     /// Common velocity.
     SlipZero,
@@ -18,13 +17,10 @@ pub(super) enum EventId {
     SlipHeld,
     /// A projectile that had left touches again.
     Recontact,
-    /// An elastic contact no longer pushes.
     ContactLost,
     /// It pushes again a projectile that had not left its dent.
     ContactAgain,
-    /// Such a projectile leaves its dent.
     DentLeft,
-    /// A prescribed force history is over.
     HistoryEnd,
     /// The plate's displacement changes sign (or comes so close to zero that its power law is left out for a moment).
     PlateZero,
@@ -38,9 +34,7 @@ pub(super) enum EventId {
     KnotAhead,
     /// The spring's law changes, going back.
     KnotBehind,
-    /// The plate reaches its stop.
     StopReached,
-    /// The elastic stop lets go.
     StopCleared,
     /// It presses again a plate that had not left its place.
     StopPressed,
@@ -110,12 +104,10 @@ impl ActiveEvents {
 }
 
 impl EventFunction {
-    /// Falls where the travel comes up to a place, m.
     pub(super) fn travel_up_to(place_m: f64) -> Self {
         Self { offset: place_m, travel: -1.0, ..Self::default() }
     }
 
-    /// Falls where the travel comes down to a place, m.
     pub(super) fn travel_down_to(place_m: f64) -> Self {
         Self { offset: -place_m, travel: 1.0, ..Self::default() }
     }
@@ -185,7 +177,6 @@ impl EventFunction {
         8.0 * f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>()
     }
 
-    /// The form at a state.
     pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
         self.value(state, self.forces(motion, state))
     }

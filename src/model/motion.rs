@@ -19,52 +19,44 @@ mod contact_force;
 mod contact_term;
 mod force;
 
-pub use contact_force::{ContactForce, ElasticForce, FlowForce, Pressure, Pulse};
+pub(crate) use contact_force::{ContactForce, ElasticForce, FlowForce, Pressure, Pulse};
 use contact_term::{ContactTerm, NoContact, Partial, Phase, Quadratic};
 use force::{Along, ForceTerm, General, NoForce, Whole};
 
 /// A moment, and the moving quantities then.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
-    /// Time since first contact, s.
-    pub t_s: f64,
-    /// q, m.
-    pub travel_m: f64,
-    /// u, m/s.
-    pub slip_m_s: f64,
-    /// x, m.
-    pub plate_m: f64,
-    /// w, m/s.
-    pub plate_m_s: f64,
+pub(crate) struct State {
+    pub(crate) t_s: f64,
+    pub(crate) travel_m: f64,
+    pub(crate) slip_m_s: f64,
+    pub(crate) plate_m: f64,
+    pub(crate) plate_m_s: f64,
 }
 
 /// The equations between two events.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<'a> {
+pub(crate) struct Motion<'a> {
     /// F by travel, slip and time.
-    pub contact: ContactForce,
+    pub(crate) contact: ContactForce,
     /// How strongly the contact force slows the slip: `1/m_p` + `cos²/m_2`, 1/kg.
-    pub slip_mobility: f64,
+    pub(crate) slip_mobility: f64,
     /// How strongly forces move the plate: `1/m_2`, 0 for a plate that is held, `1/(m_2` + `m_p` cos²) for a joined body, 1/kg.
-    pub plate_mobility: f64,
+    pub(crate) plate_mobility: f64,
     /// cos(theta) as far as it couples plate and slip; 0 for a joined body.
-    pub coupling: f64,
-    /// The spring, within its present stretch.
-    pub spring: Elastic<'a>,
-    /// The damper.
-    pub damper: PowerLaw,
+    pub(crate) coupling: f64,
+    pub(crate) spring: Elastic<'a>,
+    pub(crate) damper: PowerLaw,
     /// The elastic stop in contact, all zero without: stiffness N/m, damping N s/m, position m.
-    pub stop: StopForce,
+    pub(crate) stop: StopForce,
     /// The side of zero on which x is, or to which it is going: 1 or -1.
-    pub side_x: f64,
+    pub(crate) side_x: f64,
     /// The same for w.
-    pub side_w: f64,
+    pub(crate) side_w: f64,
 }
 
 /// A force whose greatest value is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Force {
-    /// Of the contact.
+pub(crate) enum Force {
     Contact,
     /// Of the mechanism, on a plate that is forward of its neutral position.
     Push,
@@ -74,41 +66,29 @@ pub enum Force {
 
 /// An elastic stop in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct StopForce {
-    /// N/m.
-    pub stiffness_n_m: f64,
-    /// N s/m.
-    pub damping_n_s_m: f64,
-    /// m.
-    pub position_m: f64,
+pub(crate) struct StopForce {
+    pub(crate) stiffness_n_m: f64,
+    pub(crate) damping_n_s_m: f64,
+    pub(crate) position_m: f64,
 }
 
 /// The expansion of a solution: coefficient j belongs to s^j, s = time since the start over the time unit.
 #[derive(Clone, Debug)]
-pub struct Expansion<const N: usize> {
-    /// When it starts, s.
-    pub t_s: f64,
-    /// The time unit, s.
-    pub unit_s: f64,
-    /// q, m.
-    pub travel: [f64; N],
-    /// u, m/s.
-    pub slip: [f64; N],
-    /// x, m.
-    pub plate: [f64; N],
-    /// w, m/s.
-    pub plate_speed: [f64; N],
-    /// Contact force F, N.
-    pub contact: [f64; N],
+pub(crate) struct Expansion<const N: usize> {
+    pub(crate) t_s: f64,
+    pub(crate) unit_s: f64,
+    pub(crate) travel: [f64; N],
+    pub(crate) slip: [f64; N],
+    pub(crate) plate: [f64; N],
+    pub(crate) plate_speed: [f64; N],
+    pub(crate) contact: [f64; N],
     /// Mechanism force G, N (spring, damper and elastic stop).
-    pub mechanism: [f64; N],
-    /// Damper force D, N.
-    pub damper: [f64; N],
+    pub(crate) mechanism: [f64; N],
+    pub(crate) damper: [f64; N],
 }
 
 impl<const N: usize> Expansion<N> {
-    /// The state it starts from.
-    pub fn start(&self) -> State {
+    pub(crate) fn start(&self) -> State {
         State {
             t_s: self.t_s,
             travel_m: self.travel[0],
@@ -118,8 +98,7 @@ impl<const N: usize> Expansion<N> {
         }
     }
 
-    /// The state at s.
-    pub fn state(&self, s: f64) -> State {
+    pub(crate) fn state(&self, s: f64) -> State {
         State {
             t_s: self.t_s + s * self.unit_s,
             travel_m: evaluate(&self.travel, s),
@@ -132,27 +111,24 @@ impl<const N: usize> Expansion<N> {
 
 impl StopForce {
     /// The force on the plate, N, positive backwards.
-    pub fn force(&self, state: &State) -> f64 {
+    pub(crate) fn force(&self, state: &State) -> f64 {
         self.stiffness_n_m * (state.plate_m - self.position_m)
             + self.damping_n_s_m * state.plate_m_s
     }
 }
 
 impl Motion<'_> {
-    /// Contact force F, N.
-    pub fn contact_force(&self, state: &State) -> f64 {
+    pub(crate) fn contact_force(&self, state: &State) -> f64 {
         self.contact.force(state)
     }
 
-    /// Mechanism force G, N.
-    pub fn mechanism_force(&self, state: &State) -> f64 {
+    pub(crate) fn mechanism_force(&self, state: &State) -> f64 {
         self.spring.force(state.plate_m)
             + self.damper.force(state.plate_m_s)
             + self.stop.force(state)
     }
 
-    /// One of the forces at a state, N.
-    pub fn force(&self, force: Force, state: &State) -> f64 {
+    pub(crate) fn force(&self, force: Force, state: &State) -> f64 {
         match force {
             Force::Contact => self.contact_force(state),
             Force::Push => self.mechanism_force(state),
@@ -162,7 +138,7 @@ impl Motion<'_> {
 
     /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of
     /// the forces there the whole and the damper's are given, N; the spring's is the rest.
-    pub fn mechanism_size(&self, state: &State, mechanism_n: f64, damper_n: f64) -> f64 {
+    pub(crate) fn mechanism_size(&self, state: &State, mechanism_n: f64, damper_n: f64) -> f64 {
         let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
         let stop_n = stiffness_n_m * (state.plate_m.abs() + position_m.abs())
             + damping_n_s_m * state.plate_m_s.abs();
@@ -170,13 +146,13 @@ impl Motion<'_> {
     }
 
     /// (du/dt, dw/dt), m/s².
-    pub fn accelerations(&self, state: &State) -> (f64, f64) {
+    pub(crate) fn accelerations(&self, state: &State) -> (f64, f64) {
         self.response(self.contact_force(state), self.mechanism_force(state))
     }
 
     /// (du/dt, dw/dt) under these forces F and G of contact and mechanism: linear in both.
     #[inline]
-    pub fn response(&self, contact: f64, mechanism: f64) -> (f64, f64) {
+    pub(crate) fn response(&self, contact: f64, mechanism: f64) -> (f64, f64) {
         let plate = mechanism * self.plate_mobility;
         (
             self.coupling * plate - contact * self.slip_mobility,
@@ -187,7 +163,7 @@ impl Motion<'_> {
     /// Expand the solution from `state` with the time unit `h`, s.
     ///
     /// A general power law must not be at its zero (x or w exactly zero): step over that first.
-    pub fn expand<const N: usize>(&self, state: &State, h: f64) -> Expansion<N> {
+    pub(crate) fn expand<const N: usize>(&self, state: &State, h: f64) -> Expansion<N> {
         match self.contact {
             ContactForce::None => self.with_contact(state, h, NoContact),
             ContactForce::Flow(flow) => match flow.area {

@@ -15,7 +15,7 @@ use crate::model::variables::{self, VariableError};
 /// Simulate one impact.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense. Anything that goes wrong later is told in
+/// A [`VariableError`] when the scene makes no physical sense. Anything that goes wrong later is reported in
 /// [`Run::end`], with the part that was computed.
 pub fn simulate(
     scene: &Arc<Scene>,

@@ -2,7 +2,7 @@
 //! into a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
 //!
 //! Its mass and its nose stay what they are, and plates do not touch each other: a plate that travels farther than the gap
-//! behind it is told about, not computed.
+//! behind it earns a warning, and is not computed.
 
 use std::sync::Arc;
 

@@ -1,10 +1,8 @@
 //! One accepted step of any method, as events and records see it. Knows no method.
 
 /// A step that has been taken, from part 0 at its start to part 1 at its end.
-pub trait Arc {
-    /// What moves.
+pub(crate) trait Arc {
     type State;
-    /// A step of the method.
     type Step;
 
     /// The state at a part of the step, by its dense output.

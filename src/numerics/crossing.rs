@@ -10,19 +10,19 @@ const SETTLED: f64 = 1e-6;
 const MOVED_MOST: f64 = 0.2;
 
 /// Where a rising series reaches `level`, between 0 and `end`.
-pub fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
+pub(crate) fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
     let mut c = *c;
     c[0] -= level;
     crossing(&c, end)
 }
 
 /// Where a falling series reaches zero, between 0 and `end`.
-pub fn fall<const N: usize>(c: &[f64; N], end: f64) -> f64 {
+pub(crate) fn fall<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     crossing(c, end)
 }
 
 /// Whether a series that is positive at both ends may have touched zero between them.
-pub fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
+pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
     let mut below = c[0];
     let mut power = 1.0;
     for c in &c[1..] {

@@ -13,16 +13,15 @@ const SLOPE: f64 = 1e-4;
 
 /// Where a function changes its sign on a step, by the dense output.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SignChange {
-    /// The part of the step.
-    pub part: f64,
+pub(crate) struct SignChange {
+    pub(crate) part: f64,
     /// Parts on either side: the last at which it is known to be positive, the first at which it is not.
-    pub between: (f64, f64),
+    pub(crate) between: (f64, f64),
 }
 
 /// The first sign change of a function that is positive at the start of a step, by samples (part and value) in their order. `at` is the
 /// function on the dense output.
-pub fn first_sign_change(
+pub(crate) fn first_sign_change(
     samples: impl IntoIterator<Item = (f64, f64)>,
     at: impl FnMut(f64) -> f64,
 ) -> Option<SignChange> {
@@ -38,7 +37,7 @@ pub fn first_sign_change(
 
 /// A step anew that ends at a sign change, with the part of the step; `None` where no step ends closer to it than `near` allows.
 /// Secants, the first with the slope of the dense output, kept in the bracket by bisection.
-pub fn land<A: Arc>(
+pub(crate) fn land<A: Arc>(
     arc: &A,
     sign_change: &SignChange,
     value: impl Fn(&A::State) -> f64,

@@ -2,20 +2,19 @@
 //!
 //! A [`System`] gives rates and names [`Boundary`]s: planes in its space at which a stretch of smooth motion ends. A boundary
 //! is found on the interpolant of the step that crosses it, and then *landed on* by stepping anew from the step's start, so
-//! that the state there has the full order of the method. Whoever called decides what follows, and starts the next
+//! that the state there has the full order of the method. The caller decides what follows, and starts the next
 //! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
 
-pub mod dop853;
+pub(crate) mod dop853;
 mod landing;
 pub mod rk4;
 mod tableau;
 
 /// A system y' = f(t, y) of N components.
-pub trait System<const N: usize> {
-    /// f(t, y).
+pub(crate) trait System<const N: usize> {
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
 
-    /// Where the present stretch ends; none unless told.
+    /// Where the present stretch ends; nowhere by default.
     fn boundaries(&self) -> &[Boundary<N>] {
         &[]
     }
@@ -25,21 +24,19 @@ pub trait System<const N: usize> {
 ///
 /// One that is not positive at the start of a step does not count in it, so that one just landed on does not fire again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Boundary<const N: usize> {
-    /// Constant part.
-    pub offset: f64,
-    /// Weights of the components.
-    pub slope: [f64; N],
+pub(crate) struct Boundary<const N: usize> {
+    pub(crate) offset: f64,
+    pub(crate) slope: [f64; N],
 }
 
 impl<const N: usize> Boundary<N> {
     /// Distance from the plane, in its own measure; the stretch lies on the positive side.
-    pub fn at(&self, y: &[f64; N]) -> f64 {
+    pub(crate) fn at(&self, y: &[f64; N]) -> f64 {
         self.offset + self.along(y)
     }
 
     /// How fast that changes with the rate `f`.
-    pub fn along(&self, f: &[f64; N]) -> f64 {
+    pub(crate) fn along(&self, f: &[f64; N]) -> f64 {
         let mut sum = 0.0;
         for (slope, f) in self.slope.iter().zip(f) {
             sum += slope * f;
@@ -48,7 +45,7 @@ impl<const N: usize> Boundary<N> {
     }
 
     /// Whether a state is on its positive side, by more than the rounding of one just landed on.
-    pub fn is_armed(&self, y: &[f64; N]) -> bool {
+    pub(crate) fn is_armed(&self, y: &[f64; N]) -> bool {
         self.at(y) > 2.0 * self.noise(y)
     }
 
@@ -64,13 +61,11 @@ impl<const N: usize> Boundary<N> {
 
 /// Where a stretch begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start<const N: usize> {
-    /// Time.
-    pub t: f64,
-    /// State.
-    pub y: [f64; N],
+pub(crate) struct Start<const N: usize> {
+    pub(crate) t: f64,
+    pub(crate) y: [f64; N],
     /// Step to try first; `None`: chosen from the rates. The fixed-step method does not look at it.
-    pub step: Option<f64>,
+    pub(crate) step: Option<f64>,
 }
 
 /// Time, state and rate where a step begins.
@@ -83,50 +78,40 @@ struct Point<'a, const N: usize> {
 
 /// When to give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub(crate) struct Limits {
     /// Time at which a stretch ends at the latest.
-    pub until: f64,
+    pub(crate) until: f64,
     /// Steps, accepted and rejected, of all stretches that share a [`Count`].
-    pub steps: usize,
+    pub(crate) steps: usize,
 }
 
 /// What was done, over all stretches it was passed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Count {
-    /// Steps taken.
-    pub steps: usize,
-    /// Steps thrown away by the error control.
-    pub rejected: usize,
-    /// Evaluations of the rates.
-    pub evaluations: usize,
+pub(crate) struct Count {
+    pub(crate) steps: usize,
+    pub(crate) rejected: usize,
+    pub(crate) evaluations: usize,
 }
 
 /// Why a stretch ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
+pub(crate) enum Stop {
     /// At the boundary of this index.
     Boundary(usize),
-    /// At the latest time asked for.
     Until,
-    /// The step budget was used up.
     StepBudget,
-    /// Steps became too small to move time forward.
     StepUnderflow,
-    /// A value stopped being finite.
     NonFinite,
 }
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached<const N: usize> {
-    /// Time.
-    pub t: f64,
-    /// State.
-    pub y: [f64; N],
-    /// Why there.
-    pub stop: Stop,
+pub(crate) struct Reached<const N: usize> {
+    pub(crate) t: f64,
+    pub(crate) y: [f64; N],
+    pub(crate) stop: Stop,
     /// The step that would have been tried next.
-    pub step: f64,
+    pub(crate) step: f64,
 }
 
 fn is_finite<const N: usize>(y: &[f64; N]) -> bool {
@@ -255,7 +240,6 @@ mod tests {
         }
     }
 
-    /// Rates that are not a number beyond y = 1.
     struct Cliff;
 
     impl System<1> for Cliff {

@@ -4,13 +4,13 @@
 //! else divides once.
 
 /// Up to here the quotient of [`bernoulli_near`] is exact to some roundings.
-pub const NEAR: f64 = 1.0;
+pub(crate) const NEAR: f64 = 1.0;
 
 /// x/(exp(x) - 1) for 0 <= x <= [`NEAR`], without a branch or a call, so that many side by side are taken in vectors: the
 /// diagonal Padé approximant of the exponential of degree 7, whose error there is at most 3e-16 (Baker and Graves-Morris,
 /// *Padé Approximants*, 2nd ed., section 1.2).
 #[inline]
-pub fn bernoulli_near(x: f64) -> (f64, f64) {
+pub(crate) fn bernoulli_near(x: f64) -> (f64, f64) {
     let square = x * x;
     let even = 17_297_280.0 + square * (1_995_840.0 + square * (25_200.0 + square * 56.0));
     let odd = 8_648_640.0 + square * (277_200.0 + square * (1_512.0 + square));
@@ -19,7 +19,7 @@ pub fn bernoulli_near(x: f64) -> (f64, f64) {
 
 /// x/(exp(x) - 1) for any x > 0.
 #[inline]
-pub fn bernoulli(x: f64) -> (f64, f64) {
+pub(crate) fn bernoulli(x: f64) -> (f64, f64) {
     (x, x.exp_m1())
 }
 
@@ -27,7 +27,7 @@ pub fn bernoulli(x: f64) -> (f64, f64) {
 /// *What every computer scientist should know about floating-point arithmetic*, 1991, theorem 4). Half as long in coming as
 /// `f64::ln_1p`.
 #[inline]
-pub fn ln_one_plus(x: f64) -> f64 {
+pub(crate) fn ln_one_plus(x: f64) -> f64 {
     let sum = 1.0 + x;
     let taken = sum - 1.0;
     if taken == 0.0 || sum.is_infinite() { x } else { sum.ln() * (x / taken) }

@@ -15,7 +15,7 @@ use crate::numerics::larger;
 /// The power by which the points are drawn together at the singular end.
 const GRADE: i32 = 5;
 /// Points of the two rules.
-pub const POINTS: usize = 20;
+pub(crate) const POINTS: usize = 20;
 const FEWER: usize = 14;
 /// Picard's iteration: at most so many rounds, until what changes is this part of the scale.
 const ROUNDS_MAX: usize = 40;
@@ -32,13 +32,12 @@ struct Rule<const N: usize> {
 
 /// A solution at the points of the finer rule and at the end to which it goes.
 #[derive(Clone, Debug)]
-pub struct Graded<const D: usize> {
+pub(crate) struct Graded<const D: usize> {
     /// In the order in which they are passed. The weights add up to the way from start to end.
-    pub points: [Point<D>; POINTS],
-    /// y at the end.
-    pub end: [f64; D],
+    pub(crate) points: [Point<D>; POINTS],
+    pub(crate) end: [f64; D],
     /// The greatest difference between the two rules at the end, relative to the scales.
-    pub difference: f64,
+    pub(crate) difference: f64,
     way: Way,
 }
 
@@ -49,7 +48,7 @@ static FEWER_RULE: LazyLock<Rule<FEWER>> = LazyLock::new(Rule::new);
 /// errors are measured by.
 ///
 /// `None` when Picard's iteration does not settle, or meets what is not finite: the way is too long.
-pub fn solve<const D: usize>(
+pub(crate) fn solve<const D: usize>(
     from: f64,
     to: f64,
     y: &[f64; D],
@@ -91,14 +90,14 @@ impl Way {
 }
 
 /// The part s of the way at which a point is.
-pub fn part_at(point: usize) -> f64 {
+pub(crate) fn part_at(point: usize) -> f64 {
     RULE.node[point]
 }
 
 impl<const D: usize> Graded<D> {
     /// (z, y) at a part s of the way, by the polynomials through the points: second barycentric form with the weights of Gauss
     /// points (J.-P. Berrut and L. N. Trefethen, *Barycentric Lagrange interpolation*, SIAM Review 46 (2004), section 5).
-    pub fn between(&self, s: f64) -> (f64, [f64; D]) {
+    pub(crate) fn between(&self, s: f64) -> (f64, [f64; D]) {
         let (mut above, mut below, mut sign) = ([0.0; D], 0.0, 1.0);
         let nodes = RULE.node.iter().zip(&RULE.weight);
         for ((node, weight), Point { y, .. }) in nodes.zip(&self.points) {
@@ -117,13 +116,11 @@ impl<const D: usize> Graded<D> {
 
 /// A point of a rule.
 #[derive(Clone, Copy, Debug)]
-pub struct Point<const D: usize> {
-    /// z.
-    pub z: f64,
+pub(crate) struct Point<const D: usize> {
+    pub(crate) z: f64,
     /// The weight of dz there.
-    pub dz: f64,
-    /// y.
-    pub y: [f64; D],
+    pub(crate) dz: f64,
+    pub(crate) y: [f64; D],
 }
 
 impl<const N: usize> Rule<N> {

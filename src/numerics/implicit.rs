@@ -11,7 +11,7 @@ use crate::numerics::linear::solve;
 const STAGES: usize = 3;
 
 /// A system d/dt g(y) = f(t, y) of N components.
-pub trait ImplicitSystem<const N: usize> {
+pub(crate) trait ImplicitSystem<const N: usize> {
     /// g(y).
     fn carried(&self, y: &[f64; N]) -> [f64; N];
     /// dg/dy, component by component.
@@ -26,19 +26,18 @@ pub trait ImplicitSystem<const N: usize> {
 
 /// A step that Newton's method has solved.
 #[derive(Clone, Debug)]
-pub struct Step<const N: usize> {
+pub(crate) struct Step<const N: usize> {
     /// y at the three collocation points; the last is the end of the step.
-    pub stages: [[f64; N]; STAGES],
+    pub(crate) stages: [[f64; N]; STAGES],
     /// Estimated local error relative to the scales, largest component.
-    pub error: f64,
-    /// Newton iterations used.
-    pub iterations: usize,
+    pub(crate) error: f64,
+    pub(crate) iterations: usize,
 }
 
 /// The collocation points, as fractions of the step.
-pub const NODES: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
+pub(crate) const NODES: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
 /// Weights of the end value (they equal the last row of the matrix).
-pub const WEIGHTS: [f64; STAGES] =
+pub(crate) const WEIGHTS: [f64; STAGES] =
     [0.376_403_062_700_467_3, 0.512_485_826_188_421_6, 0.111_111_111_111_111_1];
 const MATRIX: [[f64; STAGES]; STAGES] = [
     [0.196_815_477_223_660_4, -0.065_535_425_850_198_39, 0.023_770_974_348_220_15],
@@ -59,7 +58,7 @@ const LONG: usize = 4;
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
 ///
 /// `guess` are the stages to start from (the constant `y`, or a better guess).
-pub fn step<const N: usize, const M: usize>(
+pub(crate) fn step<const N: usize, const M: usize>(
     system: &impl ImplicitSystem<N>,
     y: &[f64; N],
     h: f64,
@@ -180,7 +179,7 @@ fn estimate<const N: usize>(
 }
 
 /// The factor by which to change a step whose estimated error is `error` when `tolerance` is asked.
-pub fn step_factor(error: f64, tolerance: f64) -> f64 {
+pub(crate) fn step_factor(error: f64, tolerance: f64) -> f64 {
     if error == 0.0 {
         return 8.0;
     }
@@ -189,7 +188,7 @@ pub fn step_factor(error: f64, tolerance: f64) -> f64 {
 }
 
 /// The collocation polynomial at fraction `s` of the step (0: its start, 1: its end).
-pub fn interpolate<const N: usize>(y: &[f64; N], step: &Step<N>, s: f64) -> [f64; N] {
+pub(crate) fn interpolate<const N: usize>(y: &[f64; N], step: &Step<N>, s: f64) -> [f64; N] {
     let points = [0.0, NODES[0], NODES[1], NODES[2]];
     let mut out = [0.0; N];
     for i in 0..points.len() {

@@ -19,12 +19,12 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
 /// located only if they may exceed `known`.
-pub fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
     greatest_at(from, to, known, &f, &f)
 }
 
 /// The same of a function that is costly within the interval, where a close one has its maxima, which equals it at the ends.
-pub fn greatest_at(
+pub(crate) fn greatest_at(
     from: f64,
     to: f64,
     known: f64,
@@ -35,7 +35,7 @@ pub fn greatest_at(
 }
 
 /// The same where the other function is only `rough`: maxima are looked for near its own.
-pub fn greatest_of(
+pub(crate) fn greatest_of(
     from: f64,
     to: f64,
     known: f64,

@@ -3,7 +3,7 @@
 //! F. N. Fritsch and J. Butland, *SIAM J. Sci. Stat. Comput.* 5 (1984) 300, as in PCHIP.
 
 /// Slopes at the points of a table with rising x; at least two points.
-pub fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
+pub(crate) fn slopes(points: &[[f64; 2]]) -> Vec<f64> {
     let widths: Vec<f64> = points.windows(2).map(|pair| pair[1][0] - pair[0][0]).collect();
     let secants: Vec<f64> = points
         .windows(2)
@@ -47,7 +47,7 @@ fn end(h: [f64; 2], d: [f64; 2]) -> f64 {
 }
 
 /// The cubic between two points with given slopes: coefficients of 1, z, z², z³ with z = x - `from[0]`.
-pub fn cubic(from: [f64; 2], to: [f64; 2], slopes: [f64; 2]) -> [f64; 4] {
+pub(crate) fn cubic(from: [f64; 2], to: [f64; 2], slopes: [f64; 2]) -> [f64; 4] {
     let h = to[0] - from[0];
     let secant = (to[1] - from[1]) / h;
     [

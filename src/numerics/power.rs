@@ -23,7 +23,7 @@ const GREATEST: f64 = 1023.0;
 /// z^exponent for z >= 0 and an exponent above zero, relative error below 4e-16 times the greater of 1 and the exponent; powers beyond
 /// 2^±1022 stay there. NaN for a NaN or an infinite z.
 #[inline(always)]
-pub fn power(z: f64, exponent: f64) -> f64 {
+pub(crate) fn power(z: f64, exponent: f64) -> f64 {
     let shifted = z.to_bits().wrapping_add(ONE - HALF_ROOT);
     let whole = f64::from_bits(shifted >> 52 | WHOLE) - BIASED;
     let m = f64::from_bits((shifted & MANTISSA).wrapping_add(HALF_ROOT));

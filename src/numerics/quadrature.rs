@@ -19,7 +19,7 @@ const PANELS_MAX: usize = 200;
 /// The integral of `f` from `a` to `b` with the sixteen-point rule, on halves of halves until on each of them the integrand's last
 /// Legendre coefficients are no more than `resolution` of the first. For an analytic integrand the rule's error is about the
 /// square of that, since the coefficients go on falling at the same rate up to degree 32.
-pub fn resolved(a: f64, b: f64, resolution: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn resolved(a: f64, b: f64, resolution: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut open = vec![(a, b)];
     let (mut sum, mut panels) = (0.0, 0);
     while let Some((a, b)) = open.pop() {
@@ -47,18 +47,17 @@ const LAST_NORM: f64 = 29.0;
 
 /// A positive node of a rule on (-1, 1) that is symmetric about zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Node {
-    /// Where.
-    pub at: f64,
+pub(crate) struct Node {
+    pub(crate) at: f64,
     /// Its weight; the same at `-at`.
-    pub weight: f64,
+    pub(crate) weight: f64,
     /// The Legendre polynomials of degree 12 to 15 there: with them the integrand's last coefficients follow from the same
     /// values as the integral.
-    pub last: [f64; 4],
+    pub(crate) last: [f64; 4],
 }
 
 /// The positive nodes of the sixteen-point rule, exact for polynomials of degree 31 (Abramowitz and Stegun, Table 25.4, n = 16).
-pub const GAUSS_16: [Node; 8] = gauss_16();
+pub(crate) const GAUSS_16: [Node; 8] = gauss_16();
 
 const fn gauss_16() -> [Node; 8] {
     const HALF: [(f64, f64); 8] = [

@@ -7,14 +7,14 @@
 
 /// Coefficient j of a·b.
 #[inline]
-pub fn product<const N: usize>(a: &[f64; N], b: &[f64; N], j: usize) -> f64 {
+pub(crate) fn product<const N: usize>(a: &[f64; N], b: &[f64; N], j: usize) -> f64 {
     let (a, b) = (&a[..=j], &b[..=j]);
     a.iter().zip(b.iter().rev()).map(|(a, b)| a * b).sum()
 }
 
 /// Coefficient j of a².
 #[inline]
-pub fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
+pub(crate) fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
     let half = j.div_ceil(2);
     let (front, back) = (&a[..half], &a[j + 1 - half..=j]);
     let twice: f64 = front.iter().zip(back.iter().rev()).map(|(a, b)| a * b).sum();
@@ -25,7 +25,7 @@ pub fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
 ///
 /// With `y[0]` = `sgn(x[0]) |x[0]|^alpha` it is the odd extension sgn(x) |x|^alpha on either side of zero.
 #[inline]
-pub fn power<const N: usize>(x: &[f64; N], y: &[f64; N], alpha: f64, j: usize) -> f64 {
+pub(crate) fn power<const N: usize>(x: &[f64; N], y: &[f64; N], alpha: f64, j: usize) -> f64 {
     let n = j as f64;
     let mut sum = 0.0;
     for i in 1..=j {
@@ -37,7 +37,7 @@ pub fn power<const N: usize>(x: &[f64; N], y: &[f64; N], alpha: f64, j: usize) -
 
 /// Coefficient j of the square root y of x, given y's coefficients below j; `x[0]` > 0 (for j = 0, `x[0]` >= 0).
 #[inline]
-pub fn square_root<const N: usize>(x: &[f64; N], y: &[f64; N], j: usize) -> f64 {
+pub(crate) fn square_root<const N: usize>(x: &[f64; N], y: &[f64; N], j: usize) -> f64 {
     if j == 0 {
         return x[0].sqrt();
     }
@@ -50,7 +50,7 @@ pub fn square_root<const N: usize>(x: &[f64; N], y: &[f64; N], j: usize) -> f64 
 
 /// Coefficient j of y = a/b, given y's coefficients below j; `b[0]` must not be zero.
 #[inline]
-pub fn quotient<const N: usize>(a: &[f64; N], b: &[f64; N], y: &[f64; N], j: usize) -> f64 {
+pub(crate) fn quotient<const N: usize>(a: &[f64; N], b: &[f64; N], y: &[f64; N], j: usize) -> f64 {
     let mut sum = a[j];
     for i in 0..j {
         sum -= y[i] * b[j - i];
@@ -62,20 +62,20 @@ pub fn quotient<const N: usize>(a: &[f64; N], b: &[f64; N], y: &[f64; N], j: usi
 ///
 /// The inner series' constant term is taken as zero: the outer one is expanded about it.
 #[derive(Clone, Debug)]
-pub struct Powers<const N: usize> {
+pub(crate) struct Powers<const N: usize> {
     /// Entry k: the inner series to the power k; 0 and 1 are not used.
     powers: [[f64; N]; N],
 }
 
 impl<const N: usize> Powers<N> {
     /// Nothing computed yet.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { powers: [[0.0; N]; N] }
     }
 
     /// Coefficient j >= 1 of the sum over k >= 2, up to `degree`, of `outer[k]` inner^k, given the inner coefficients below
     /// j. With `outer[1] inner[j]` added it is coefficient j of outer(inner). To be asked for in order of j.
-    pub fn beyond_linear(
+    pub(crate) fn beyond_linear(
         &mut self,
         inner: &[f64; N],
         outer: &[f64; N],
@@ -105,13 +105,13 @@ impl<const N: usize> Default for Powers<N> {
 
 /// The polynomial's value at s (Horner).
 #[inline]
-pub fn evaluate(c: &[f64], s: f64) -> f64 {
+pub(crate) fn evaluate(c: &[f64], s: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * s + c)
 }
 
 /// The polynomial's derivative at s.
 #[inline]
-pub fn evaluate_slope(c: &[f64], s: f64) -> f64 {
+pub(crate) fn evaluate_slope(c: &[f64], s: f64) -> f64 {
     let mut sum = 0.0;
     for (j, c) in c.iter().enumerate().skip(1).rev() {
         sum = sum * s + j as f64 * c;
@@ -120,7 +120,7 @@ pub fn evaluate_slope(c: &[f64], s: f64) -> f64 {
 }
 
 /// The derivative's coefficients; the last one is zero.
-pub fn slope<const N: usize>(c: &[f64; N]) -> [f64; N] {
+pub(crate) fn slope<const N: usize>(c: &[f64; N]) -> [f64; N] {
     let mut d = [0.0; N];
     for j in 1..N {
         d[j - 1] = j as f64 * c[j];

@@ -13,7 +13,7 @@ const GROWTH_MAX: f64 = 50.0;
 ///
 /// `components` are (coefficients, scale) with scale > 0. Larger scales allow larger steps. A component whose last coefficients
 /// vanish does not limit the step. Returns 0 when a coefficient is not finite.
-pub fn trusted_step<const N: usize>(components: &[(&[f64; N], f64)], tolerance: f64) -> f64 {
+pub(crate) fn trusted_step<const N: usize>(components: &[(&[f64; N], f64)], tolerance: f64) -> f64 {
     let (mut last, mut before) = (0.0f64, 0.0f64);
     for (c, scale) in components {
         let (a, b) = (c[N - 1].abs() / scale, c[N - 2].abs() / scale);
@@ -40,7 +40,7 @@ pub fn trusted_step<const N: usize>(components: &[(&[f64; N], f64)], tolerance: 
     clippy::cast_possible_truncation,
     reason = "orders from 9 on keep the exponent within 120"
 )]
-pub fn rough_root(x: f64, order: f64) -> f64 {
+pub(crate) fn rough_root(x: f64, order: f64) -> f64 {
     const ONE: u64 = 1.0f64.to_bits();
     const STEP: f64 = 1.0 / (1u64 << 52) as f64;
     if !x.is_finite() {

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use pulp::Simd;
 
 /// A number, or several side by side.
-pub trait Real:
+pub(crate) trait Real:
     Copy
     + Neg<Output = Self>
     + Add<Output = Self>
@@ -55,7 +55,7 @@ impl Real for f64 {
 
 /// As many numbers as a vector of the processor holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Wide<S: Simd> {
+pub(crate) struct Wide<S: Simd> {
     simd: S,
     lanes: S::f64s,
 }
@@ -63,13 +63,13 @@ pub struct Wide<S: Simd> {
 impl<S: Simd> Wide<S> {
     /// The first numbers of a slice, which has at least as many as there are lanes.
     #[inline(always)]
-    pub fn load(simd: S, numbers: &[f64]) -> Self {
+    pub(crate) fn load(simd: S, numbers: &[f64]) -> Self {
         Self { simd, lanes: S::as_simd_f64s(numbers).0[0] }
     }
 
     /// Put the numbers into a slice, which has room for them.
     #[inline(always)]
-    pub fn store(self, numbers: &mut [f64]) {
+    pub(crate) fn store(self, numbers: &mut [f64]) {
         S::as_mut_simd_f64s(numbers).0[0] = self.lanes;
     }
 

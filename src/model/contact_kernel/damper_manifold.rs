@@ -22,9 +22,7 @@ const SHARE: f64 = 0.3;
 /// The strong damper, and a spring that is slow against it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DamperManifold {
-    /// b, N s/m.
     pub(super) damper_n_s_m: f64,
-    /// k, N/m.
     pub(super) spring_n_m: f64,
 }
 

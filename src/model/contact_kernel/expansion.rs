@@ -119,10 +119,7 @@ impl<R: Copy> Area<R> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Clock {
     /// t = start + unit · sigma.
-    Even {
-        /// s.
-        unit_s: f64,
-    },
+    Even { unit_s: f64 },
     /// t = (s + unit · sigma)³.
     Graded {
         /// s^(1/3).

@@ -20,38 +20,28 @@ const SHORT: f64 = 0.02;
 /// Where a contact is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Track {
-    /// When, s.
     pub(super) t_s: f64,
     /// (travel, slip, plate, speed).
     pub(super) state: [f64; 4],
-    /// Of the next step.
     pub(super) clock: Clock,
-    /// Index of the piece of travel.
     pub(super) piece: usize,
-    /// Greatest plate displacement so far, m.
     pub(super) farthest_m: f64,
-    /// Steps taken.
     pub(super) steps: usize,
 }
 
 /// What is left of a contact once plain steps will do.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    /// From here.
     pub(super) track: Track,
-    /// Of the steps.
     pub(super) tolerance: f64,
     /// The plate's displacement matters against this, m, or only against the travel.
     pub(super) reach_m: Option<f64>,
-    /// Of the expansion.
     pub(super) terms: usize,
 }
 
 /// How far a contact comes before plain steps.
 pub(super) enum InitialPhase {
-    /// To the end.
     Ended(ContactEnd),
-    /// To these.
     Steps(Plan),
     /// The plate follows the slow manifold of its spring first.
     OnManifold(ManifoldRun),
@@ -62,7 +52,6 @@ pub(super) enum InitialPhase {
 /// How the steps of one expansion end.
 #[derive(Clone, Copy)]
 pub(super) enum Next {
-    /// To the end.
     Ended(ContactEnd),
     /// Where another expansion must take over.
     Handed(Track),
@@ -120,7 +109,6 @@ pub(super) fn minded_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
 }
 
 impl Contact {
-    /// The beginning, in this state.
     pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: Clock) -> Track {
         Track { t_s, state, clock, piece: 0, farthest_m: self.start_m, steps: 0 }
     }
@@ -220,7 +208,6 @@ impl Contact {
         (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
     }
 
-    /// The end, there.
     pub(super) fn end(&self, arrested: bool, track: &Track) -> ContactEnd {
         let state = &track.state;
         ContactEnd {

@@ -20,7 +20,7 @@ pub(super) const CONSTANTS: usize = 6;
 pub(super) struct LaneBuffer<const ROWS: usize>(pub(super) [[f64; LANES_MAX]; ROWS]);
 
 impl<const ROWS: usize> LaneBuffer<ROWS> {
-    /// Ones: a lane without a contact computes something, and nobody asks what.
+    /// Ones: what a lane without a contact computes is not used.
     pub(super) fn idle() -> Self {
         Self([[1.0; LANES_MAX]; ROWS])
     }

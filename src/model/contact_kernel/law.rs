@@ -5,7 +5,6 @@ use crate::model::mechanism::PowerLaw;
 use crate::numerics::power::power;
 use crate::numerics::wide::Real;
 
-/// A force law along an expansion.
 pub(super) trait Law<const N: usize, R: Real = f64>: Copy {
     /// Whether it is one analytic function on both sides of zero.
     const TWO_SIDED: bool;
@@ -95,7 +94,6 @@ pub(super) struct Power<const N: usize, R = f64> {
     coefficient: R,
     exponent: R,
     inverse: R,
-    /// df/dz at the start.
     tangent: R,
     force: [R; N],
     /// i times the coefficient i of z.

@@ -56,7 +56,6 @@ struct Taken {
 }
 
 impl LeftOut {
-    /// Power of time with which its force grows.
     fn power(self) -> f64 {
         self.law.exponent * self.argument
     }
@@ -114,7 +113,6 @@ impl Contact {
             .map(|track| InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }))
     }
 
-    /// The expansion from first contact.
     fn first<const N: usize>(
         &self,
         spring_n_m: f64,

@@ -72,7 +72,6 @@ pub fn run_batch(
 /// A kind of steps that has lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Class {
-    /// Of the expansion.
     terms: usize,
     spring: SpringClass,
 }
@@ -86,7 +85,6 @@ enum SpringClass {
     GradedPower,
 }
 
-/// All contacts of a class.
 fn run_class<const N: usize>(
     spring: SpringClass,
     jobs: &[Job<'_>],

@@ -13,7 +13,6 @@ const LEFT: f64 = 0.04;
 /// Part of the contact's duration at which it is placed at the latest.
 const LATEST: f64 = 0.02;
 
-/// What starts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
     /// Singular spring that starts at zero; coefficient zero without one.
@@ -24,18 +23,14 @@ pub(super) struct Start {
     pub(super) force_n: f64,
     /// How fast it grows, N/s.
     pub(super) growth_n_s: f64,
-    /// Plate mass, kg.
     pub(super) plate_kg: f64,
 }
 
 /// The plate a moment after first contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Moved {
-    /// When, s.
     pub(super) t_s: f64,
-    /// By how much, m.
     pub(super) by_m: f64,
-    /// How fast, m/s.
     pub(super) w_m_s: f64,
 }
 

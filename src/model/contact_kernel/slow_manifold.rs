@@ -54,7 +54,6 @@ pub(super) struct ManifoldRun {
     joint: Option<Area>,
     /// How far steps are trusted after failures.
     reach_factor: f64,
-    /// Of the expansion.
     terms: usize,
 }
 
@@ -64,7 +63,6 @@ struct Attempt {
     area: Area,
     /// Only asked with the law of the piece before: is it the next one that sets the plate swinging?
     asked_back: bool,
-    /// Passes done.
     passes: usize,
     balance: Balance,
     /// How far that is from the one before, relative.
@@ -73,7 +71,6 @@ struct Attempt {
     change: f64,
 }
 
-/// The result of a pass.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PassResult {
     Again,
@@ -99,7 +96,6 @@ impl ManifoldRun {
         }
     }
 
-    /// A new step.
     fn step(&mut self, contact: &Contact) -> Result<Attempt, Next> {
         if self.track.steps >= STEPS_MAX {
             return Err(Next::Left);
@@ -270,7 +266,6 @@ impl<const N: usize> WithSimd for Batch<'_, '_, N> {
     }
 }
 
-/// A contact in its lane.
 struct Lane<'c> {
     job: ManifoldJob<'c>,
     attempt: Attempt,
@@ -286,7 +281,6 @@ struct Lanes<'r, 'c, const N: usize> {
 }
 
 impl<'c, const N: usize> Lanes<'_, 'c, N> {
-    /// Puts the next job into a lane.
     fn next(&mut self, lane: usize) -> Option<Lane<'c>> {
         loop {
             let mut job = *self.waiting.next()?;

@@ -35,7 +35,6 @@ pub(super) struct SpringManifold {
     pub(super) spring: PowerLaw,
     /// b of a linear damper, N s/m.
     pub(super) damper_n_s_m: f64,
-    /// Plate mass, kg.
     pub(super) plate_kg: f64,
     /// How far the plate comes at least, m: what is small against it need not be known as well.
     pub(super) reach_m: f64,
@@ -44,9 +43,7 @@ pub(super) struct SpringManifold {
 /// Where the spring holds what pushes the plate.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Balance {
-    /// Plate displacement, m.
     pub(super) plate_m: f64,
-    /// Spring force there, N.
     pub(super) force_n: f64,
 }
 
@@ -55,23 +52,7 @@ pub(super) struct Guess {
     pub(super) balance: Balance,
     /// What plate inertia and damper hold, N.
     pub(super) lag_n: f64,
-    /// Plate velocity, m/s.
     pub(super) speed_m_s: f64,
-}
-
-/// What a coefficient adds to another of the same order.
-#[derive(Clone, Copy)]
-struct Per<R> {
-    /// Pressure by the slip's.
-    slip_pressure: R,
-    /// Contact force by the slip's.
-    slip_force: R,
-    /// Area lost by the plate's.
-    plate_area: R,
-    /// Contact force lost by the plate's.
-    plate_force: R,
-    /// The plate's by a force on it.
-    force_plate: R,
 }
 
 /// What the next pass takes from the one before, term by term.
@@ -85,9 +66,7 @@ pub(super) struct Lag<const N: usize, R = f64> {
 
 /// What a pass is made about: a balance, and what the pass before leaves.
 pub(super) struct About<'a, const N: usize, R> {
-    /// Plate displacement, m.
     pub(super) plate_m: R,
-    /// Spring force there, N.
     pub(super) held_n: R,
     pub(super) lag: &'a Lag<N, R>,
 }
@@ -212,15 +191,13 @@ impl<R: Real> Spring<R> {
         area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
         pressure[0] = strength_pa + drag_kg_m3 * s.slip[0] * s.slip[0];
         let slope = a[1] + a[2] * offset[0] * 2.0;
-        let by_plate = held_n * self.exponent / plate_m;
-        let by_slip = drag_kg_m3 * s.slip[0] * 2.0;
-        let per = Per {
-            slip_pressure: by_slip,
-            slip_force: area[0] * by_slip,
-            plate_area: cos * slope,
-            plate_force: cos * slope * pressure[0],
-            force_plate: none.alike(1.0) / (by_plate + cos * cos * slope * pressure[0]),
-        };
+        // What a coefficient of the slip or of the plate adds to another of the same order, or takes from it.
+        let slip_pressure = drag_kg_m3 * s.slip[0] * 2.0;
+        let slip_force = area[0] * slip_pressure;
+        let plate_area = cos * slope;
+        let plate_force = cos * slope * pressure[0];
+        let tangent = held_n * self.exponent / plate_m;
+        let force_plate = none.alike(1.0) / (tangent + cos * cos * slope * pressure[0]);
         macro_rules! order {
             ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
@@ -237,15 +214,15 @@ impl<R: Real> Spring<R> {
                     let known = product_before::<N, J, R>(area, pressure)
                         + (area[J] * pressure[0] + area[0] * older);
                     let held = spring.term::<J>(&s.plate);
-                    let pushed = (cos * known - lag.force[J] - held) * per.force_plate;
+                    let pushed = (cos * known - lag.force[J] - held) * force_plate;
                     // ... and those parts, linear in them.
-                    let x = pushed + cos * per.slip_force * per.force_plate * s.slip[J];
-                    force = (known + per.slip_force * s.slip[J]) - per.plate_force * x;
+                    let x = pushed + cos * slip_force * force_plate * s.slip[J];
+                    force = (known + slip_force * s.slip[J]) - plate_force * x;
                     s.plate[J] = x;
                     spring.add::<J>(x);
                     offset[J] = moved - cos * x;
-                    area[J] = area[J] - per.plate_area * x;
-                    pressure[J] = older + per.slip_pressure * s.slip[J];
+                    area[J] = area[J] - plate_area * x;
+                    pressure[J] = older + slip_pressure * s.slip[J];
                 }
                 s.travel[J] = if J == 0 { offset[J] + origin_m } else { offset[J] };
                 if const { J + 1 < N } {

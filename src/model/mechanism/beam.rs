@@ -14,7 +14,7 @@ const STIFFNESS_COEFFICIENT: f64 = 2.65;
 /// gamma, the characteristic radius factor of Table 9.3.
 const RADIUS_FACTOR: f64 = 0.85;
 /// The angle up to which the pseudo-rigid body follows the beam (Howell, for a load across the beam); beyond it the force
-/// goes on along its tangent, so that a run that gets there can be told about instead of failing.
+/// goes on along its tangent, so that a run that gets there ends with a warning instead of failing.
 const ANGLE_MAX_DEG: f64 = 64.3;
 /// Pivots of a guided beam, each of twice the stiffness of the cantilever's one.
 const PIVOTS: f64 = 2.0;
@@ -41,7 +41,6 @@ impl Beam {
         self.reach_m() * ANGLE_MAX_DEG.to_radians().sin()
     }
 
-    /// The greatest bending stress at a displacement, Pa.
     pub(super) fn stress_pa(&self, kind: SpringKind, x_m: f64) -> f64 {
         let x = smaller(x_m.abs(), self.limit_m());
         if kind == SpringKind::FixedGuided {

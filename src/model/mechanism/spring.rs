@@ -181,7 +181,6 @@ impl Spring {
     }
 }
 
-/// Whether a spring is a power law without force.
 fn is_nothing(spring: &scene::Spring) -> bool {
     kinds::power_law(spring).is_some_and(PowerLaw::is_absent)
 }

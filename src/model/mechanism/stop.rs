@@ -10,7 +10,6 @@ pub(in crate::model) const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// A plate that meets its rigid stop, in any units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct Hit {
-    /// Velocity before, forwards.
     pub(in crate::model) velocity: f64,
     /// Acceleration by all forces but the stop's, forwards.
     pub(in crate::model) acceleration: f64,

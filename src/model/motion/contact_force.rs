@@ -8,8 +8,7 @@ const SLOPE: f64 = 1e-6;
 
 /// The force between projectile and plate in one mode of one contact model, positive apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ContactForce {
-    /// No force.
+pub(crate) enum ContactForce {
     None,
     /// A (S + c u²).
     Flow(FlowForce),
@@ -21,47 +20,38 @@ pub enum ContactForce {
 
 /// The flow of the target around the nose: engaged area times pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlowForce {
-    /// The nose, for oblique sections.
-    pub nose: Nose,
-    /// Engaged area.
-    pub area: AreaLaw,
-    /// On the area.
-    pub pressure: Pressure,
+pub(crate) struct FlowForce {
+    pub(crate) nose: Nose,
+    pub(crate) area: AreaLaw,
+    pub(crate) pressure: Pressure,
 }
 
 /// S + c u².
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pressure {
+pub(crate) struct Pressure {
     /// S, Pa; negative while pulling out.
-    pub strength_pa: f64,
-    /// c, kg/m³.
-    pub drag_kg_m3: f64,
+    pub(crate) strength_pa: f64,
+    pub(crate) drag_kg_m3: f64,
 }
 
 /// A spring and a damper between projectile and plate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ElasticForce {
-    /// N/m.
-    pub stiffness_n_m: f64,
+pub(crate) struct ElasticForce {
+    pub(crate) stiffness_n_m: f64,
     /// Travel at which the spring is slack, m.
-    pub slack_m: f64,
-    /// N s/m.
-    pub damping_n_s_m: f64,
+    pub(crate) slack_m: f64,
+    pub(crate) damping_n_s_m: f64,
 }
 
 /// A half-sine from first contact on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pulse {
-    /// N.
-    pub amplitude_n: f64,
-    /// s.
-    pub duration_s: f64,
+pub(crate) struct Pulse {
+    pub(crate) amplitude_n: f64,
+    pub(crate) duration_s: f64,
 }
 
 impl ContactForce {
-    /// The force at a state, N.
-    pub fn force(&self, state: &State) -> f64 {
+    pub(crate) fn force(&self, state: &State) -> f64 {
         let (q, u) = (state.travel_m, state.slip_m_s);
         match self {
             Self::None => 0.0,
@@ -77,7 +67,7 @@ impl ContactForce {
     }
 
     /// Its derivatives by travel, N/m, and by slip, N s/m.
-    pub fn slopes(&self, state: &State) -> [f64; 2] {
+    pub(crate) fn slopes(&self, state: &State) -> [f64; 2] {
         match self {
             Self::None | Self::HalfSine(_) => [0.0; 2],
             Self::Flow(flow) => {
@@ -91,7 +81,7 @@ impl ContactForce {
     }
 
     /// Whether the force has many derivatives: an oblique section has not.
-    pub fn is_smooth(&self) -> bool {
+    pub(crate) fn is_smooth(&self) -> bool {
         !matches!(self, Self::Flow(FlowForce { area: AreaLaw::Partial { .. }, .. }))
     }
 }

@@ -10,7 +10,6 @@ pub(super) trait ContactTerm<const N: usize> {
     fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64;
 }
 
-/// No contact.
 pub(super) struct NoContact;
 
 impl<const N: usize> ContactTerm<N> for NoContact {

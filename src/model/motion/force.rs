@@ -16,7 +16,6 @@ impl<const N: usize> ForceTerm<N> for Box<dyn ForceTerm<N>> {
     }
 }
 
-/// No force.
 pub(super) struct NoForce;
 
 impl<const N: usize> ForceTerm<N> for NoForce {

@@ -28,7 +28,7 @@ struct Trial<const N: usize> {
 
 /// Integrate from `start` until a boundary or a limit. Errors are kept below `tolerance` relative to the greater of 1 and the
 /// component's own size: scale the system so that 1 is what matters.
-pub fn integrate<const N: usize>(
+pub(crate) fn integrate<const N: usize>(
     system: &impl System<N>,
     start: Start<N>,
     tolerance: f64,
@@ -172,7 +172,6 @@ fn first_step<const N: usize>(
     if step.is_finite() { step } else { euler }
 }
 
-/// Dense output over one step.
 struct Dense<const N: usize> {
     y: [f64; N],
     c: [[f64; N]; 7],

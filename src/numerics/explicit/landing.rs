@@ -14,23 +14,16 @@ const NEAR: f64 = 1e-9;
 
 /// A step from `y0` with rate `f0` to `y1` with rate `f1`.
 pub(super) struct Ends<'a, const N: usize> {
-    /// State at the start.
     pub(super) y0: &'a [f64; N],
-    /// Rate there.
     pub(super) f0: &'a [f64; N],
-    /// State at the end.
     pub(super) y1: &'a [f64; N],
-    /// Rate there.
     pub(super) f1: &'a [f64; N],
 }
 
 /// The end of a step that was shortened to a boundary.
 pub(super) struct Landed<const N: usize> {
-    /// Which boundary.
     pub(super) index: usize,
-    /// The part of the step.
     pub(super) part: f64,
-    /// The state there.
     pub(super) y: [f64; N],
 }
 

@@ -16,7 +16,7 @@ pub enum Crossing {
 }
 
 /// Integrate from `start` with steps of length `h` until a boundary or a limit.
-pub fn integrate<const N: usize>(
+pub(crate) fn integrate<const N: usize>(
     system: &impl System<N>,
     start: Start<N>,
     h: f64,
@@ -69,7 +69,6 @@ pub fn integrate<const N: usize>(
     ended(t, y, Stop::StepBudget)
 }
 
-/// One step of length `h`.
 fn step<const N: usize>(
     system: &impl System<N>,
     Point { t, y, f }: Point<'_, N>,
