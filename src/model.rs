@@ -9,7 +9,7 @@
 //!
 //! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them. [`simulate::simulate`] begins with
 //!    [`variables::validate`] and takes [`impact::run`] for every model but the listing of the thesis's Appendix,
-//!    which has a scheme of its own ([`appendix::listing`]).
+//!    which has a scheme of its own (`appendix::listing`).
 //! 2. `impact::problem::Problem::of` derives the constants of the impact once: masses, [`contact::Geometry::of`] (engaged area by
 //!    travel, in pieces), [`contact_models`] (the force of each mode, what ends it, what follows), [`mechanism::Mechanism::of`]
 //!    (spring, damper, stop), the horizon.
@@ -22,7 +22,7 @@
 //!    - `Body::missed_event` finds an event that rounding has put behind the state;
 //!    - one step is taken: `cross_singularity` (`impact/singular_crossing.rs`) through the zero of a power law, `taylor_step`
 //!      (`impact/taylor.rs`) where the motion is smooth, or `stiff_step` (`impact/stiff.rs`). All step the equations of
-//!      [`motion::Motion`], which are one form for every mode and contact model;
+//!      `motion::Motion`, which are one form for every mode and contact model;
 //!    - `Body::active_events` lists what may end the step in the present mode; the first of them to change its sign is located
 //!      (on implicit and crossing steps by `numerics/event.rs`), and `project_onto_event` puts the state exactly on it;
 //!    - `Record` (`impact/record.rs`) keeps the rows, the work done and the greatest forces (`note_extremes`);
@@ -47,8 +47,8 @@ mod event_function;
 pub mod impact;
 pub mod library;
 pub mod mechanism;
-pub mod motion;
-pub mod plan;
+mod motion;
+mod plan;
 pub mod run;
 pub mod scene;
 pub mod simulate;
