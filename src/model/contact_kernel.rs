@@ -6,7 +6,7 @@
 //! and integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
 //! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the slow
 //! manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`). Many
-//! contacts run side by side in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop, an
+//! contacts run in parallel in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop, an
 //! oblique section across the cylinder, a plate that comes back through a singular point) are left to the simulation:
 //! [`Contact::run`] returns `None`.
 

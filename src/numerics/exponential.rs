@@ -6,7 +6,7 @@
 /// Up to here the quotient of [`bernoulli_near`] is exact to some roundings.
 pub(crate) const NEAR: f64 = 1.0;
 
-/// x/(exp(x) - 1) for 0 <= x <= [`NEAR`], without a branch or a call, so that many side by side are taken in vectors: the
+/// x/(exp(x) - 1) for 0 <= x <= [`NEAR`], without a branch or a call, so that many are computed in vectors: the
 /// diagonal Padé approximant of the exponential of degree 7, whose error there is at most 3e-16 (Baker and Graves-Morris,
 /// *Padé Approximants*, 2nd ed., section 1.2).
 #[inline]

@@ -1,4 +1,4 @@
-//! Gauss collocation over an interval at one end of which the solution is a series in broken powers.
+//! Gauss collocation over an interval at one end of which the solution is a series in non-integer powers.
 //!
 //! dy/dz = f(z, y) between two values of z on one side of 0, or up to 0, where f contains powers like |z|^0.3. With |z| ~ s^5 each power
 //! z^p becomes s^(5 p), times the s^4 of dz/ds: many times differentiable at s = 0, where Gauss points lie close together anyway. The
@@ -230,7 +230,7 @@ mod tests {
 
     /// y' = z^p y has the solution exp(z^(p+1)/(p+1)), both ways.
     #[test]
-    fn broken_powers_are_solved_to_rounding() {
+    fn non_integer_powers_are_solved_to_rounding() {
         for p in [0.05f64, 0.3, 0.5, 0.7, 1.4, 2.3] {
             let exact = (0.5f64.powf(p + 1.0) / (p + 1.0)).exp();
             let rate = |z: f64, y: &[f64; 1]| [z.abs().powf(p) * y[0]];

@@ -1,4 +1,4 @@
-//! Powers of positive numbers without a branch, so that the compiler works them out side by side in vectors.
+//! Powers of positive numbers without a branch, so that the compiler computes them in vectors.
 //!
 //! z^e = 2^(e log2 z), with log2 z split into a whole part and the logarithm of a number between 1/sqrt 2 and sqrt 2 (its series in
 //! (m - 1)/(m + 1)), and the power of two into a whole one and one between -1/2 and 1/2 (the exponential's series). The whole

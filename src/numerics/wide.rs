@@ -1,4 +1,4 @@
-//! Numbers side by side: the same arithmetic on one number or on as many as the processor's vectors hold.
+//! Numbers in the lanes of a vector: the same arithmetic on one number or on as many as the processor's vectors hold.
 //!
 //! A kernel written for [`Real`] runs on `f64` for a single problem and on [`Wide`] for several at once; lane by lane the results
 //! are the same to the last digit, since nothing is contracted or reordered. Which vectors there are is found out when the program
@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
-/// A number, or several side by side.
+/// A number, or one in each lane of a vector.
 pub(crate) trait Real:
     Copy
     + Neg<Output = Self>

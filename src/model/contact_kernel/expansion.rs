@@ -24,7 +24,7 @@ pub(super) struct Series<const N: usize, R: Real = f64> {
 }
 
 impl<const N: usize, R: Real> Series<N, R> {
-    /// (travel, slip, plate, speed) at `span`, side by side.
+    /// (travel, slip, plate, speed) at `span`, evaluated together.
     #[inline(always)]
     pub(super) fn state(&self, span: R) -> [R; 4] {
         let mut state = [span.alike(0.0); 4];

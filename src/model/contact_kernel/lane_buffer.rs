@@ -1,4 +1,4 @@
-//! The numbers of contacts side by side: a row a quantity, a column a lane.
+//! The numbers of contacts in parallel: a row a quantity, a column a lane.
 
 use pulp::Simd;
 

@@ -1,4 +1,4 @@
-//! Many contacts at once, their plain steps side by side in the lanes of a vector.
+//! Many contacts at once, their plain steps in parallel in the lanes of a vector.
 //!
 //! A lane is a contact; all lanes take a step together, each with its own length, and a lane whose contact has ended takes the
 //! next. The arithmetic is that of the single contact in the same order, so that its results are the same to the last digit

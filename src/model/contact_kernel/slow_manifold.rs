@@ -1,4 +1,4 @@
-//! Contacts whose plates follow the slow manifold of their springs: pass by pass, as many side by side as the vectors hold.
+//! Contacts whose plates follow the slow manifold of their springs: pass by pass, as many in parallel as the vectors hold.
 //!
 //! Each lane is at a pass of its own. After a pass it takes another about the new balance, or has settled and takes a step, or
 //! fails and tries a shorter one; and where even that fails it hands over to plain steps. A single contact is one lane.
@@ -61,8 +61,8 @@ pub(super) struct ManifoldRun {
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
     area: Area,
-    /// Only asked with the law of the piece before: is it the next one that sets the plate swinging?
-    asked_back: bool,
+    /// Made with the area law of the piece before, to see whether the next one sets the plate oscillating.
+    by_piece_before: bool,
     passes: usize,
     balance: Balance,
     /// How far that is from the one before, relative.
@@ -109,7 +109,7 @@ impl ManifoldRun {
         &mut self,
         contact: &Contact,
         area: Area,
-        asked_back: bool,
+        by_piece_before: bool,
     ) -> Result<Attempt, Next> {
         let Track { state, .. } = self.track;
         let guess = Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
@@ -118,15 +118,15 @@ impl ManifoldRun {
         match found {
             Some(balance) => {
                 let moved = (balance.plate_m - state[2]).abs() / balance.plate_m;
-                Ok(Attempt { area, asked_back, passes: 0, balance, moved, change })
+                Ok(Attempt { area, by_piece_before, passes: 0, balance, moved, change })
             }
-            None => self.failed(contact, asked_back),
+            None => self.failed(contact, by_piece_before),
         }
     }
 
     /// What to try where an attempt has failed.
-    fn failed(&mut self, contact: &Contact, asked_back: bool) -> Result<Attempt, Next> {
-        if let (Some(area), false) = (self.joint, asked_back) {
+    fn failed(&mut self, contact: &Contact, by_piece_before: bool) -> Result<Attempt, Next> {
+        if let (Some(area), false) = (self.joint, by_piece_before) {
             return self.attempt(contact, area, true);
         }
         if self.track.piece != self.before.piece || self.reach_factor < SHORTEST {
@@ -177,7 +177,7 @@ impl ManifoldRun {
         end_of_step: &StepEnd,
         series: impl Fn() -> Series<N>,
     ) -> Result<Attempt, Next> {
-        if attempt.asked_back {
+        if attempt.by_piece_before {
             // Fine up to the joint; the next piece sets the plate swinging.
             return Err(Next::Handed(self.track));
         }
@@ -424,7 +424,7 @@ fn run<S: Simd, const N: usize>(
             };
             let ManifoldJob { contact, manifold_run, .. } = &mut lane_job.job;
             let next = if result == PassResult::Failed {
-                manifold_run.failed(contact, lane_job.attempt.asked_back)
+                manifold_run.failed(contact, lane_job.attempt.by_piece_before)
             } else {
                 let end_of_step = StepEnd {
                     trusted: all.buffer.0[TRUSTED][lane],

@@ -71,7 +71,7 @@ pub(super) struct About<'a, const N: usize, R> {
     pub(super) lag: &'a Lag<N, R>,
 }
 
-/// The spring of the manifold, or several side by side.
+/// The spring of the manifold, or one in each lane.
 #[derive(Clone, Copy)]
 pub(super) struct Spring<R> {
     pub(super) coefficient: R,

@@ -1,4 +1,4 @@
-//! The contact phase by Radau IIA of order 5, held to from first contact to the end: what an implicit, L-stable method does.
+//! The contact phase by Radau IIA of order 5, from first contact to the end: what an implicit, L-stable method does.
 //!
 //! A power law with an exponent below one is infinitely steep at zero. There its force is the unknown, and the displacement (or
 //! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping

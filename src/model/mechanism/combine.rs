@@ -1,4 +1,4 @@
-//! Two springs as one: side by side, or one behind the other.
+//! Two springs as one: in parallel, or in series.
 
 use crate::model::mechanism::curve::{Curve, Segments};
 use crate::model::mechanism::piece::Piece;

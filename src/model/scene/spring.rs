@@ -52,7 +52,7 @@ worded! {
         ConstantForce = "constant",
         /// An elastic rise, then a plateau.
         Column = "column",
-        /// A linear spring that turns the plate as it gives way.
+        /// A linear spring that turns the plate as it yields.
         Helix = "helix",
         /// An absorber that is crushed at a constant force and unloads elastically.
         Crush = "crush",
@@ -123,7 +123,7 @@ defaulted! {
         pub fall_m: f64 = 2e-3,
     }
 
-    /// A helical spring whose plate turns as it gives way.
+    /// A helical spring whose plate turns as it yields.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Helix {
         pub stiffness_n_m: f64 = 1e5,
