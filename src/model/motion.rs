@@ -66,6 +66,7 @@ pub(crate) enum Force {
 
 /// An elastic stop in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "they end in their units")]
 pub(crate) struct StopForce {
     pub(crate) stiffness_n_m: f64,
     pub(crate) damping_n_s_m: f64,

@@ -36,6 +36,7 @@ pub(crate) struct Pressure {
 
 /// A spring and a damper between projectile and plate.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "they end in their units")]
 pub(crate) struct ElasticForce {
     pub(crate) stiffness_n_m: f64,
     /// Travel at which the spring is slack, m.

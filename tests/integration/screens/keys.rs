@@ -32,7 +32,7 @@ fn gamma(bench: &Bench) -> f64 {
 
 /// Select a variable by its symbol, without a filter left.
 fn select(bench: &mut Bench, symbol: &str) {
-    let all = cmra::model::variables::VARIABLES;
+    let all = &cmra::model::variables::VARIABLES;
     bench.app.editor.selected = all.iter().position(|one| one.symbol == symbol).unwrap();
 }
 
