@@ -11,5 +11,8 @@ pub use cmra_studies::{report, study};
 
 pub mod cli;
 pub mod files;
+// Public for the tests only.
+#[doc(hidden)]
 pub mod tui;
+#[doc(hidden)]
 pub mod worker;

@@ -25,6 +25,19 @@ mod signals;
 mod start;
 mod terminal;
 
+/// What most pages, dialogs and updates name.
+mod prelude {
+    pub(crate) use ratatui::layout::Rect;
+
+    pub(crate) use super::app::App;
+    pub(crate) use super::app::notice::Severity;
+    pub(crate) use super::keymap::{Action, Pane};
+    pub(crate) use super::message::{Effect, Target};
+    pub(crate) use super::pages::Tab;
+    pub(crate) use super::theme::{PaneFrame, Role};
+    pub(crate) use super::widgets::Canvas;
+}
+
 use std::io::{self, Write};
 use std::sync::mpsc;
 
@@ -37,14 +50,12 @@ use message::Message;
 use shell::{Ending, Shell};
 use signals::Signal;
 
-/// How the workbench is to start.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The scene to open; `None`: the last session, or the thesis baseline.
     pub scene: Option<Preset>,
     /// Leave the last session alone: start from the scene, or from the baseline.
     pub fresh: bool,
-    /// Which characters to draw with.
     pub glyphs: theme::GlyphChoice,
 }
 
@@ -56,13 +67,9 @@ pub enum TuiError {
     Terminal(#[from] io::Error),
 }
 
-/// What reaches the loop.
 enum Incoming {
-    /// Something for `update`.
     Message(Message),
-    /// The mouse, which the program has.
     Mouse(MouseEvent),
-    /// A signal of the system.
     Signal(Signal),
     /// Nothing can be read from the terminal any more.
     InputLost,
@@ -70,9 +77,6 @@ enum Incoming {
 
 /// Run the workbench on the terminal of standard output until the person leaves. Returns the exit status: 0, or 128 + the
 /// signal that ended it.
-///
-/// # Errors
-/// [`TuiError`] when the terminal cannot be used. It has been restored then.
 pub fn run(options: Options) -> Result<u8, TuiError> {
     let paths = Paths::of_user().ok();
     let (sender, inbox) = mpsc::channel();

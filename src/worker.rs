@@ -6,11 +6,8 @@
 //!
 //! Every task submitted gets exactly one last report: `Ended` or `Failed`.
 
-pub mod cache;
 pub mod clock;
-mod memory;
 pub mod quiet;
-pub mod reporter;
 mod runs;
 pub mod study;
 
@@ -21,11 +18,11 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::model::scene::Scene;
 use quiet::Quiet;
-use reporter::Reporter;
 use runs::{Compute, Runs};
-use study::{Lane, Study};
+use study::{Lane, Reporter, Study};
+
+use crate::model::scene::Scene;
 
 pub use study::Finding;
 
@@ -39,21 +36,16 @@ pub struct Task {
     pub id: u64,
     /// On how many threads, where the work can be divided.
     pub threads: usize,
-    /// What is to be done.
     pub work: Work,
 }
 
-/// What a task does.
 #[derive(Clone, Debug)]
 pub enum Work {
-    /// Run a scene.
     Run(Slot, Arc<Scene>),
-    /// Study a scene.
     Study(Arc<Scene>, Arc<dyn Study>),
 }
 
 impl Task {
-    /// Whose result it is.
     pub fn slot(&self) -> Slot {
         match &self.work {
             Work::Run(slot, _) => *slot,
@@ -64,7 +56,6 @@ impl Task {
         }
     }
 
-    /// The thread it is done on.
     fn lane(&self) -> Lane {
         match &self.work {
             Work::Run(..) => Lane::Runs,
@@ -80,27 +71,19 @@ pub enum Slot {
     Current,
     /// A pinned run, by its letter.
     Pin(char),
-    /// A study of this type.
     Study(TypeId),
 }
 
-/// What a background thread reports.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The task.
     pub id: u64,
-    /// Its slot.
     pub slot: Slot,
-    /// What about it.
     pub body: ReportBody,
 }
 
-/// What a report says.
 #[derive(Clone, Debug)]
 pub enum ReportBody {
-    /// It is still running.
     Progress {
-        /// How far it is.
         progress: Progress,
         /// How long it has been running.
         elapsed: Duration,
@@ -109,7 +92,6 @@ pub enum ReportBody {
     Part(Finding),
     /// It is done, or was cancelled and this is what it had; `None` where it had nothing.
     Ended {
-        /// The result.
         found: Option<Finding>,
         /// Wall-clock time of the computation.
         took: Duration,
@@ -119,18 +101,24 @@ pub enum ReportBody {
 }
 
 impl ReportBody {
+    /// What was found, or is there so far, where it is of this type.
+    pub fn found<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        match self {
+            Self::Part(found) | Self::Ended { found: Some(found), .. } => found.get(),
+            _ => None,
+        }
+    }
+
     /// Whether no further report of this task will follow.
     pub fn is_last(&self) -> bool {
         matches!(self, Self::Ended { .. } | Self::Failed(_))
     }
 }
 
-/// How far a task is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Progress {
     /// Simulated time reached, s; 0 when it has begun.
     Time(f64),
-    /// Points done and in all.
     Points(usize, usize),
 }
 
@@ -149,7 +137,6 @@ struct Shared {
     sink: Box<Sink>,
 }
 
-/// The tasks of a lane.
 #[derive(Default)]
 struct Queue {
     state: Mutex<State>,
@@ -198,9 +185,6 @@ impl Queue {
 
 impl Worker {
     /// Start the threads; `sink` is given every report.
-    ///
-    /// # Errors
-    /// When the system has no thread to give.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
         Self::spawn_with(sink, runs::simulation())
     }
@@ -293,7 +277,7 @@ impl Shared {
             queue.lock().running = None;
             send(body);
             if begun.elapsed() > LONG {
-                memory::give_back();
+                give_back();
             }
         }
     }
@@ -301,3 +285,18 @@ impl Shared {
 
 #[cfg(test)]
 mod tests;
+
+/// Give back every free page, of all threads: a millisecond for a heap of 100 MB. GNU's C library keeps what a thread has freed
+/// between pieces still in use: in an hour of searches and sweeps the process would grow to ten times of what it holds.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[expect(unsafe_code, reason = "a call of the C library, which no crate wraps")]
+fn give_back() {
+    // SAFETY: it takes the locks of the heap by itself, and what is in use stays where it is.
+    unsafe {
+        libc::malloc_trim(0);
+    }
+}
+
+/// Nothing to do: these heaps do not grow so.
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+fn give_back() {}

@@ -2,32 +2,16 @@
 //!
 //! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
-
-use crate::files::clean;
-use crate::files::session::Session;
-use crate::model::scene::Scene;
-use crate::study::parallel::Parallel;
-use crate::tui::dialogs::Dialog;
-use crate::tui::keymap::{Keymap, Pane};
-use crate::tui::message::{Effect, FileTask, PresetEntry};
-use crate::tui::pages::run::charts::Charts;
-use crate::tui::pages::run::editor::Editor;
-use crate::tui::pages::run::runs::{Pin, RunView, Shown};
-use crate::tui::pages::{self, Tab};
-use crate::tui::theme::{ColourDepth, Theme};
-use crate::tui::widgets::input::Field;
-use crate::tui::widgets::table::Sorting;
-
 pub mod find;
 pub mod history;
 pub mod jobs;
 pub mod layout;
 pub mod notice;
 pub mod status;
-mod validity;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
 
 use find::Find;
 use history::History;
@@ -35,10 +19,25 @@ use jobs::Jobs;
 use layout::Layout;
 use notice::{Notice, Severity};
 
+use crate::files::clean;
+use crate::files::session::Session;
+use crate::model::scene::Scene;
+use crate::study::parallel::Parallel;
+use crate::tui::dialogs::Dialog;
+use crate::tui::keymap::Keymap;
+use crate::tui::message::{FileTask, PresetEntry};
+use crate::tui::pages;
+use crate::tui::pages::run::charts::Charts;
+use crate::tui::pages::run::editor::Editor;
+use crate::tui::pages::run::runs::{Pin, RunView, Shown};
+use crate::tui::prelude::*;
+use crate::tui::theme::{ColourDepth, Theme};
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::table::Sorting;
+
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
 
-/// Where a preset comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// Compiled in; never overwritten.
@@ -52,11 +51,8 @@ pub enum Origin {
 /// What the scene is compared with: the preset it was loaded from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Base {
-    /// The preset's name.
     pub name: String,
-    /// Where it comes from.
     pub origin: Origin,
-    /// The scene as loaded.
     pub scene: Arc<Scene>,
 }
 
@@ -69,27 +65,21 @@ pub struct Base {
 pub struct App {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
-    /// Characters and colours.
     pub theme: Theme,
     /// The most colours the terminal can show.
     pub best_depth: ColourDepth,
-    /// The tab shown.
     pub tab: Tab,
-    /// The pane of each tab that has the focus.
     pub focus: [Pane; Tab::ALL.len()],
     /// The tabs whose focused pane fills the body.
     pub full_pane: [bool; Tab::ALL.len()],
     /// The open field, of a row of the pane that has the keys.
     pub field: Option<Field>,
-    /// The keys in force.
     pub keymap: Keymap,
     /// This is the first start: a line says how to begin, until the first edit.
     pub first_run: bool,
-    /// The scene being edited.
     pub scene: Arc<Scene>,
     /// The preset it came from.
     pub base: Base,
-    /// The list of variables.
     pub editor: Editor,
     /// Edits that can be undone.
     pub history: History,
@@ -101,15 +91,10 @@ pub struct App {
     pub pins: Vec<Pin>,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected_run: usize,
-    /// How that table is sorted.
     pub runs_sorted: Sorting,
-    /// Whether the current run is drawn.
     pub current_visible: bool,
-    /// The charts.
     pub charts: Charts,
-    /// What each page keeps.
     pub pages: pages::States,
-    /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
     pub notice: Option<Notice>,
@@ -121,9 +106,7 @@ pub struct App {
     pub find: Find,
     /// Run after every edit.
     pub auto_run: bool,
-    /// The program has the mouse.
     pub mouse: bool,
-    /// The presets as last listed.
     pub presets: Vec<PresetEntry>,
     /// The session could not be saved the last time.
     pub session_lost: bool,
@@ -133,6 +116,8 @@ pub struct App {
     pub recent: Vec<PathBuf>,
     /// Where relative paths start.
     pub directory: PathBuf,
+    /// What the outside is to do next.
+    pub(crate) effects: Vec<Effect>,
 }
 
 impl App {
@@ -172,6 +157,7 @@ impl App {
             threads: None,
             recent: Vec::new(),
             directory,
+            effects: Vec::new(),
         }
     }
 
@@ -180,7 +166,6 @@ impl App {
         self.threads.unwrap_or_else(|| Parallel::of_machine().threads)
     }
 
-    /// Where everything stands.
     pub fn layout(&self) -> Layout {
         layout::layout(self.size, pages::of(self.tab).about().pages.len() > 1)
     }
@@ -205,7 +190,6 @@ impl App {
         self.notice.as_ref().is_some_and(|notice| notice.severity == Severity::Error)
     }
 
-    /// The pane that has the keys.
     pub fn pane(&self) -> Pane {
         self.focus[self.tab.index()]
     }
@@ -245,26 +229,33 @@ impl App {
     }
 
     /// Note a file that was opened or saved; a relative path is one of the directory.
-    pub(in crate::tui) fn note_recent(&mut self, path: &Path) {
+    pub(crate) fn note_recent(&mut self, path: &Path) {
         let mut session =
             Session { recent: std::mem::take(&mut self.recent), ..Session::default() };
         session.note_recent(&self.directory.join(path));
         self.recent = session.recent;
     }
 
-    /// Ask for the presets there are, the files opened lately among them.
-    pub(in crate::tui) fn list_presets(&self) -> Effect {
-        Effect::Files(FileTask::ListPresets(self.recent.clone()))
+    pub(crate) fn request(&mut self, effect: Effect) {
+        self.effects.push(effect);
     }
 
-    /// Say why an action is refused; nothing follows from it.
-    pub(in crate::tui) fn refuse(&mut self, why: impl Into<String>) -> Vec<Effect> {
+    /// Ask for the presets there are, the files opened lately among them.
+    pub(crate) fn list_presets(&mut self) {
+        self.request(Effect::Files(FileTask::ListPresets(self.recent.clone())));
+    }
+
+    /// Say something good to know.
+    pub(crate) fn tell(&mut self, text: impl Into<String>) {
+        self.say(Severity::Note, text);
+    }
+
+    pub(crate) fn refuse(&mut self, why: impl Into<String>) {
         self.say(Severity::Error, why);
-        Vec::new()
     }
 
     /// Keep a message for the Log tab; of very many the oldest go.
-    pub(in crate::tui) fn keep(&mut self, notice: Notice) {
+    pub(crate) fn keep(&mut self, notice: Notice) {
         if self.log.len() >= LOG_MAX {
             self.log.drain(..LOG_MAX / 4);
         }

@@ -16,28 +16,24 @@
 //! Everything shown comes in as plain data: names and units are texts. Knows ratatui and the theme; must not know plates,
 //! runs or scenes. A chart of any size with any numbers draws inside its area, never panics, and costs O(points + cells).
 
+mod canvas;
+pub mod heatmap;
+pub mod layout;
+mod paint;
+
+use layout::plan;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
-use crate::tui::theme::{GlyphSet, PaneFrame, Theme, ascii_pass};
-
-mod canvas;
-pub mod curve;
-pub mod heatmap;
-pub mod layout;
-mod paint;
-mod titles;
-mod trace;
+use crate::tui::theme::{GlyphSet, PaneFrame, Role, Theme, ascii_pass};
 
 pub use crate::report::chart::levels::Levels;
 pub use crate::report::chart::{
     Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, Mapping, Mark, Scale, Side, Unit,
     ViewRange,
 };
-pub use curve::MARKERS;
 pub use layout::Layout;
-use titles::plan;
 
 /// What the report describes and a terminal can show.
 pub trait Draw {
@@ -69,7 +65,6 @@ impl Draw for Chart<'_> {
     }
 }
 
-/// The frame of a chart.
 fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
     let frame = PaneFrame::default().focused(chart.focused);
     if chart.frame == Frame::OpenBelow { frame.open_below() } else { frame }
@@ -112,3 +107,25 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
 
 #[cfg(test)]
 mod tests;
+
+/// Characters that tell curves apart, the current run's first; none is used by axes, event lines or the crosshair alone.
+pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
+
+/// The role that colours it.
+pub(super) fn role(curve: &Curve<'_>) -> Role {
+    match curve.emphasis {
+        Emphasis::Stale => Role::Dim,
+        Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
+    }
+}
+
+/// The marker, if it takes exactly one cell; else one that does.
+pub(super) fn cell_marker(curve: &Curve<'_>) -> char {
+    let mut bytes = [0; 4];
+    let text: &str = curve.marker.encode_utf8(&mut bytes);
+    if !curve.marker.is_control() && Span::raw(text).width() == 1 {
+        curve.marker
+    } else {
+        MARKERS[0]
+    }
+}

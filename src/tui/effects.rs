@@ -24,6 +24,7 @@ use crate::files::preset::{self, Preset};
 use crate::files::read_table;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
+use crate::tui::app::notice::Severity;
 use crate::tui::complete;
 use crate::tui::message::{
     Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
@@ -35,9 +36,7 @@ const SESSION_DELAY: Duration = Duration::from_secs(1);
 /// Whether the session was saved: where that of another workbench was put aside for it, or why it was not, in words.
 type Kept = Result<Option<PathBuf>, String>;
 
-/// What the thread is asked.
 pub(super) enum Request {
-    /// Do something with files.
     Task(Task),
     /// The session has changed: it lies in [`Unsaved`].
     SessionChanged,
@@ -59,9 +58,6 @@ impl Unsaved {
     }
 
     /// Save what has not been saved; `None` when there is nothing to save, or no place for it.
-    ///
-    /// # Errors
-    /// Why it was not saved, in words.
     pub(super) fn save(&self) -> Option<Kept> {
         let session = self.lock().take()?;
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
@@ -70,7 +66,6 @@ impl Unsaved {
     }
 }
 
-/// The thread and its inbox.
 pub(super) struct IoThread {
     requests: Sender<Request>,
     unsaved: Unsaved,
@@ -78,9 +73,6 @@ pub(super) struct IoThread {
 
 impl IoThread {
     /// Start the thread. Without paths nothing of the program's own is kept.
-    ///
-    /// # Errors
-    /// When the system has no thread to give.
     pub(super) fn spawn(
         paths: Option<Paths>,
         known: Known,
@@ -99,7 +91,6 @@ impl IoThread {
         Ok(Self { requests, unsaved })
     }
 
-    /// Have something done.
     pub(super) fn ask(&self, task: Task) {
         self.request(Request::Task(task));
     }
@@ -122,9 +113,6 @@ impl IoThread {
     }
 
     /// Finish all tasks and save the session, waiting at most this long.
-    ///
-    /// # Errors
-    /// Why the session was not saved, in words.
     pub(super) fn finish(&self, patience: Duration) -> Kept {
         let (done, wait) = mpsc::channel();
         let asked = self.requests.send(Request::Finish(done)).is_ok();
@@ -136,7 +124,6 @@ impl IoThread {
     }
 }
 
-/// What the thread has at hand.
 struct FileQueue {
     unsaved: Unsaved,
     inbox: Sender<Incoming>,
@@ -183,7 +170,7 @@ impl FileQueue {
         if let Ok(Some(aside)) = &saved
             && !self.shares.replace(true)
         {
-            tell(EffectReport::Warned(of_another(aside)));
+            tell(EffectReport::Said(Severity::Warning, of_another(aside)));
         }
         if self.is_kept.replace(saved.is_ok()) != saved.is_ok() {
             tell(EffectReport::Session(saved.map(drop)));
@@ -217,7 +204,9 @@ impl FileQueue {
                 EffectReport::Curve(second, path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
-            Task::KeepCopy(text, sent) => EffectReport::Copied(keep_copy(paths, &text, &sent)),
+            Task::KeepCopy(text, sent) => {
+                EffectReport::Said(Severity::Note, keep_copy(paths, &text, &sent))
+            }
         }
     }
 }
@@ -511,7 +500,7 @@ mod tests {
     fn copied_text_is_in_a_file_too_and_the_message_says_where() {
         let (_place, paths, io_thread, inbox) = start();
         io_thread.ask(Task::KeepCopy("depth 7 mm".to_owned(), "copied".to_owned()));
-        let EffectReport::Copied(text) = report(&inbox) else {
+        let EffectReport::Said(_, text) = report(&inbox) else {
             panic!("not copied");
         };
         let path = paths.state.join("clipboard.txt");

@@ -20,6 +20,7 @@ use crossterm::event::{
 };
 
 use super::{Incoming, terminal};
+use crate::tui::app::notice::Severity;
 use crate::tui::message::{EffectReport, Message};
 
 /// Panics in a row, without an event between them, after which reading is given up.
@@ -29,9 +30,6 @@ const PANICS_MAX: usize = 16;
 const RESTARTED: &str = "internal error while reading keys: reading was restarted, the last keys may be lost (see the log)";
 
 /// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
-///
-/// # Errors
-/// When the system has no thread to give.
 pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
         // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
@@ -65,7 +63,7 @@ fn listen(
         let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut next)) {
             Err(_panic) => {
                 panics += 1;
-                let report = EffectReport::Warned(RESTARTED.to_owned());
+                let report = EffectReport::Said(Severity::Warning, RESTARTED.to_owned());
                 Some(Incoming::Message(Message::Done(report)))
             }
             Ok(Ok(event)) => {
@@ -207,7 +205,7 @@ mod tests {
         listen(&send, read, || false);
         let reported = inbox.recv().unwrap();
         assert!(
-            matches!(reported, Incoming::Message(Message::Done(EffectReport::Warned(text))) if text == RESTARTED)
+            matches!(reported, Incoming::Message(Message::Done(EffectReport::Said(_, text))) if text == RESTARTED)
         );
         assert!(matches!(inbox.recv().unwrap(), Incoming::Message(Message::Key(_))));
         // One that panics for ever does not keep a core busy for ever.

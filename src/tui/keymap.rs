@@ -3,22 +3,17 @@
 
 use std::collections::BTreeMap;
 
+use KeyCode as C;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-mod commands;
-mod lines;
-
-pub use commands::{Call, Command, commands};
-pub(in crate::tui) use lines::Bound;
-pub use lines::{LINES, Line, Scope};
-
 use crate::tui::dialogs::options::OptionRow;
-use crate::tui::pages::Tab;
+use crate::tui::pages::{self, TAB_KEYS, Tab};
+use Action as A;
+use OptionRow as O;
 
 /// A pane: what can have the focus, by its tab and its place among the tab's panes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pane {
-    /// The tab it is in.
     pub tab: Tab,
     at: u8,
 }
@@ -30,9 +25,7 @@ impl Pane {
     }
 }
 
-/// What a page says of a pane.
 pub struct PaneSpec {
-    /// Which one.
     pub pane: Pane,
     /// Its name in help, palette and messages.
     pub label: &'static str,
@@ -61,17 +54,14 @@ pub enum Part {
     Table,
 }
 
-/// What a key does in particular in a pane.
 pub struct PaneKey {
     /// Which: its key is that of the action.
     pub action: Action,
     /// A word or two for the footer: `load`; empty where it stands in help only.
     pub short: &'static str,
-    /// A sentence for help.
     pub help: &'static str,
 }
 
-/// A row of the keys of a pane.
 pub const fn key(action: Action, short: &'static str, help: &'static str) -> PaneKey {
     PaneKey { action, short, help }
 }
@@ -144,7 +134,6 @@ pub enum Action {
     SpreadBars,
 }
 
-/// A key with its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Key(pub KeyCode, pub KeyModifiers);
 
@@ -225,9 +214,6 @@ impl Default for Keymap {
 
 impl Keymap {
     /// The table with other keys for some actions, by their names in the configuration.
-    ///
-    /// # Errors
-    /// Which entry is refused, why, and what is allowed.
     pub fn remapped(wanted: &BTreeMap<String, Vec<String>>) -> Result<Self, String> {
         let mut map = Self::default();
         for (name, keys) in wanted {
@@ -266,7 +252,6 @@ impl Keymap {
         self.keys.iter().find(|(_, keys)| keys.contains(&pressed)).map(|(action, _)| *action)
     }
 
-    /// The keys of an action.
     pub fn keys(&self, action: Action) -> &[Key] {
         self.keys.get(&action).map_or(&[], Vec::as_slice)
     }
@@ -289,11 +274,192 @@ impl Keymap {
     }
 }
 
-/// The name of an action in the configuration.
 pub fn name(action: Action) -> &'static str {
     let bound = LINES.iter().flat_map(|line| line.keys);
     bound.clone().find(|(one, _, _)| *one == action).map_or("", |(_, name, _)| name)
 }
+
+/// Something that can be called by name.
+pub struct Command {
+    pub call: Call,
+    /// Its name, a verb first.
+    pub name: &'static str,
+    /// Other words it is found by.
+    pub synonyms: &'static str,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Call {
+    /// An action, in the pane that has the keys.
+    Do(Action),
+    /// An action of a pane, which is shown first.
+    In(Pane, Action),
+    /// Shows a pane, with one of the pages of its tab where the pane has several.
+    Show(Pane, Option<usize>),
+}
+
+impl Command {
+    pub const fn new(call: Call, name: &'static str, synonyms: &'static str) -> Self {
+        Self { call, name, synonyms }
+    }
+}
+
+const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
+    Command::new(Call::Do(action), name, synonyms)
+}
+
+/// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
+pub fn commands() -> impl Iterator<Item = &'static Command> {
+    let of = |within: bool| {
+        let all = Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).about().commands);
+        all.filter(move |command| matches!(command.call, Call::In(..)) == within)
+    };
+    of(false).chain(GENERAL).chain(of(true))
+}
+
+#[rustfmt::skip]
+static GENERAL: &[Command] = &[
+    named(A::Help, "Help", "keys"),
+    named(A::Options, "Options", "settings preferences menu"),
+    named(A::Presets, "Presets", "load open threats materials absorbers scenes file"),
+    named(A::Save, "Save the scene", "preset write store"),
+    named(A::Export, "Export", "csv write file table"),
+    named(A::Copy, "Copy", "clipboard osc 52"),
+    named(A::Run, "Run again", "recompute calculate compute"),
+    named(A::Undo, "Undo", "take back"),
+    named(A::Redo, "Redo", "again"),
+    named(A::History, "List of edits", "history undo"),
+    named(A::Mark, "Pin this run", "compare keep mark"),
+    named(A::ResetAll, "Reset all variables to the preset", "start again default"),
+    named(A::FullPane, "Show this pane alone", "full zoom maximise"),
+    named(A::Switch(O::Interface), "Switch the interface law", "fused plastic"),
+    named(A::Models, "Pin this scene by every contact model", "compare interaction half-sine initial velocity lumped appendix"),
+    named(A::Switch(O::Contact), "Next contact model", "interaction half-sine initial velocity lumped appendix"),
+    named(A::Switch(O::Threads), "Next number of threads", "cores processors parallel"),
+    named(A::Switch(O::AutoRun), "Switch auto-run", "run after every edit"),
+    named(A::Switch(O::Characters), "Next set of characters", "ascii block braille glyphs"),
+    named(A::Switch(O::Colours), "Next set of colours", "theme colors"),
+    named(A::Switch(O::Mouse), "Switch the mouse", "click wheel release"),
+    named(A::Redraw, "Redraw the screen", "clear refresh"),
+    named(A::Suspend, "Suspend", "shell background"),
+    named(A::Quit, "Quit", "exit leave"),
+    named(A::QuitWithSummary, "Quit with a summary", "exit print"),
+];
+
+/// Where a line of the table works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    Everywhere,
+    /// In the panes that have such a part.
+    With(Part),
+    /// In the panes that list one of its keys.
+    Listed,
+}
+
+/// An action, its name in the configuration, and its keys, the one to show first.
+pub(crate) type Bound = (Action, &'static str, &'static [Key]);
+
+pub struct Line {
+    pub scope: Scope,
+    pub keys: &'static [Bound],
+    pub meaning: &'static str,
+}
+
+impl Line {
+    /// Whether its keys mean something in a pane.
+    pub fn works_in(&self, pane: &PaneSpec) -> bool {
+        match self.scope {
+            Scope::Everywhere => true,
+            Scope::With(part) => pane.has.contains(&part),
+            Scope::Listed => pane
+                .keys
+                .iter()
+                .any(|row| self.keys.iter().any(|(action, _, _)| *action == row.action)),
+        }
+    }
+}
+
+const fn plain(c: char) -> Key {
+    Key(KeyCode::Char(c), KeyModifiers::NONE)
+}
+
+const fn ctrl(c: char) -> Key {
+    Key(KeyCode::Char(c), KeyModifiers::CONTROL)
+}
+
+const fn special(code: KeyCode) -> Key {
+    Key(code, KeyModifiers::NONE)
+}
+
+const fn shifted(code: KeyCode) -> Key {
+    Key(code, KeyModifiers::SHIFT)
+}
+
+const fn everywhere(keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope: Scope::Everywhere, keys, meaning }
+}
+
+const fn with(part: Part, keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope: Scope::With(part), keys, meaning }
+}
+
+const fn listed(keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope: Scope::Listed, keys, meaning }
+}
+
+#[rustfmt::skip]
+pub static LINES: &[Line] = &[
+    everywhere(TAB_KEYS, "go to the tab; again: its next page"),
+    everywhere(&[(A::TabPrevious, "previous-tab", &[plain('{')]), (A::TabNext, "next-tab", &[plain('}')])], "previous tab, next tab"),
+    everywhere(&[
+        (A::FocusNext, "next-pane", &[special(C::Tab)]),
+        (A::FocusPrevious, "previous-pane", &[special(C::BackTab)]),
+    ], "next pane, previous pane"),
+    everywhere(&[
+        (A::Left, "left", &[plain('h'), special(C::Left)]),
+        (A::Down, "down", &[plain('j'), special(C::Down)]),
+        (A::Up, "up", &[plain('k'), special(C::Up)]),
+        (A::Right, "right", &[plain('l'), special(C::Right)]),
+    ], "move the selection or the cursor (arrows too); in a form h and l change the value"),
+    everywhere(&[
+        (A::FarLeft, "far-left", &[plain('H'), shifted(C::Left)]),
+        (A::FarRight, "far-right", &[plain('L'), shifted(C::Right)]),
+    ], "ten steps at once"),
+    everywhere(&[
+        (A::First, "first", &[plain('g'), special(C::Home)]),
+        (A::Last, "last", &[plain('G'), special(C::End)]),
+    ], "first, last"),
+    everywhere(&[(A::PageUp, "page-up", &[special(C::PageUp)]), (A::PageDown, "page-down", &[special(C::PageDown)])], "a page up, a page down"),
+    everywhere(&[(A::Enter, "enter", &[special(C::Enter)])], "edit, open, or load what is under the cursor into the scene"),
+    everywhere(&[(A::Back, "back", &[special(C::Esc)])], "close, or stop the job of this tab"),
+    everywhere(&[(A::Find, "find", &[plain('/')])], "find in this pane"),
+    everywhere(&[(A::Palette, "palette", &[plain(':')])], "find an action, preset, variable or page by name"),
+    everywhere(&[(A::Help, "help", &[plain('?')])], "keys of this pane, and what the selected row means"),
+    everywhere(&[(A::Undo, "undo", &[plain('u')]), (A::Redo, "redo", &[ctrl('r')])], "undo, redo: scene, setups, pins"),
+    everywhere(&[(A::Mark, "mark", &[plain(' ')])], "pin or unpin a run to compare with; mark a row of a table"),
+    everywhere(&[(A::View, "view", &[plain('v')])], "next view of this pane"),
+    everywhere(&[(A::Run, "run", &[plain('r')])], "run again what this page computes"),
+    everywhere(&[(A::Export, "export", &[plain('e')]), (A::Copy, "copy", &[plain('y')])], "export, copy what this page shows"),
+    everywhere(&[(A::Presets, "presets", &[plain('p')]), (A::Save, "save", &[plain('s')])], "presets, threats, materials and absorbers; save the scene"),
+    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, auto-run, threads, models"),
+    everywhere(&[(A::FullPane, "full-pane", &[plain('z')])], "show this pane alone"),
+    everywhere(&[(A::Quit, "quit", &[plain('q')]), (A::QuitWithSummary, "quit-with-summary", &[plain('Q')])], "quit (the session is kept), quit and print a summary"),
+    everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),
+    everywhere(&[(A::Suspend, "suspend", &[ctrl('z')]), (A::Redraw, "redraw", &[ctrl('l')])], "suspend (`fg` comes back), redraw the screen"),
+
+    with(Part::Form, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "a tenth of a step less, more"),
+    with(Part::Form, &[(A::Reset, "reset", &[plain('d'), special(C::Delete)])], "reset this row"),
+    with(Part::Chart, &[(A::ZoomIn, "zoom-in", &[plain('+'), plain('=')]), (A::ZoomOut, "zoom-out", &[plain('-')])], "zoom in, zoom out"),
+    with(Part::Chart, &[(A::ZoomFit, "zoom-fit", &[plain('0')])], "show everything"),
+    with(Part::Chart, &[(A::PanLeft, "pan-left", &[plain('[')]), (A::PanRight, "pan-right", &[plain(']')])], "pan left, pan right"),
+    with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear axis: across, upward"),
+    listed(&[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
+    listed(&[(A::Window, "window", &[plain('c')])], "contact only, or the whole response"),
+    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "another quantity on an axis at the right, at last none"),
+    listed(&[(A::Difference, "difference", &[plain('D')])], "curves as differences to the first pinned run"),
+    listed(&[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
+    with(Part::Table, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
+];
 
 #[cfg(test)]
 mod tests {

@@ -12,26 +12,21 @@ use crate::files::export::{Beside, Destination, Meta, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
-use crate::tui::keymap::{Action, Pane};
-use crate::tui::pages::Tab;
+use crate::tui::prelude::*;
 use crate::worker::{Report, Task};
 
-/// What can happen.
 #[derive(Clone, Debug)]
 pub enum Message {
-    /// A key was pressed.
     Key(KeyEvent),
     /// Text was pasted (bracketed paste).
     Paste(String),
     /// The terminal has a new size.
     Resize(u16, u16),
-    /// Something was clicked.
     Click(Target),
     /// The wheel was turned, upward or not, over something.
     Wheel(bool, Option<Target>),
     /// An action was chosen from the palette or the help overlay.
     Act(Action),
-    /// A report from a background thread.
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
@@ -43,26 +38,19 @@ pub enum Message {
     Logged(log::Level, String),
 }
 
-/// What a mouse points at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
-    /// A tab in the title row.
     Tab(Tab),
     /// A page of the tab, by its place among the names.
     Page(usize),
     /// A pane, beside its parts.
     Pane(Pane),
-    /// A row of a list or a form.
     Row(Pane, usize),
-    /// A cell of a map.
     Cell(Pane, (usize, usize)),
     /// A value of the axis across of a chart.
     Value {
-        /// The pane of the chart.
         pane: Pane,
-        /// Which of its charts, from the top.
         chart: usize,
-        /// The value.
         value: f64,
     },
     /// A row of the list in the dialog on top.
@@ -82,39 +70,28 @@ pub enum EffectReport {
     Presets(Vec<PresetEntry>),
     /// A scene file was read.
     Loaded(Result<(String, Box<Scene>), String>),
-    /// Text was copied (or could not be), and where else it was put.
-    Copied(String),
-    /// Something could not be done, and why.
-    Refused(String),
-    /// Something a person should know of, in words.
-    Warned(String),
+    /// Something a person should know of.
+    Said(Severity, String),
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
-    /// Names that complete a path.
     Completions(Vec<String>),
     /// A spring's measured curve was read: whether the second one's, the file, and its points.
     Curve(bool, PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
-/// How an export ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExportOutcome {
-    /// Written: the files.
     Written(Vec<PathBuf>),
     /// The file exists and was left alone.
     Exists(PathBuf),
-    /// Failed, and why.
     Failed(String),
 }
 
-/// A preset that can be loaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PresetEntry {
-    /// Name to load it by.
     pub name: String,
     /// Where it comes from: `bundled`, `mine` or `recent`.
     pub origin: &'static str,
-    /// The scene.
     pub scene: Scene,
     /// The comment block at the head of its file: source and what to expect.
     pub comment: String,
@@ -125,7 +102,6 @@ pub struct PresetEntry {
 }
 
 impl PresetEntry {
-    /// The row of an entry of a library.
     pub fn of_part(part: Entry) -> Self {
         let scene = Scene { title: part.title.clone(), ..Scene::default() };
         let comment = [part.evidence(), part.warning.clone()].join("\n\n");
@@ -153,9 +129,6 @@ impl PresetEntry {
     }
 
     /// The scene it makes of the present one.
-    ///
-    /// # Errors
-    /// Why the scene would make no sense.
     pub fn scene_on(&self, present: &Scene) -> Result<Scene, VariableError> {
         let Some(part) = &self.part else { return Ok(self.scene.clone()) };
         let mut scene = present.clone();
@@ -172,9 +145,7 @@ pub enum Effect {
     Submit(Task),
     /// Cancel a task, by its number.
     Cancel(u64),
-    /// Send a message after a delay.
     After(Duration, Message),
-    /// Have something done with files.
     Files(FileTask),
     /// Save the session soon (edits in quick succession are saved once).
     SaveSession,
@@ -182,7 +153,6 @@ pub enum Effect {
     Copy(String),
     /// Capture the mouse or let it go.
     Mouse(bool),
-    /// Clear and redraw everything.
     Redraw,
     /// Restore the terminal and stop until `fg`.
     Suspend,
@@ -200,20 +170,16 @@ pub enum FileTask {
     SavePreset {
         /// Name without extension.
         name: String,
-        /// The scene.
         scene: Box<Scene>,
         /// Replace an existing preset of this name.
         overwrite: bool,
     },
-    /// Write a table.
     Export(Destination, Content),
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
-    /// Read a scene file.
     Load(PathBuf),
     /// Read a measured curve for a spring (the second one: true).
     ReadCurve(bool, PathBuf),
-    /// Complete a path.
     Complete(String),
     /// Write copied text to a file; the second text says where else it went.
     KeepCopy(String, String),
@@ -222,20 +188,15 @@ pub enum FileTask {
 /// What goes into a table that is written.
 #[derive(Clone, Debug)]
 pub enum Content {
-    /// Runs, with their scenes.
     Runs(RunTable),
-    /// The table of a page.
     Page(PageTable),
 }
 
 /// The table of a page, made where it is written: a long one takes a moment.
 #[derive(Clone)]
 pub struct PageTable {
-    /// The scene it is of, where it is of one.
     pub scene: Option<Arc<Scene>>,
-    /// Whether nothing is missing in it.
     pub is_complete: bool,
-    /// Makes it.
     pub csv: Arc<dyn Fn() -> String + Send + Sync>,
 }
 
@@ -246,8 +207,7 @@ impl fmt::Debug for PageTable {
 }
 
 impl Content {
-    /// Whether nothing is missing in it.
-    pub(in crate::tui) fn is_complete(&self) -> bool {
+    pub(crate) fn is_complete(&self) -> bool {
         match self {
             Self::Runs(_) => true,
             Self::Page(table) => table.is_complete,
@@ -255,9 +215,6 @@ impl Content {
     }
 
     /// The table.
-    ///
-    /// # Errors
-    /// [`FileError`] where it cannot be made.
     pub fn table(&self, meta: Meta) -> Result<String, FileError> {
         match self {
             Self::Runs(runs) => runs.text(meta),
@@ -265,7 +222,6 @@ impl Content {
         }
     }
 
-    /// The scenes that go beside it.
     pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => runs.scenes(),

@@ -17,7 +17,6 @@ const BURST: u32 = 3;
 /// How long a frame waits for the result of a run just started.
 const GRACE: Duration = Duration::from_millis(12);
 
-/// The pace of drawing.
 pub(super) struct Pace {
     /// Whether anything has changed since the last frame.
     dirty: bool,
@@ -35,7 +34,6 @@ impl Pace {
         Self { dirty: true, full_at: now, waits_until: None, busy: false }
     }
 
-    /// Something has changed.
     pub(super) fn change(&mut self) {
         self.dirty = true;
     }

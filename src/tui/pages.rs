@@ -12,46 +12,40 @@ pub mod thesis;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyModifiers};
-use ratatui::layout::Rect;
 
 use crate::model::scene::Scene;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
-use crate::tui::app::notice::Severity;
-use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
-use crate::tui::message::{Content, Effect, PageTable};
+use crate::tui::app::jobs::Running;
+use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
+use crate::tui::message::{Content, PageTable};
 use crate::tui::pages::run::steps::Press;
-use crate::tui::theme::Role;
+use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
 use crate::tui::widgets::form::Form;
+use crate::worker::ReportBody;
+use crate::worker::study::Study;
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
 
-/// A part of the status row with one form.
-pub(in crate::tui) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
+pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
     let text = text.into();
     (severity, text.clone(), text)
 }
 
 /// How what a page computes stands: its words in the status row are the same on every page.
-pub(in crate::tui) enum Progress<'a> {
+pub(crate) enum Progress<'a> {
     /// Under way; what is done, and how much of it.
     Running(String),
-    /// Nothing was computed.
     Nothing,
     /// What is shown belongs to another such thing.
     Old(&'a str),
     /// Stopped before its end; how far it came.
     Cut(String),
-    /// All of it.
     Done(String),
 }
 
 impl Progress<'_> {
-    /// The part of the status row that says so.
-    pub(in crate::tui) fn part(self) -> StatusPart {
+    pub(crate) fn part(self) -> StatusPart {
         let (severity, text) = match self {
             Self::Running(what) => (Severity::Note, format!("{what} (Esc cancels)")),
             Self::Nothing => (Severity::Note, "no results yet: press r".to_owned()),
@@ -63,52 +57,68 @@ impl Progress<'_> {
     }
 }
 
+/// How a study of the scene stands that is so far kept as this; nothing to say where all of it is there.
+pub(crate) fn progress<S: Study>(
+    app: &App,
+    doing: &str,
+    (of, what): (&str, &str),
+    is_old: bool,
+    is_complete: Option<bool>,
+) -> Option<Progress<'static>> {
+    match (app.jobs.running::<S>(), is_complete) {
+        (Some(running), _) => {
+            Some(Progress::Running(format!("{doing}{}", running.counted(of, what))))
+        }
+        _ if is_old => Some(Progress::Old("scene")),
+        (None, None) => Some(Progress::Nothing),
+        (None, Some(false)) => Some(Progress::Cut(String::new())),
+        (None, Some(true)) => None,
+    }
+}
+
 /// A table of a page, to be written to a file or copied.
-pub(in crate::tui) struct Table {
+pub(crate) struct Table {
     /// What is written, for the dialog's frame.
     pub title: &'static str,
-    /// The file proposed.
     pub file: String,
-    /// What there is.
     pub content: Content,
 }
 
 impl Table {
-    /// A table of a scene, or of none.
-    pub(in crate::tui) fn new(
+    /// A table of no scene in particular.
+    pub(crate) fn new(
         title: &'static str,
-        file: impl Into<String>,
-        scene: Option<&Arc<Scene>>,
+        file: &str,
+        is_complete: bool,
         csv: impl Fn() -> String + Send + Sync + 'static,
     ) -> Self {
-        let (scene, csv) = (scene.cloned(), Arc::new(csv));
-        let content = Content::Page(PageTable { scene, is_complete: true, csv });
-        Self { title, file: file.into(), content }
+        let content = Content::Page(PageTable { scene: None, is_complete, csv: Arc::new(csv) });
+        Self { title, file: file.to_owned(), content }
     }
 
-    /// The same where something may be missing in it.
-    pub(in crate::tui) fn complete(mut self, is_complete: bool) -> Self {
-        if let Content::Page(table) = &mut self.content {
-            table.is_complete = is_complete;
-        }
-        self
+    /// A table of a scene, which is given its name.
+    pub(crate) fn of(
+        app: &App,
+        title: &'static str,
+        file: String,
+        (scene, is_complete): (&Arc<Scene>, bool),
+        csv: impl Fn(&str) -> String + Send + Sync + 'static,
+    ) -> Self {
+        let (name, scene) = (app.name_of(scene), Some(Arc::clone(scene)));
+        let csv = Arc::new(move || csv(&name));
+        Self { title, file, content: Content::Page(PageTable { scene, is_complete, csv }) }
     }
 }
 
-/// The rows of a list or a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::tui) struct Rows {
-    /// How many can be selected.
+pub(crate) struct Rows {
     pub count: usize,
-    /// The selected one.
     pub selected: usize,
-    /// How many are shown at once.
     pub shown: usize,
 }
 
 /// What never changes of a tab.
-pub(in crate::tui) struct About {
-    /// Its name in the title row.
+pub(crate) struct About {
     pub name: &'static str,
     /// The names of its pages, where it has several.
     pub pages: &'static [&'static str],
@@ -119,8 +129,7 @@ pub(in crate::tui) struct About {
 }
 
 /// A tab of the workbench. What is asked of a pane is asked of the one that has the keys, which is one of the page's own.
-pub(in crate::tui) trait Page: Sync {
-    /// What never changes of it.
+pub(crate) trait Page: Sync {
     fn about(&self) -> &'static About;
 
     /// The panes shown, in the order in which Tab goes through them.
@@ -134,22 +143,16 @@ pub(in crate::tui) trait Page: Sync {
     }
 
     /// Show another page; it computes what it has not.
-    fn turn_to(&self, _app: &mut App, _page: usize) -> Vec<Effect> {
-        Vec::new()
-    }
+    fn turn_to(&self, _app: &mut App, _page: usize) {}
 
     /// The tab is shown: it computes what it has not, for the scene there is.
-    fn enter(&self, _app: &mut App) -> Vec<Effect> {
-        Vec::new()
-    }
+    fn enter(&self, _app: &mut App) {}
 
     /// Another of its panes has been given the keys.
-    fn focused(&self, _app: &mut App) -> Vec<Effect> {
-        Vec::new()
-    }
+    fn focused(&self, _app: &mut App) {}
 
     /// What a key does here; `None` where the page has no meaning of its own for it.
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>>;
+    fn act(&self, app: &mut App, action: Action) -> bool;
 
     /// Whether a key that the pane lists has nothing to act on as things are.
     fn is_idle(&self, _app: &App, _action: Action) -> bool {
@@ -162,25 +165,20 @@ pub(in crate::tui) trait Page: Sync {
     /// The status row, the most important part first.
     fn status(&self, app: &App) -> Vec<StatusPart>;
 
-    /// News of one of its studies.
-    fn report(&self, _app: &mut App, _running: &Running, _news: &News) {}
+    fn report(&self, _app: &mut App, _running: &Running, _news: &ReportBody) {}
 
     /// The table shown, once there is anything in it.
     fn table(&self, _app: &App) -> Option<Table> {
         None
     }
 
-    /// The form in the pane, where it is one.
     fn form(&self, _app: &App) -> Option<Form> {
         None
     }
 
     /// Take the next value of a row of the form, or the one before.
-    ///
-    /// # Errors
-    /// Why there is none.
-    fn step(&self, _app: &mut App, _row: usize, _press: Press) -> Result<Vec<Effect>, String> {
-        Ok(Vec::new())
+    fn step(&self, _app: &mut App, _row: usize, _press: Press) -> Result<(), String> {
+        Ok(())
     }
 
     /// The rows of the pane, where it is a list or a form.
@@ -188,7 +186,6 @@ pub(in crate::tui) trait Page: Sync {
         self.form(app).map(|form| form.rows(app.list_rows()))
     }
 
-    /// Select a row of the pane.
     fn select(&self, _app: &mut App, _row: usize) {}
 
     /// What a row of the pane is found by with `/`; `None` where nothing can be found.
@@ -196,7 +193,6 @@ pub(in crate::tui) trait Page: Sync {
         Some(self.form(app)?.row(row)?.label.clone())
     }
 
-    /// What a click on the selected row does.
     fn second_click(&self, _app: &App) -> Action {
         Action::Enter
     }
@@ -230,11 +226,8 @@ pub(in crate::tui) trait Page: Sync {
     }
 
     /// Take what was typed into the field of a row.
-    ///
-    /// # Errors
-    /// Why it is refused; nothing is changed then.
-    fn take(&self, _app: &mut App, _row: usize, _text: &str) -> Result<Vec<Effect>, String> {
-        Ok(Vec::new())
+    fn take(&self, _app: &mut App, _row: usize, _text: &str) -> Result<(), String> {
+        Ok(())
     }
 
     /// Put the cursor on a cell of the map in the pane.
@@ -254,7 +247,6 @@ pub(in crate::tui) trait Page: Sync {
 
 macro_rules! pages {
     ($($tab:ident, $page:expr, $id:literal, $key:literal, $about:literal $(, $field:ident: $state:ty)?;)*) => {
-        /// What each page keeps.
         #[derive(Clone, Debug, Default)]
         pub struct States {
             $($(#[doc = $about] pub $field: $state,)?)*
@@ -267,17 +259,15 @@ macro_rules! pages {
         }
 
         impl Tab {
-            /// All tabs, in order.
             pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
         }
 
         /// The keys that lead to the tabs.
-        pub(in crate::tui) const TAB_KEYS: &[Bound] = &[
+        pub(crate) const TAB_KEYS: &[Bound] = &[
             $((Action::Tab(Tab::$tab), $id, &[Key(KeyCode::Char($key), KeyModifiers::NONE)]),)*
         ];
 
-        /// The page of a tab.
-        pub(in crate::tui) fn of(tab: Tab) -> &'static dyn Page {
+        pub(crate) fn of(tab: Tab) -> &'static dyn Page {
             match tab {
                 $(Tab::$tab => &$page,)*
             }
@@ -291,7 +281,7 @@ pages! {
     Limit, limit::LimitTab, "tab-limit", '3', "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
     Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
     Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.", numerics: numerics::Numerics;
-    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::state::Thesis;
+    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::Thesis;
     Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.";
 }
 
@@ -312,18 +302,17 @@ pub fn all_panes() -> impl Iterator<Item = &'static PaneSpec> {
     Tab::ALL.into_iter().flat_map(|tab| of(tab).about().panes)
 }
 
-/// What a page says of a pane.
 pub fn spec(pane: Pane) -> &'static PaneSpec {
     let panes = of(pane.tab).about().panes;
     panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 
-pub(in crate::tui) fn note(text: Option<String>) -> Option<(Severity, String)> {
+pub(crate) fn note(text: Option<String>) -> Option<(Severity, String)> {
     text.map(|text| (Severity::Note, text))
 }
 
 /// The tasks that have not ended: the tab that asked for each, and its number.
-pub(in crate::tui) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
+pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let current = app.jobs.current.as_ref().map(|job| job.id);
     let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));
     let studies = app.jobs.studies.iter().map(|running| (running.tab, running.id));

@@ -14,8 +14,8 @@ use super::signals::{self, Signal, Watch};
 use super::terminal::{self, Guard, Stopped};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
-use crate::tui::app::App;
-use crate::tui::message::{Effect, EffectReport, FileTask, Message};
+use crate::tui::message::{EffectReport, FileTask, Message};
+use crate::tui::prelude::*;
 use crate::tui::{update, view};
 use crate::worker::{Report, Slot, Worker};
 
@@ -35,16 +35,13 @@ const STOPPING: Duration = Duration::from_millis(150);
 const FINISH_QUIT: Duration = Duration::from_secs(10);
 const FINISH_FORCED: Duration = Duration::from_millis(900);
 
-/// Why the loop ended.
 pub(super) enum Ending {
-    /// The person left.
     Quit {
         /// The last summary is wanted on the main screen.
         summary: bool,
     },
     /// A signal, with the exit status it stands for.
     Signal(u8),
-    /// The terminal is gone.
     HungUp,
     /// The terminal cannot be used any more, though it is there.
     Broken(io::Error),
@@ -304,7 +301,8 @@ impl Shell {
             Effect::Redraw => self.guard.redraw_all()?,
             Effect::Suspend => {
                 if !self.suspend(Stopped::Group)? {
-                    queue.push_back(Message::Done(EffectReport::Refused(
+                    queue.push_back(Message::Done(EffectReport::Said(
+                        Severity::Error,
                         "cannot suspend: no shell is there to come back from".to_owned(),
                     )));
                 }

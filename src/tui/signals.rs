@@ -41,9 +41,6 @@ pub(super) struct Watch {
 }
 
 /// Start the thread. `last_resort` is called before it ends the process by itself.
-///
-/// # Errors
-/// When the system has no thread to give, or refuses a handler.
 pub(super) fn spawn(
     inbox: Sender<Incoming>,
     last_resort: impl Fn() + Send + 'static,

@@ -16,7 +16,7 @@ use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::charts::Window;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
-use crate::tui::update::done;
+use crate::tui::update;
 
 /// The words of the session's view table.
 const GLYPHS: &str = "glyphs";
@@ -77,7 +77,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         app.say(severity, text);
     }
     if paths.is_none() {
-        done::session(&mut app, &Err(FileError::NoHome.to_string()));
+        update::session(&mut app, &Err(FileError::NoHome.to_string()));
     }
     (app, loaded.known)
 }
@@ -251,7 +251,7 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
     }
     app.auto_run = word(AUTO_RUN) != Some("off");
     app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
-    app.say(Severity::Note, greeting(app));
+    app.tell(greeting(app));
 }
 
 /// One line on what has been restored.

@@ -35,7 +35,6 @@ use rustix::termios::{QueueSelector, tcflush};
 /// Whether the terminal is ours at present (raw, alternate screen).
 static ENTERED: AtomicBool = AtomicBool::new(false);
 
-/// Whether the mouse is captured.
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
 /// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also asks for every movement, which a slow
@@ -81,7 +80,6 @@ impl Guard {
         }
     }
 
-    /// Columns and rows.
     pub(super) fn size(&self) -> io::Result<(u16, u16)> {
         let size = self.terminal.size()?;
         Ok((size.width, size.height))
@@ -190,7 +188,6 @@ fn farewell() -> Vec<u8> {
     bytes
 }
 
-/// Whom to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stopped {
     /// This process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does.
@@ -273,7 +270,6 @@ struct Screen {
     cursor_shown: bool,
     /// Where the cursor was last put, for the frames that show it.
     cursor_at: Option<Position>,
-    /// Writes so far.
     writes: u64,
 }
 

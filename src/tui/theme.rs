@@ -23,7 +23,6 @@ pub fn columns(text: &str) -> usize {
 /// What a piece of the screen means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// Ordinary text.
     Text,
     /// Less important than text: units, what is old, what is off.
     Dim,
@@ -43,20 +42,15 @@ pub enum Role {
     Curve(usize),
     /// Vertical lines at events, and reference lines.
     Event,
-    /// The crosshair.
     Crosshair,
-    /// Borders and axes.
     Border,
-    /// The name of a key.
     Key,
 }
 
 /// Glyphs and colours together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Theme {
-    /// The characters to draw with.
     pub glyphs: GlyphSet,
-    /// The colours to draw with.
     pub depth: ColourDepth,
 }
 
@@ -74,7 +68,6 @@ impl Theme {
         self.glyphs.lines()
     }
 
-    /// The style of a role.
     pub fn style(self, role: Role) -> Style {
         let plain = Style::new();
         let bold = plain.add_modifier(Modifier::BOLD);

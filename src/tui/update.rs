@@ -1,98 +1,98 @@
 //! What each message does to the state, and what it asks the outside to do. No I/O, no clock.
 
+pub(crate) mod act;
+pub(crate) mod edit;
+pub(crate) mod jobs;
+pub(crate) mod zoom;
+
+use std::path::Path;
+use std::sync::Arc;
+
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-use crate::tui::app::App;
-use crate::tui::app::notice::{Notice, Severity};
-use crate::tui::keymap::{Action, Key, PaneSpec, Part};
-use crate::tui::message::{Effect, Message};
-use crate::tui::widgets::input::TEXT_MAX;
-use crate::tui::{dialogs, pages};
-
-pub(in crate::tui) mod act;
-pub(in crate::tui) mod done;
-pub(in crate::tui) mod edit;
-pub(in crate::tui) mod field;
-pub(in crate::tui) mod find;
-pub(in crate::tui) mod jobs;
-mod pointer;
-pub(in crate::tui) mod zoom;
+use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::notice::Notice;
+use crate::tui::app::{Base, Origin};
+use crate::tui::dialogs::{Dialog, Purpose, ask, list};
+use crate::tui::keymap::{Key, PaneSpec, Part};
+use crate::tui::message::{EffectReport, ExportOutcome, Message};
+use crate::tui::pages;
+use crate::tui::prelude::*;
+use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
-    let mut effects = jobs::submit_now(app);
-    effects.extend(jobs::submit_pins(app));
-    effects.push(app.list_presets());
-    effects
+    jobs::submit_now(app);
+    jobs::submit_pins(app);
+    app.list_presets();
+    std::mem::take(&mut app.effects)
 }
 
-/// Change the state by a message.
+/// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
+    take(app, message);
+    std::mem::take(&mut app.effects)
+}
+
+fn take(app: &mut App, message: Message) {
     match message {
-        Message::Key(key) if key.kind == KeyEventKind::Release => Vec::new(),
+        Message::Key(key) if key.kind == KeyEventKind::Release => {}
         Message::Key(key) => press(app, key),
-        Message::Resize(width, height) => {
-            app.size = (width, height);
-            Vec::new()
-        }
-        Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => Vec::new(),
+        Message::Resize(width, height) => app.size = (width, height),
+        Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => {}
         Message::Paste(text) => paste(app, &text),
-        Message::Click(target) => pointer::click(app, target),
-        Message::Wheel(up, target) if app.dialog.is_none() => pointer::wheel(app, up, target),
+        Message::Click(target) => click(app, target),
+        Message::Wheel(up, target) if app.dialog.is_none() => wheel(app, up, target),
         Message::Wheel(up, _) => {
             let code = if up { KeyCode::Up } else { KeyCode::Down };
-            press(app, KeyEvent::new(code, KeyModifiers::NONE))
+            press(app, KeyEvent::new(code, KeyModifiers::NONE));
         }
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
-        Message::LongJob(id) => {
-            app.jobs.long.push(id);
-            Vec::new()
-        }
-        Message::Done(report) => done::done(app, report),
-        Message::Logged(level, text) => {
-            app.note(level, text);
-            Vec::new()
-        }
+        Message::LongJob(id) => app.jobs.long.push(id),
+        Message::Done(report) => done(app, report),
+        Message::Logged(level, text) => app.note(level, text),
     }
 }
 
-fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+fn press(app: &mut App, key: KeyEvent) {
     app.notice = None;
     let action = app.keymap.action(key);
-    if let Some(effects) = everywhere(app, action) {
-        return effects;
+    if everywhere(app, action) {
+        return;
     }
     if app.layout().body.is_none() {
-        return unseen(app, action);
+        // On a screen too small to show anything, keys only lead out: nobody edits what cannot be seen.
+        if let Some(action @ (Action::Quit | Action::QuitWithSummary)) = action {
+            act::act(app, action);
+        }
+        return;
     }
     if app.dialog.is_some() {
-        return dialogs::list::press(app, key);
+        return list::press(app, key);
     }
     if app.find.field.is_some() {
-        return find::press(app, key);
+        return in_find(app, key);
     }
     if app.field.is_some() {
-        return field::press(app, key);
+        return in_field(app, key);
     }
     if let Some(action) = action.filter(|action| pages::spec(app.pane()).knows(*action)) {
         return act::act(app, action);
     }
     app.history.commit();
     app.hint(key);
-    Vec::new()
 }
 
 /// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
-fn paste(app: &mut App, text: &str) -> Vec<Effect> {
+fn paste(app: &mut App, text: &str) {
     app.notice = None;
     let clean: String =
         text.trim().chars().filter(|c| !c.is_control()).take(TEXT_MAX + 1).collect();
     if clean.chars().count() > TEXT_MAX {
         let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
-        app.say(Severity::Warning, text);
-        return Vec::new();
+        return app.say(Severity::Warning, text);
     }
     let field = match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
@@ -100,35 +100,22 @@ fn paste(app: &mut App, text: &str) -> Vec<Effect> {
     };
     match field {
         Some(field) => field.insert(&clean),
-        None => app.say(
-            Severity::Note,
-            "pasted text is ignored here: open a field first (Enter on a variable)",
-        ),
+        None => app.tell("pasted text is ignored here: open a field first (Enter on a variable)"),
     }
-    dialogs::list::after_typing(app);
+    list::after_typing(app);
     if app.dialog.is_none() {
-        find::follow(app);
-    }
-    Vec::new()
-}
-
-/// On a screen too small to show anything, keys only lead out: nobody edits what cannot be seen.
-fn unseen(app: &mut App, action: Option<Action>) -> Vec<Effect> {
-    match action {
-        Some(action @ (Action::Quit | Action::QuitWithSummary)) => act::act(app, action),
-        Some(_) | None => Vec::new(),
+        follow(app);
     }
 }
 
 /// Keys that do the same with a field or dialog open.
-fn everywhere(app: &mut App, action: Option<Action>) -> Option<Vec<Effect>> {
-    match action? {
-        Action::Suspend => Some(vec![Effect::Suspend]),
-        Action::Redraw => Some(vec![Effect::Redraw]),
-        Action::Cancel if app.jobs.current.is_none() && close_top(app) => Some(Vec::new()),
-        Action::Cancel => Some(act::act(app, Action::Cancel)),
-        _ => None,
+fn everywhere(app: &mut App, action: Option<Action>) -> bool {
+    match action {
+        Some(Action::Cancel) if app.jobs.current.is_none() && close_top(app) => {}
+        Some(action @ (Action::Suspend | Action::Redraw | Action::Cancel)) => act::act(app, action),
+        _ => return false,
     }
+    true
 }
 
 /// Close the dialog or field on top; whether there was one.
@@ -169,5 +156,234 @@ impl App {
             (_, _) => format!("`{label}` does nothing here: ? lists the keys"),
         };
         self.notice = Some(Notice { severity: Severity::Note, text });
+    }
+}
+
+/// Open the field of a row, its old text selected.
+pub(crate) fn open_field(app: &mut App, row: usize) {
+    let text = pages::of(app.tab).text(app, row);
+    app.field = Some(Field::new(row, text));
+}
+
+pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
+    let then = match key.code {
+        KeyCode::Esc => {
+            app.field = None;
+            return;
+        }
+        KeyCode::Enter => pages::of(app.tab).after_enter(),
+        KeyCode::Down => Some(Action::Down),
+        KeyCode::Up => Some(Action::Up),
+        KeyCode::Tab => Some(Action::FocusNext),
+        KeyCode::BackTab => Some(Action::FocusPrevious),
+        _ => {
+            if let Some(field) = &mut app.field {
+                field.press(key);
+            }
+            return;
+        }
+    };
+    commit(app);
+    if let Some(action) = then.filter(|_| app.field.is_none()) {
+        act::act(app, action);
+    }
+}
+
+/// Take the text; one that is refused stays, with the reason, and nothing else changes.
+fn commit(app: &mut App) {
+    let Some(mut field) = app.field.take() else { return };
+    let page = pages::of(app.tab);
+    let text = field.value().trim().to_owned();
+    if field.all_selected || !page.is_new(app, field.row, &text) {
+        return;
+    }
+    if let Err(error) = page.take(app, field.row, &text) {
+        field.error = Some(error);
+        app.field = Some(field);
+    }
+}
+
+/// Open the field, with the text the list is filtered by.
+pub(crate) fn open_find(app: &mut App) {
+    let page = pages::of(app.tab);
+    let filter = page.filter(app).map(|filter| filter.clone());
+    let names = page.row_name(app, 0).map(|_| String::new());
+    let Some(text) = filter.or(names) else {
+        return app.tell("nothing to find in this pane: / works in its lists and forms");
+    };
+    app.find.field = Some(TextField::new(text));
+}
+
+/// A key while it is open: the list follows every character.
+pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
+    match key.code {
+        KeyCode::Esc => {
+            app.find.field = None;
+            clear(app);
+        }
+        KeyCode::Enter | KeyCode::Tab => app.find.field = None,
+        KeyCode::Up => act::move_by(app, -1),
+        KeyCode::Down => act::move_by(app, 1),
+        _ => {
+            if app.find.field.as_mut().is_some_and(|field| field.press(key)) {
+                follow(app);
+            }
+        }
+    }
+}
+
+/// Show what matches the text in the field.
+pub(crate) fn follow(app: &mut App) {
+    let Some(field) = &app.find.field else { return };
+    let text = field.value().trim().to_owned();
+    let page = pages::of(app.tab);
+    if let Some(filter) = page.filter(app) {
+        filter.clone_from(&text);
+        if !text.is_empty() {
+            page.select(app, 0);
+        }
+        return;
+    }
+    let count = page.rows(app).map_or(0, |rows| rows.count);
+    let names = (0..count).filter_map(|row| Some((row, page.row_name(app, row)?)));
+    let found = ranked(names, |(_, name)| rank(&text, &[name], ""));
+    if let Some((row, _)) = found.first().filter(|_| !text.is_empty()) {
+        page.select(app, *row);
+    }
+}
+
+/// Take a filter off the pane that has the keys; whether there was one.
+pub(crate) fn clear(app: &mut App) -> bool {
+    let filter = pages::of(app.tab).filter(app);
+    filter.is_some_and(|filter| !std::mem::take(filter).is_empty())
+}
+
+pub(crate) fn click(app: &mut App, target: Target) {
+    app.notice = None;
+    if app.dialog.is_some() {
+        return list::click(app, target);
+    }
+    if is_typing(app) {
+        return app.tell("a field is open: Enter takes it, Esc leaves it as it was");
+    }
+    app.history.commit();
+    match target {
+        Target::Tab(tab) => act::go_to(app, tab),
+        Target::Page(page) => pages::of(app.tab).turn_to(app, page),
+        Target::Pane(pane) => app.focus_on(pane),
+        Target::Row(pane, row) => {
+            let had_keys = app.pane() == pane;
+            app.focus_on(pane);
+            let page = pages::of(app.tab);
+            if had_keys && page.rows(app).is_some_and(|rows| rows.selected == row) {
+                act::act(app, page.second_click(app));
+            } else {
+                page.select(app, row);
+            }
+        }
+        Target::Cell(pane, cell) => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_cell(app, cell);
+        }
+        Target::Value { pane, chart, value } => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_value(app, chart, value);
+        }
+        // Without a dialog there is nothing of the kind.
+        Target::DialogRow(_) | Target::Beside => {}
+    }
+}
+
+/// The wheel, upward or downward, over something or over nothing in particular.
+pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
+    if is_typing(app) {
+        return;
+    }
+    match target {
+        Some(Target::Value { pane, chart, value }) => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_value(app, chart, value);
+            return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
+        }
+        Some(Target::Row(pane, _) | Target::Cell(pane, _) | Target::Pane(pane)) => {
+            app.focus_on(pane);
+        }
+        Some(_) | None => {}
+    }
+    if pages::of(app.tab).rows(app).is_some() {
+        app.history.commit();
+        act::move_by(app, if up { -1 } else { 1 });
+    } else {
+        act::act(app, if up { Action::Up } else { Action::Down });
+    }
+}
+
+/// Whether a text is being typed: no click may take it away.
+fn is_typing(app: &App) -> bool {
+    app.field.is_some() || app.find.field.is_some()
+}
+
+/// An effect has been carried out, or has failed.
+pub(crate) fn done(app: &mut App, report: EffectReport) {
+    match report {
+        EffectReport::Saved(Ok((name, path))) => saved(app, name, &path),
+        EffectReport::Saved(Err(text)) => match &mut app.dialog {
+            Some(Dialog::Ask(ask)) => ask.text.error = Some(text),
+            _ => app.refuse(text),
+        },
+        EffectReport::Exported(outcome) => exported(app, outcome),
+        EffectReport::Presets(list) => app.presets = list,
+        EffectReport::Loaded(Ok((name, scene))) => {
+            app.note_recent(Path::new(&name));
+            let base = Base { name, origin: Origin::Other, scene: Arc::new(*scene) };
+            edit::load(app, base);
+        }
+        EffectReport::Loaded(Err(text)) => app.refuse(text),
+        EffectReport::Session(kept) => session(app, &kept),
+        EffectReport::Said(severity, text) => app.say(severity, text),
+        EffectReport::Completions(names) => list::complete(app, names),
+        EffectReport::Curve(second, path, points) => ask::read(app, second, &path, points),
+    }
+}
+
+/// Leaving would lose what is not saved otherwise: it is said, and asked before leaving.
+pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
+    match kept {
+        Ok(()) => app.tell("the session is kept again"),
+        Err(why) => {
+            let text = format!("the session cannot be kept: {why}; e exports the table");
+            app.say(Severity::Warning, text);
+        }
+    }
+    app.session_lost = kept.is_err();
+}
+
+fn saved(app: &mut App, name: String, path: &Path) {
+    if matches!(&app.dialog, Some(Dialog::Ask(ask)) if ask.purpose == Purpose::Preset) {
+        app.dialog = None;
+    }
+    app.tell(format!("saved `{name}` as {}", path.display()));
+    app.base = Base { name, origin: Origin::Mine, scene: Arc::clone(&app.scene) };
+    app.list_presets();
+    app.request(Effect::SaveSession);
+}
+
+fn exported(app: &mut App, outcome: ExportOutcome) {
+    match (outcome, &mut app.dialog) {
+        (ExportOutcome::Written(files), dialog) => {
+            if matches!(dialog, Some(Dialog::Export(_) | Dialog::Ask(_))) {
+                *dialog = None;
+            }
+            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+            app.tell(format!("written: {}", names.join(" and ")));
+        }
+        (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
+        (ExportOutcome::Exists(_), Some(Dialog::Ask(ask))) => ask.question = true,
+        (ExportOutcome::Failed(text), Some(Dialog::Ask(ask))) => ask.text.error = Some(text),
+        (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
+        (ExportOutcome::Exists(path), _) => {
+            app.refuse(format!("{} exists and was left alone", path.display()));
+        }
+        (ExportOutcome::Failed(text), _) => app.refuse(text),
     }
 }

@@ -2,23 +2,21 @@
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Clear, Widget};
 
-use crate::tui::app::App;
 use crate::tui::app::layout::SMALLEST;
-use crate::tui::dialogs::popup;
-use crate::tui::message::Target;
+use crate::tui::app::status::clip;
+use crate::tui::dialogs::{self, Dialog, List, Purpose};
 use crate::tui::pages;
-use crate::tui::theme::{GlyphSet, Role, ascii_pass};
-use crate::tui::widgets::{Canvas, text};
+use crate::tui::prelude::*;
+use crate::tui::theme::{GlyphSet, ascii_pass};
+use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::text::{self, columns, text_role};
 
-mod keys;
-mod rows;
-
-/// Draw everything.
 pub fn view(app: &App, frame: &mut Frame<'_>) {
     let area = frame.area();
-    let mut canvas = Canvas::new(frame.buffer_mut());
+    let mut canvas = Canvas::new(frame.buffer_mut(), app.theme);
     if (area.width, area.height) == app.size {
         draw(app, area, &mut canvas);
     } else {
@@ -38,34 +36,36 @@ pub fn view(app: &App, frame: &mut Frame<'_>) {
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
-    let mut canvas = Canvas::pointed(&mut buffer, at);
+    let mut canvas = Canvas::pointed(&mut buffer, app.theme, at);
     draw(app, screen, &mut canvas);
     canvas.target()
 }
 
-/// The columns of the plot that the crosshair walks through, as it is drawn; `None` where there is none.
-pub fn plot_columns(app: &App) -> Option<u16> {
+const FEW_COLUMNS: u16 = 40;
+
+/// The columns of the plot that the crosshair walks through, as it is drawn.
+pub fn plot_columns(app: &App) -> u16 {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
-    let mut canvas = Canvas::new(&mut buffer);
+    let mut canvas = Canvas::new(&mut buffer, app.theme);
     if let Some(body) = app.layout().body {
         pages::of(app.tab).draw(app, body, &mut canvas);
     }
-    canvas.plot_columns.filter(|columns| *columns > 1)
+    canvas.plot_columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
 }
 
 fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let layout = app.layout();
     let Some(body) = layout.body else { return too_small(app, area, canvas) };
     pages::of(app.tab).draw(app, body, canvas);
-    rows::title(app, layout.title, canvas);
+    title(app, layout.title, canvas);
     if let Some(area) = layout.pages {
-        rows::pages(app, area, canvas);
+        pages(app, area, canvas);
     }
-    rows::message(app, layout.message, canvas);
-    rows::status(app, layout.status, canvas);
-    keys::render(app, layout.keys, canvas);
-    popup::render(app, area, canvas);
+    message(app, layout.message, canvas);
+    status(app, layout.status, canvas);
+    render(app, layout.keys, canvas);
+    dialogs::render(app, area, canvas);
 }
 
 fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -92,4 +92,283 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let x = (area.width - width) / 2;
         canvas.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
     }
+}
+
+type Keys = &'static [(&'static str, &'static str)];
+
+pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    if let Some(field) = app.find.field.as_ref().filter(|_| app.dialog.is_none()) {
+        return find(app, field, area, canvas);
+    }
+    let entries = match special(app) {
+        Some(list) => {
+            list.iter().map(|(key, what)| ((*key).to_owned(), (*what).to_owned())).collect()
+        }
+        None => from_table(app, area.width),
+    };
+    let mut spans = vec![Span::raw(" ")];
+    let mut used = 1;
+    for (key, what) in entries {
+        let width = columns(&key) + columns(&what) + 3;
+        if used + width > area.width + 2 {
+            break;
+        }
+        used += width;
+        spans.push(Span::styled(key, app.theme.style(Role::Key)));
+        spans.push(Span::raw(format!(" {what}  ")));
+    }
+    canvas.put_line(area, 0, &Line::from(spans));
+}
+
+fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
+    let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
+    let start = canvas.put(area, (1, 0), &lead, Role::Key);
+    let hint = "Enter keep  Esc all";
+    let room = area.width.saturating_sub(start + columns(hint) + 2);
+    field.draw(canvas, Rect { x: area.x + start, width: room, ..area });
+    let hint_at = area.width.saturating_sub(columns(hint) + 1);
+    canvas.put(area, (hint_at, 0), hint, Role::Dim);
+}
+
+/// While a quantity is typed.
+const QUANTITY: Keys = &[
+    ("Enter", "ok"),
+    ("Esc", "old value"),
+    ("Up/Down", "ok and move"),
+    ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
+];
+/// While a name or a count is typed.
+const WORD: Keys = &[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and move")];
+
+/// While something is open that takes characters, or a dialog.
+fn special(app: &App) -> Option<Keys> {
+    if let Some(dialog) = &app.dialog {
+        return Some(in_dialog(dialog));
+    }
+    let takes_unit = pages::of(app.tab).takes_unit(app);
+    app.field.is_some().then_some(if takes_unit { QUANTITY } else { WORD })
+}
+
+fn in_dialog(dialog: &Dialog) -> Keys {
+    const REPLACE: Keys = &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")];
+    match dialog {
+        Dialog::List(list, picker) => in_list(*list, picker.typing),
+        Dialog::Ask(ask) => match (ask.purpose, ask.question) {
+            (Purpose::Preset, true) => {
+                &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
+            }
+            (_, true) => REPLACE,
+            (Purpose::Preset, false) => &[("Enter", "save"), ("Esc", "do not save")],
+            (Purpose::Table(_), false) => {
+                &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
+            }
+            (Purpose::Curve(_), false) => {
+                &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
+            }
+        },
+        Dialog::Export(export) if export.question => REPLACE,
+        Dialog::Export(_) => &[
+            ("Enter", "write"),
+            ("Up/Down", "move"),
+            ("Space", "tick"),
+            ("a", "all or none"),
+            ("Tab", "complete path"),
+            ("Esc", "close"),
+        ],
+    }
+}
+
+fn in_list(list: List, typing: bool) -> Keys {
+    match (list, typing) {
+        (List::Help, true) => &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")],
+        (List::Help, false) => {
+            &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")]
+        }
+        (List::Palette, _) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
+        (List::Presets, true) => &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")],
+        (List::Presets, false) => &[
+            ("Enter", "load"),
+            ("Space", "pin only"),
+            ("j/k", "move"),
+            ("/", "search, or a file's path"),
+            ("q", "close"),
+        ],
+        (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
+        (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
+        (List::Options, _) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
+    }
+}
+
+/// The keys of the pane, the most useful first, as many as fit; the keys of every pane at the end: `? keys  : find  q quit`.
+fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
+    let map = &app.keymap;
+    let key = |action| map.label(action);
+    let mut last: Vec<(String, String)> = Vec::new();
+    for (action, what) in
+        [(Action::Help, "keys"), (Action::Palette, "find"), (Action::Quit, "quit")]
+    {
+        last.push((key(action), what.to_owned()));
+    }
+    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + 3;
+    let room = width.saturating_sub(last.iter().map(size).sum::<u16>());
+    let page = pages::of(app.tab);
+    let own = pages::spec(app.pane()).keys.iter();
+    let own = own.filter(|row| !row.short.is_empty() && !page.is_idle(app, row.action));
+    let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
+    let common = [
+        (Action::FocusNext, "pane"),
+        (Action::Presets, "presets"),
+        (Action::Export, "export"),
+        (Action::Undo, "undo"),
+        (Action::Options, "options"),
+    ];
+    let common = common.map(|(action, what)| (key(action), what.to_owned()));
+    let mut used = 1;
+    let mut shown: Vec<(String, String)> = Vec::new();
+    for entry in own.chain(common) {
+        used += size(&entry);
+        if used > room {
+            break;
+        }
+        shown.push(entry);
+    }
+    shown.extend(last);
+    shown
+}
+
+/// The key to show, with its opposite where there is one: `h/l`.
+fn pair(app: &App, action: Action) -> String {
+    let opposite = match action {
+        Action::Right => Some((Action::Left, false)),
+        Action::Down => Some((Action::Up, true)),
+        Action::ZoomIn => Some((Action::ZoomOut, true)),
+        Action::EventNext => Some((Action::EventPrevious, true)),
+        _ => None,
+    };
+    let own = app.keymap.label(action);
+    match opposite.map(|(other, first)| (app.keymap.label(other), first)) {
+        Some((other, true)) => format!("{own}/{other}"),
+        Some((other, false)) => format!("{other}/{own}"),
+        None => own,
+    }
+}
+
+/// From this width on the title row has the name of the program.
+const ROOMY: u16 = 100;
+
+/// Tabs at the left; preset, whether it is modified, and auto-run at the right.
+pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let (named, titles) = tabs(app, area.width);
+    let mut column = lead(area.width);
+    if named {
+        column = canvas.put(area, (1, 0), "cmra", Role::Title) + 2;
+    }
+    for (tab, text) in Tab::ALL.into_iter().zip(&titles) {
+        let role = if tab == app.tab { Role::Selection } else { Role::Text };
+        let start = column;
+        column = canvas.put(area, (column, 0), text, role) + 1;
+        let title = Rect { x: area.x + start, width: columns(text), ..area };
+        canvas.hit(title, |_| Some(Target::Tab(tab)));
+    }
+    let room = usize::from(area.width.saturating_sub(column + 2));
+    if room < 6 {
+        return;
+    }
+    // Everything in words where that leaves room for the name.
+    let wide = room >= usize::from(columns(&app.base.name)) + 32;
+    let changed = match (app.is_modified(), wide) {
+        (false, _) => "",
+        (true, false) => " *",
+        (true, true) => " (modified)",
+    };
+    let auto = match (app.auto_run, wide) {
+        (true, false) => "",
+        (true, true) => "  auto-run on",
+        (false, _) => "  auto-run off",
+    };
+    let mouse = if app.mouse { "  mouse on" } else { "" };
+    let preset = if wide { "preset " } else { "" };
+    let fixed = columns(preset) + columns(changed) + columns(auto) + columns(mouse);
+    let name = clip(&app.base.name, room.saturating_sub(usize::from(fixed)).max(6));
+    let text = format!("{preset}{name}{changed}{auto}{mouse}");
+    let start = area.width.saturating_sub(columns(&text) + 1).max(column);
+    canvas.put(area, (start, 0), &text, Role::Text);
+}
+
+/// The first column of the tabs: none is left free on the narrowest screen.
+fn lead(width: u16) -> u16 {
+    u16::from(width > SMALLEST.0)
+}
+
+/// Whether the program's name is shown, and the titles of the tabs, the one shown in brackets.
+fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
+    let title = |tab: Tab| {
+        let title = tab.title();
+        if tab == app.tab { format!("[{title}]") } else { title }
+    };
+    (width >= ROOMY, Tab::ALL.into_iter().map(title).collect())
+}
+
+/// The names of the tab's pages, the one shown in brackets, and how to get to the next.
+pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let mut column = 1;
+    let page = pages::of(app.tab);
+    for (at, name) in page.about().pages.iter().enumerate() {
+        let is_shown = at == page.shown(app);
+        let text = if is_shown { format!("[{name}]") } else { (*name).to_owned() };
+        let role = if is_shown { Role::Selection } else { Role::Text };
+        let start = area.x + column;
+        column = canvas.put(area, (column, 0), &text, role) + 2;
+        let name = Rect { x: start, width: columns(&text), ..area };
+        canvas.hit(name, |_| Some(Target::Page(at)));
+    }
+    let number = app.tab.index() + 1;
+    let hint = format!("{number}: next page");
+    let start = area.width.saturating_sub(columns(&hint) + 1);
+    if start > column {
+        canvas.put(area, (start, 0), &hint, Role::Dim);
+    }
+}
+
+/// What stands under the cursor and the newest message, each with its mark. What has no room in the area covers what stands above
+/// it: the panes keep their places.
+pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let lines = app.message_lines(usize::from(area.width));
+    let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
+    let above = count.saturating_sub(area.height).min(area.y);
+    let area = Rect { y: area.y - above, height: area.height + above, ..area };
+    if above > 0 {
+        Clear.render(area, canvas);
+    }
+    let mut before = None;
+    for (row, (severity, text)) in (0..area.height).zip(&lines) {
+        let role = text_role(*severity);
+        if before != Some(*severity) {
+            canvas.put(area, (1, row), severity.mark(), role);
+        }
+        before = Some(*severity);
+        let column = if *severity == Severity::Note { 1 } else { 3 };
+        canvas.put(area, (column, row), text, role);
+    }
+}
+
+/// What the run is and cost; the parts at the right go first when there is little room.
+pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let parts = app.status();
+    let room = usize::from(area.width.saturating_sub(2));
+    let total = |texts: &[&str]| texts.iter().map(|text| text.chars().count() + 3).sum::<usize>();
+    let long: Vec<&str> = parts.iter().map(|part| part.1.as_str()).collect();
+    let short: Vec<&str> = parts.iter().map(|part| part.2.as_str()).collect();
+    let mut texts = if total(&long) <= room + 3 { long } else { short };
+    while texts.len() > 1 && total(&texts) > room + 3 {
+        texts.pop();
+    }
+    let mut spans = vec![Span::raw(" ")];
+    for (index, (text, part)) in texts.iter().zip(&parts).enumerate() {
+        if index > 0 {
+            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
+        }
+        spans.push(Span::styled((*text).to_owned(), app.theme.style(text_role(part.0))));
+    }
+    canvas.put_line(area, 0, &Line::from(spans));
 }

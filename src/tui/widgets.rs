@@ -1,66 +1,107 @@
 //! Parts that several pages and dialogs are made of: the canvas they draw on, one-line fields, tables, text in cells.
 
+pub(crate) mod axis;
+pub(crate) mod form;
+pub(crate) mod input;
+pub(crate) mod table;
+pub(crate) mod text;
+
 use std::ops::{Deref, DerefMut};
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::text::Line;
+use text::{columns, put};
 
-use crate::tui::chart::Layout;
-use crate::tui::keymap::Pane;
-use crate::tui::message::Target;
-
-pub(in crate::tui) mod axis;
-pub(in crate::tui) mod form;
-pub(in crate::tui) mod input;
-pub(in crate::tui) mod list;
-pub(in crate::tui) mod table;
-pub(in crate::tui) mod text;
+use crate::tui::chart::{Draw, Layout};
+use crate::tui::prelude::*;
+use crate::tui::theme::Theme;
+use crate::tui::widgets::text::first_row;
 
 /// The cells that are drawn on, and what the drawing says beside: where the cursor stands, and what is under the mouse.
-pub(in crate::tui) struct Canvas<'a> {
+pub(crate) struct Canvas<'a> {
     buffer: &'a mut Buffer,
+    pub(crate) theme: Theme,
     /// Where the terminal's cursor stands, while a field is open.
-    pub(in crate::tui) cursor: Option<(u16, u16)>,
+    pub(crate) cursor: Option<(u16, u16)>,
     /// Columns of the plot that the crosshair walks through, where one is drawn.
-    pub(in crate::tui) plot_columns: Option<u16>,
+    pub(crate) plot_columns: Option<u16>,
     pointer: Option<(u16, u16)>,
     target: Option<Target>,
 }
 
 impl<'a> Canvas<'a> {
     /// A canvas over all cells of a buffer.
-    pub(in crate::tui) fn new(buffer: &'a mut Buffer) -> Self {
-        Self { buffer, cursor: None, plot_columns: None, pointer: None, target: None }
+    pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
+        Self { buffer, theme, cursor: None, plot_columns: None, pointer: None, target: None }
     }
 
     /// The same, to learn what is drawn at a cell.
-    pub(in crate::tui) fn pointed(buffer: &'a mut Buffer, at: (u16, u16)) -> Self {
-        Self { pointer: Some(at), ..Self::new(buffer) }
+    pub(crate) fn pointed(buffer: &'a mut Buffer, theme: Theme, at: (u16, u16)) -> Self {
+        Self { pointer: Some(at), ..Self::new(buffer, theme) }
+    }
+
+    /// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
+    pub(crate) fn put(&mut self, area: Rect, at: (u16, u16), text: &str, role: Role) -> u16 {
+        put(self.buffer, area, at, text, self.theme.style(role))
+    }
+
+    /// Write lines below each other from a row on, as many as have room.
+    pub(crate) fn put_lines(
+        &mut self,
+        area: Rect,
+        from: u16,
+        lines: impl IntoIterator<Item = (String, Role)>,
+    ) {
+        for (row, (text, role)) in (from..area.height).zip(lines) {
+            self.put(area, (0, row), &text, role);
+        }
+    }
+
+    /// Write what stands in the middle of an area that has nothing to show yet.
+    pub(crate) fn put_centred(&mut self, area: Rect, text: &str) {
+        let column = area.width.saturating_sub(columns(text)) / 2;
+        self.put(area, (column, area.height / 2), text, Role::Dim);
+    }
+
+    pub(crate) fn put_line(&mut self, area: Rect, row: u16, line: &Line<'_>) {
+        let area = area.intersection(self.buffer.area);
+        if row < area.height {
+            self.buffer.set_line(area.x, area.y + row, line, area.width);
+        }
+    }
+
+    pub(crate) fn paint_row(&mut self, area: Rect, row: u16) {
+        if row < area.height {
+            let row = Rect::new(area.x, area.y + row, area.width, 1);
+            let style = self.theme.style(Role::Selection);
+            self.buffer.set_style(row.intersection(self.buffer.area), style);
+        }
+    }
+
+    /// Draw a chart or a map, and tell where everything lies.
+    pub(crate) fn draw(&mut self, picture: &impl Draw, area: Rect) -> Layout {
+        picture.render(area, self.buffer, self.theme)
     }
 
     /// What is under the pointer; `None` where a click means nothing.
-    pub(in crate::tui) fn target(&self) -> Option<Target> {
+    pub(crate) fn target(&self) -> Option<Target> {
         self.target
     }
 
     /// Say what an area is to the mouse; what is drawn later lies over it.
-    pub(in crate::tui) fn hit(
-        &mut self,
-        area: Rect,
-        target: impl FnOnce((u16, u16)) -> Option<Target>,
-    ) {
+    pub(crate) fn hit(&mut self, area: Rect, target: impl FnOnce((u16, u16)) -> Option<Target>) {
         if let Some(at) = self.pointer.filter(|at| area.contains((*at).into())) {
             self.target = target(at).or(self.target);
         }
     }
 
     /// Say that an area is a pane, beside its parts.
-    pub(in crate::tui) fn pane(&mut self, area: Rect, pane: Pane) {
+    pub(crate) fn pane(&mut self, area: Rect, pane: Pane) {
         self.hit(area, |_| Some(Target::Pane(pane)));
     }
 
     /// Say what the rows of a list are, by their index: the first one shown, and how many there are.
-    pub(in crate::tui) fn rows(
+    pub(crate) fn rows(
         &mut self,
         area: Rect,
         (first, count): (usize, usize),
@@ -73,7 +114,7 @@ impl<'a> Canvas<'a> {
     }
 
     /// Say what the cells of a plot are, by the values of its axes.
-    pub(in crate::tui) fn plot(
+    pub(crate) fn plot(
         &mut self,
         layout: &Layout,
         target: impl FnOnce(f64, f64) -> Option<Target>,
@@ -85,7 +126,7 @@ impl<'a> Canvas<'a> {
     }
 
     /// Say what the points of a plot are, by their index: the one drawn nearest counts.
-    pub(in crate::tui) fn points(
+    pub(crate) fn points(
         &mut self,
         layout: &Layout,
         points: impl Iterator<Item = Option<(f64, f64)>>,
@@ -105,7 +146,7 @@ impl<'a> Canvas<'a> {
     }
 
     /// A dialog covers all that is drawn so far: beside it a click closes it, in it nothing is hit yet.
-    pub(in crate::tui) fn cover(&mut self, area: Rect) {
+    pub(crate) fn cover(&mut self, area: Rect) {
         if let Some(at) = self.pointer {
             self.target = (!area.contains(at.into())).then_some(Target::Beside);
         }
@@ -123,5 +164,52 @@ impl Deref for Canvas<'_> {
 impl DerefMut for Canvas<'_> {
     fn deref_mut(&mut self) -> &mut Buffer {
         self.buffer
+    }
+}
+
+impl PaneFrame<'_> {
+    pub(crate) fn draw(&self, area: Rect, canvas: &mut Canvas<'_>) -> Rect {
+        self.render(area, canvas.buffer, canvas.theme)
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RowList {
+    pub count: usize,
+    /// The row that is kept in sight.
+    pub selected: usize,
+    pub painted: bool,
+}
+
+impl RowList {
+    pub(crate) fn first(self, height: u16) -> usize {
+        first_row(self.selected, usize::from(height), self.count)
+    }
+
+    /// Draw the rows that have room: `draw` draws one into the row of the screen it is given; `target` is what a click on it means.
+    pub(crate) fn render(
+        self,
+        canvas: &mut Canvas<'_>,
+        area: Rect,
+        target: impl FnOnce(usize) -> Option<Target>,
+        mut draw: impl FnMut(&mut Canvas<'_>, Rect, usize),
+    ) {
+        let first = self.first(area.height);
+        for (row, index) in area.rows().zip(first..self.count) {
+            draw(canvas, row, index);
+            if self.painted && index == self.selected {
+                canvas.paint_row(row, 0);
+            }
+        }
+        canvas.rows(area, (first, self.count), target);
+    }
+
+    pub(crate) fn in_dialog(
+        self,
+        canvas: &mut Canvas<'_>,
+        area: Rect,
+        draw: impl FnMut(&mut Canvas<'_>, Rect, usize),
+    ) {
+        self.render(canvas, area, |row| Some(Target::DialogRow(row)), draw);
     }
 }

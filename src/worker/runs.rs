@@ -1,12 +1,12 @@
 //! Runs of scenes: what has been computed lately is kept, and the run of the screen shows its curve while it grows.
 
+use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::cache::Cache;
-use super::reporter::{BETWEEN, Reporter};
+use super::study::{BETWEEN, Reporter};
 use super::{Finding, Progress, ReportBody, Slot};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
@@ -30,7 +30,6 @@ pub(super) type Compute = Box<
     dyn Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String> + Send,
 >;
 
-/// The simulation.
 pub(super) fn simulation() -> Compute {
     Box::new(|scene, settings, observer, window| {
         simulate::simulate_openly(scene, &settings, observer, window)
@@ -38,14 +37,12 @@ pub(super) fn simulation() -> Compute {
     })
 }
 
-/// Runs scenes.
 pub(super) struct Runs {
     compute: Compute,
     cache: Cache,
 }
 
 impl Runs {
-    /// With an empty cache.
     pub(super) fn new(compute: Compute) -> Self {
         Self { compute, cache: Cache::default() }
     }
@@ -152,5 +149,79 @@ impl Pulse {
                 Some(t_s)
             }
         }
+    }
+}
+
+/// Results kept. A result is some 100 kB, most of it its series.
+const KEPT: usize = 8;
+
+/// Rows of series that the results kept have together, but for the newest one: a run of millions of steps has hundreds of
+/// megabytes of them.
+const ROWS_KEPT: usize = 400_000;
+
+/// The last few results, newest first.
+#[derive(Default)]
+struct Cache {
+    kept: VecDeque<(Arc<Run>, Duration)>,
+}
+
+impl Cache {
+    /// The result of this scene and the time it took, s, if it is still kept. It then counts as the newest.
+    pub(crate) fn find(&mut self, scene: &Scene) -> Option<(Arc<Run>, Duration)> {
+        let at = self.kept.iter().position(|(run, _)| *run.scene == *scene)?;
+        let found = self.kept.remove(at)?;
+        self.kept.push_front(found.clone());
+        Some(found)
+    }
+
+    /// Keep a complete result; the one unused for longest goes.
+    pub(crate) fn keep(&mut self, run: Arc<Run>, took: Duration) {
+        self.kept.push_front((run, took));
+        let mut rows = 0;
+        let few = self.kept.iter().take_while(|(run, _)| {
+            rows += run.series.len();
+            rows <= ROWS_KEPT
+        });
+        let few = few.count().clamp(1, KEPT);
+        self.kept.truncate(few);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use super::*;
+    use crate::model::simulate::{Settings, simulate};
+
+    /// A run with so many rows.
+    fn run(rows: usize) -> Arc<Run> {
+        let settings = Settings { series: true, ..Settings::default() };
+        let scene = Arc::new(Scene::default());
+        let go_on = &mut |_| ControlFlow::Continue(());
+        let mut run = simulate(&scene, &settings, go_on).unwrap();
+        let row = run.series[0];
+        run.series.resize(rows, row);
+        Arc::new(run)
+    }
+
+    #[test]
+    fn few_results_are_kept_and_of_great_ones_fewer() {
+        let mut cache = Cache::default();
+        let small = run(1000);
+        for _ in 0..20 {
+            cache.keep(Arc::clone(&small), Duration::ZERO);
+        }
+        assert_eq!(Arc::strong_count(&small), 1 + KEPT);
+        let great = run(ROWS_KEPT / 2);
+        for _ in 0..3 {
+            cache.keep(Arc::clone(&great), Duration::ZERO);
+        }
+        assert_eq!((Arc::strong_count(&great), Arc::strong_count(&small)), (3, 1));
+        // The newest one stays, however great.
+        let greater = run(2 * ROWS_KEPT);
+        cache.keep(Arc::clone(&greater), Duration::ZERO);
+        assert_eq!((Arc::strong_count(&greater), Arc::strong_count(&great)), (2, 1));
+        assert!(cache.find(&greater.scene).is_some());
     }
 }

@@ -2,17 +2,22 @@
 //! its results so far.
 
 use std::any::Any;
+use std::cell::Cell;
 use std::error::Error;
 use std::fmt::Debug;
+use std::ops::ControlFlow;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
-use std::time::Duration;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
-use super::reporter::{BETWEEN, Reporter};
+use super::quiet::Quiet;
+use super::{Progress, ReportBody};
 use crate::model::scene::Scene;
+use crate::study::context as study;
 
 /// A study that a page asks for. A newer one of the same type replaces an older one.
 pub trait Study: Any + Debug + Send + Sync {
-    /// The thread it is done on.
     fn lane(&self) -> Lane;
 
     /// Whether it measures run times, for which it has the machine to itself.
@@ -26,14 +31,10 @@ pub trait Study: Any + Debug + Send + Sync {
     }
 
     /// Computes the result; a study that is stopped gives its results so far.
-    ///
-    /// # Errors
-    /// Why it cannot be made, in words.
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>>;
 }
 
 impl dyn Study {
-    /// The study, where it is of this type.
     pub fn of<S: Study>(&self) -> Option<&S> {
         (self as &dyn Any).downcast_ref()
     }
@@ -42,9 +43,7 @@ impl dyn Study {
 /// A thread that does one task at a time. Half a minute of measurements or of stiff scenes must not keep a limit waiting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lane {
-    /// Runs of scenes.
     Runs,
-    /// The points of a picture.
     Sweeps,
     /// Studies of half a minute.
     Studies,
@@ -65,7 +64,6 @@ impl Lane {
 /// When a task shows what it has so far.
 #[derive(Clone, Copy, Debug)]
 pub struct Tempo {
-    /// Not before this time.
     pub first: Duration,
     /// Least time between two parts.
     pub between: Duration,
@@ -76,12 +74,10 @@ pub struct Tempo {
 pub struct Finding(Arc<dyn Any + Send + Sync>);
 
 impl Finding {
-    /// This result.
     pub fn new<T: Any + Send + Sync>(found: T) -> Self {
         Self(Arc::new(found))
     }
 
-    /// The result, where it is of this type.
     pub fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         Arc::clone(&self.0).downcast().ok()
     }
@@ -96,20 +92,161 @@ impl<T: Any + Send + Sync> From<Arc<T>> for Finding {
 /// Rows of a study, all or those computed so far.
 #[derive(Clone, Debug)]
 pub struct RowsSoFar<R> {
-    /// The rows computed so far.
     pub rows: Vec<R>,
-    /// Whether these are all.
     pub is_complete: bool,
 }
 
 impl<R: Clone> RowsSoFar<R> {
-    /// Rows of a study that goes on.
     pub fn part(rows: &[R]) -> Self {
         Self { rows: rows.to_vec(), is_complete: false }
     }
 
-    /// Rows of a study that has ended, of so many in all.
     pub fn ended(rows: Vec<R>, count: usize) -> Self {
         Self { is_complete: rows.len() == count, rows }
     }
+}
+
+/// Least time between two reports of progress.
+pub(super) const BETWEEN: Duration = Duration::from_millis(500);
+
+/// A running task, as its computation sees it.
+pub struct Reporter<'a> {
+    send: &'a dyn Fn(ReportBody),
+    cancel: &'a Arc<AtomicBool>,
+    threads: usize,
+    tempo: Tempo,
+    /// Where run times are measured: between two points others have their turn.
+    measured: Option<&'a Quiet>,
+    started: Instant,
+    /// When progress was reported last, and a part, counted from the start.
+    told: Cell<Duration>,
+    shown: Cell<Option<Duration>>,
+}
+
+impl<'a> Reporter<'a> {
+    /// The task starts now.
+    pub(super) fn new(
+        send: &'a dyn Fn(ReportBody),
+        cancel: &'a Arc<AtomicBool>,
+        threads: usize,
+    ) -> Self {
+        Self {
+            send,
+            cancel,
+            threads,
+            tempo: Tempo { first: BETWEEN, between: BETWEEN },
+            measured: None,
+            started: Instant::now(),
+            told: Cell::new(Duration::ZERO),
+            shown: Cell::new(None),
+        }
+    }
+
+    pub(super) fn of(self, study: &dyn Study, quiet: &'a Quiet) -> Self {
+        let measured = study.measures().then_some(quiet);
+        Self { tempo: study.tempo(), measured, ..self }
+    }
+
+    /// Threads to run on, where the work can be divided.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// How long it has been running.
+    pub(super) fn elapsed(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    /// The time it has been running, s, for all of its threads.
+    pub fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
+        let started = self.started;
+        move || started.elapsed().as_secs_f64()
+    }
+
+    pub(super) fn cancel(&self) -> &'a Arc<AtomicBool> {
+        self.cancel
+    }
+
+    pub(super) fn goes_on(&self) -> ControlFlow<()> {
+        if self.cancel.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    pub(super) fn report(&self, body: ReportBody) {
+        (self.send)(body);
+    }
+
+    /// Report how far it is and what there is so far, where the last report is long enough ago; whether to go on.
+    pub fn tell(
+        &self,
+        progress: study::Progress,
+        part: &dyn Fn() -> Option<Finding>,
+    ) -> ControlFlow<()> {
+        if let Some(quiet) = self.measured {
+            quiet.end();
+            quiet.begin(self.cancel);
+        }
+        self.goes_on()?;
+        let elapsed = self.elapsed();
+        let since = |at: Duration| elapsed.saturating_sub(at);
+        let is_due = match self.shown.get() {
+            None => elapsed >= self.tempo.first,
+            Some(at) => since(at) >= self.tempo.between,
+        };
+        let part = if is_due { part() } else { None };
+        if part.is_some() || since(self.told.get()) >= BETWEEN {
+            self.told.set(elapsed);
+            let progress = Progress::Points(progress.done, progress.total);
+            self.report(ReportBody::Progress { progress, elapsed });
+        }
+        if let Some(part) = part {
+            self.shown.set(Some(elapsed));
+            self.report(ReportBody::Part(part));
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Watches a study that has no parts.
+    pub fn progress(&self) -> impl FnMut(study::Progress, Option<&()>) -> ControlFlow<()> {
+        |progress, _| self.tell(progress, &|| None)
+    }
+
+    /// Watches a study, and makes findings of its parts.
+    pub fn watch<P: ?Sized, T: Any + Send + Sync>(
+        &self,
+        part: impl Fn(&P) -> T,
+    ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
+        move |progress, so_far| {
+            self.tell(progress, &|| so_far.map(|so_far| Finding::new(part(so_far))))
+        }
+    }
+
+    /// Do the work; a panic becomes an error text.
+    pub(super) fn finish(
+        &self,
+        work: impl FnOnce() -> Result<Finding, Box<dyn Error>>,
+    ) -> ReportBody {
+        let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
+            Ok(Ok(found)) => {
+                return ReportBody::Ended { found: Some(found), took: self.elapsed() };
+            }
+            Ok(Err(error)) => error.to_string(),
+            Err(payload) => format!(
+                "internal error: {}; the log has the details, please report it",
+                panic_text(payload.as_ref())
+            ),
+        };
+        ReportBody::Failed(text)
+    }
+}
+
+fn panic_text(payload: &(dyn Any + Send)) -> &str {
+    payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("a panic without a text")
 }

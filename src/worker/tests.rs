@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use super::reporter::Reporter;
-use super::study::{Lane, Study, Tempo};
+use super::runs::{Compute, simulation};
+use super::study::{Lane, Reporter, Study, Tempo};
 use super::{Finding, Progress, Report, ReportBody, Slot, Task, Work, Worker};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
@@ -56,15 +56,13 @@ fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
 }
 
 fn start() -> (Worker, Receiver<Report>) {
+    start_with(Box::new(slow))
+}
+
+fn start_with(compute: Compute) -> (Worker, Receiver<Report>) {
     let (send, receive) = mpsc::channel();
-    let worker = Worker::spawn_with(
-        move |report| {
-            let _ = send.send(report);
-        },
-        Box::new(slow),
-    )
-    .expect("a thread");
-    (worker, receive)
+    let sink = move |report| drop(send.send(report));
+    (Worker::spawn_with(sink, compute).expect("a thread"), receive)
 }
 
 fn next(reports: &Receiver<Report>) -> Report {
@@ -188,11 +186,7 @@ fn swinging(id: u64, slot: Slot) -> Task {
 
 #[test]
 fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not() {
-    let (send, reports) = mpsc::channel();
-    let worker = Worker::spawn(move |report| {
-        let _ = send.send(report);
-    })
-    .expect("a thread");
+    let (worker, reports) = start_with(simulation());
     worker.submit(swinging(1, Slot::Current));
     let part = || loop {
         let report = next(&reports);
@@ -246,11 +240,7 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
 
 #[test]
 fn a_scene_without_sense_is_refused_with_the_reason() {
-    let (send, receive) = mpsc::channel();
-    let worker = Worker::spawn(move |report| {
-        let _ = send.send(report);
-    })
-    .expect("a thread");
+    let (worker, receive) = start_with(simulation());
     let mut wrong = Scene::default();
     wrong.projectile.mass_kg = -1.0;
     let refused = crate::model::variables::validate(&wrong);
@@ -264,17 +254,10 @@ fn a_scene_without_sense_is_refused_with_the_reason() {
 fn an_unchanged_scene_is_not_computed_again() {
     let count = Arc::new(AtomicUsize::new(0));
     let counted = Arc::clone(&count);
-    let (send, receive) = mpsc::channel();
-    let worker = Worker::spawn_with(
-        move |report| {
-            let _ = send.send(report);
-        },
-        Box::new(move |scene, settings, observer, window| {
-            counted.fetch_add(1, Ordering::Relaxed);
-            slow(scene, settings, observer, window)
-        }),
-    )
-    .expect("a thread");
+    let (worker, receive) = start_with(Box::new(move |scene, settings, observer, window| {
+        counted.fetch_add(1, Ordering::Relaxed);
+        slow(scene, settings, observer, window)
+    }));
     let mut seen = Vec::new();
     for (id, title) in [(1, "one"), (2, "two"), (3, "one")] {
         worker.submit(job(id, Slot::Current, title));

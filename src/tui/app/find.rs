@@ -6,7 +6,6 @@ use crate::tui::widgets::input::TextField;
 /// The field of `/` while it is open, and the texts that lists are filtered by.
 #[derive(Clone, Debug, Default)]
 pub struct Find {
-    /// The text being typed.
     pub field: Option<TextField>,
     /// Claims shown: those that match.
     pub claims: String,
@@ -49,9 +48,6 @@ pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usi
 }
 
 /// The quantity that is called so on the screen, or by its key.
-///
-/// # Errors
-/// That there is none, with the titles of the nearest.
 pub fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     let text = text.trim();
     let titled = QUANTITIES.iter().find(|column| column.title().eq_ignore_ascii_case(text));

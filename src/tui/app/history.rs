@@ -11,7 +11,6 @@ use crate::tui::pages::search::setup::Setup;
 /// The scene and what it is compared with, at one moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    /// The scene.
     pub scene: Arc<Scene>,
     /// The preset it is compared with.
     pub base: Base,
@@ -29,7 +28,6 @@ const ROWS_MAX: usize = 100_000;
 /// What is set up in a tab beside the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Setting {
-    /// What the Search tab looks for.
     Search(Box<Setup>),
     /// The points that the Sweep and Surface tabs visit.
     Visits(Visits),
@@ -40,20 +38,15 @@ pub enum Setting {
 /// What an edit changed, before and after.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// The scene, or what it is compared with.
     Scene(Snapshot, Snapshot),
-    /// The setup of a tab.
     Setting(Setting, Setting),
-    /// A pin was taken away.
     Unpinned(Pin),
 }
 
-/// One edit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
     /// What was done: `gamma 1 -> 1.25`.
     pub label: String,
-    /// What it changed.
     pub change: Change,
     /// The variable it was stepped with, while further steps still belong to it.
     pub stepping: Option<usize>,
@@ -71,7 +64,6 @@ impl Edit {
 /// The edits of the session, oldest first; those from `done` on have been undone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
-    /// All edits.
     pub edits: Vec<Edit>,
     /// How many of them are in force.
     pub done: usize,

@@ -1,35 +1,26 @@
 //! What the background threads have been asked to do.
 
-use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
 use crate::tui::pages::Tab;
-use crate::worker::Finding;
 use crate::worker::study::Study;
 
 /// The run of the scene on the screen, while it has not ended.
 #[derive(Clone, Debug)]
 pub struct InFlight {
-    /// Its number.
     pub id: u64,
-    /// What it runs.
     pub scene: Arc<Scene>,
     /// Simulated time reached, s, and how long that took.
     pub reached: Option<(f64, Duration)>,
 }
 
-/// A study that has not ended.
 #[derive(Clone, Debug)]
 pub struct Running {
-    /// Its number.
     pub id: u64,
-    /// The tab that asked for it.
     pub tab: Tab,
-    /// Of which scene.
     pub scene: Arc<Scene>,
-    /// What is computed.
     pub study: Arc<dyn Study>,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
@@ -53,29 +44,6 @@ impl Running {
     }
 }
 
-/// News of a study.
-#[derive(Clone, Debug)]
-pub enum News {
-    /// It is further.
-    Progress,
-    /// What it has so far.
-    Part(Finding),
-    /// It is done or was cancelled: what it found, and how long that took.
-    Ended(Finding, Duration),
-    /// Why it found nothing; this has been said.
-    Failed,
-}
-
-impl News {
-    /// What was found, or is there so far, where it is of this type.
-    pub fn found<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
-        match self {
-            Self::Part(finding) | Self::Ended(finding, _) => finding.get(),
-            Self::Progress | Self::Failed => None,
-        }
-    }
-}
-
 /// The tasks submitted, and how the last run ended.
 #[derive(Clone, Debug, Default)]
 pub struct Jobs {
@@ -85,7 +53,6 @@ pub struct Jobs {
     pub serial: u64,
     /// The run of the scene on the screen.
     pub current: Option<InFlight>,
-    /// The studies that have not ended.
     pub studies: Vec<Running>,
     /// The quiet time after the last edit is over and its result has not landed.
     pub overdue: bool,
@@ -95,12 +62,10 @@ pub struct Jobs {
     pub asked_to_quit: bool,
     /// Why the last run gave no result.
     pub failure: Option<String>,
-    /// The last run was cancelled.
     pub cancelled: bool,
 }
 
 impl Jobs {
-    /// A new number.
     pub fn next_id(&mut self) -> u64 {
         self.last_id += 1;
         self.last_id

@@ -30,11 +30,8 @@ pub struct Layout {
     pub pages: Option<Rect>,
     /// The panes; `None` where nothing fits.
     pub body: Option<Rect>,
-    /// The newest message, or the readout.
     pub message: Rect,
-    /// State of the run.
     pub status: Rect,
-    /// Keys that work here.
     pub keys: Rect,
 }
 

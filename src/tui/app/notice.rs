@@ -3,7 +3,6 @@
 use crate::model::run::{Run, Warning};
 use crate::model::units::{fixed_significant, scientific};
 
-/// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
     /// Good to know.
@@ -34,22 +33,19 @@ impl Severity {
     }
 }
 
-/// One message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
-    /// How serious.
     pub severity: Severity,
-    /// One line of text.
     pub text: String,
 }
 
 /// How many times too much, to three digits.
-pub(in crate::tui) fn times(ratio: f64) -> String {
+pub(crate) fn times(ratio: f64) -> String {
     fixed_significant(ratio, 3)
 }
 
 /// The first warning of a run in a few words, for the status row.
-pub(in crate::tui) fn demand(run: &Run) -> Option<String> {
+pub(crate) fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
         Warning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", times(*ratio)))

@@ -1,16 +1,17 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
+use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::variables::Kind;
 use crate::report::series::Quantity;
-use crate::tui::app::notice::{Severity, demand};
-use crate::tui::app::{App, show_duration};
+use crate::tui::app::notice::demand;
+use crate::tui::app::show_duration;
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::pages::{self, StatusPart, Tab, note, part};
+use crate::tui::pages::{self, StatusPart, note, part};
+use crate::tui::prelude::*;
 use crate::tui::theme::columns;
 
-/// Most lines of a message.
 const MESSAGE_LINES: usize = 4;
 /// From this width on the first line is said in full.
 const WIDE_ENOUGH: u16 = 78;
@@ -94,7 +95,7 @@ impl App {
     }
 
     /// What the selected variable means, with its source where there is room.
-    pub(in crate::tui) fn variable_words(&self, room: usize) -> String {
+    pub(crate) fn variable_words(&self, room: usize) -> String {
         let variable = self.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
@@ -174,8 +175,7 @@ impl App {
         parts
     }
 
-    /// The status of the run on the screen.
-    pub(in crate::tui) fn run_status(&self) -> Vec<StatusPart> {
+    pub(crate) fn run_status(&self) -> Vec<StatusPart> {
         let state = self.state_words();
         let is_done = self.shown.as_ref().is_some_and(|shown| {
             shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
@@ -437,6 +437,24 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
     }
     lines.push(line);
     lines
+}
+
+impl App {
+    /// Which rules of the model's validity the scene does not keep, in full and short: by its run where that is there.
+    pub(crate) fn validity_part(&self) -> Option<StatusPart> {
+        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
+        let found =
+            run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
+        // What the interface was asked for stands there already, with its number.
+        let labels: Vec<&str> = found
+            .iter()
+            .filter(|breach| breach.check != Check::Interface)
+            .map(|breach| breach.check.label())
+            .collect();
+        let long = format!("! outside validity: {} (7:Log)", labels.join(", "));
+        let short = format!("! validity {}", labels.len());
+        (!labels.is_empty()).then_some((Severity::Warning, long, short))
+    }
 }
 
 #[cfg(test)]

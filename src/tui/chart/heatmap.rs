@@ -180,7 +180,6 @@ fn rounded(numerator: usize, denominator: usize) -> usize {
     if denominator == 0 { 0 } else { (2 * numerator + denominator) / (2 * denominator) }
 }
 
-/// The role of a letter.
 pub fn role(tone: Tone) -> Role {
     match tone {
         Tone::Faint => Role::Dim,
@@ -227,7 +226,6 @@ fn shade(band: usize, bands: usize) -> usize {
     if bands < 2 { last / 2 } else { rounded(band.min(bands - 1) * last, bands - 1) }
 }
 
-/// A cell of two values.
 fn two(upper: Cell, lower: Cell, levels: Option<&Levels>, theme: Theme) -> (char, Style) {
     let colour = |cell: Cell| match (cell, levels) {
         (Cell::Value(value), Some(levels)) => {

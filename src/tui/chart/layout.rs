@@ -1,9 +1,15 @@
 //! Where the parts of a chart lie: legend row, labels, axes, plot. Pure arithmetic on rectangles.
 
 use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
 
-use super::{Axis, Chart, Labels, Mapping};
+use super::canvas::left_out_of;
+use super::{
+    Axis, Chart, Curve, Emphasis, Labels, Legend, Mapping, Side, cell_marker, frame_of, role,
+};
+use crate::report::chart::spaced;
 use crate::report::chart::ticks::{Along, Ticks};
+use crate::tui::theme::Theme;
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
 const LEAST_GUTTER: u16 = 3;
@@ -33,13 +39,9 @@ pub struct Layout {
     pub(super) inner: Rect,
     /// The row of the legend, when the title line cannot take it.
     pub(super) legend: Option<Rect>,
-    /// Column of the left axis.
     pub(super) axis_left: Option<u16>,
-    /// Column of the right axis.
     pub(super) axis_right: Option<u16>,
-    /// Row of the horizontal axis.
     pub(super) axis_below: Option<u16>,
-    /// Row of its labels.
     pub(super) labels_below: Option<u16>,
     pub(super) x_ticks: Ticks,
     pub(super) y_ticks: Ticks,
@@ -48,7 +50,7 @@ pub struct Layout {
 
 impl Layout {
     /// Column and row, within the plot, of a point by the left axis; `None` outside the view.
-    pub(in crate::tui) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+    pub(crate) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
         let (column, up) = self.x.cell(x).zip(self.y.cell(y))?;
         Some((column, self.plot.height.saturating_sub(up + 1)))
     }
@@ -122,4 +124,147 @@ fn half_rows_apart(height: u16) -> u16 {
 
 fn map(axis: &Axis<'_>, cells: u16) -> Mapping {
     Mapping::new(axis.scale, axis.view, cells)
+}
+
+/// What goes where in the title line.
+pub(super) struct Plan<'a> {
+    pub(super) layout: Layout,
+    pub(super) title: String,
+    pub(super) right: Line<'a>,
+    pub(super) legend: Line<'a>,
+}
+
+/// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
+/// chart, only the curves' markers stay.
+pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'a> {
+    let left_out = left_out(chart);
+    let inner = frame_of(chart).inner(area);
+    let room = usize::from(area.width.saturating_sub(8));
+    let legend = legend_line(chart, theme);
+    let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
+
+    let full = layout(chart, inner, false);
+    let title = title_text(chart, &full, left_out);
+    let both = join(legend.clone(), axis(&full));
+    if Span::raw(&title).width() + both.width() <= room {
+        return Plan { layout: full, title, right: both, legend: Line::default() };
+    }
+    let layout = layout(chart, inner, legend.width() > 0);
+    let title = title_text(chart, &layout, left_out);
+    let axis = Line::from(axis(&layout));
+    let room = room.saturating_sub(Span::raw(&title).width());
+    let (right, legend) = if layout.legend.is_some() {
+        // The row begins a blank from the frame.
+        (axis, whole(legend, usize::from(inner.width.saturating_sub(1))))
+    } else if legend.width() > 0 {
+        (shortened(legend, room), Line::default())
+    } else {
+        (axis, legend)
+    };
+    Plan { layout, title, right, legend }
+}
+
+/// Points that a logarithmic axis cannot show.
+fn left_out(chart: &Chart<'_>) -> usize {
+    let count = |curve: &Curve<'_>| {
+        let vertical = match (curve.side, &chart.right) {
+            (Side::Right, Some(axis)) => axis.scale,
+            (Side::Right, None) | (Side::Left, _) => chart.y.scale,
+        };
+        left_out_of(curve, chart.x.scale, vertical)
+    };
+    chart.curves.iter().map(count).sum()
+}
+
+fn title_text(chart: &Chart<'_>, layout: &Layout, left_out: usize) -> String {
+    let unit = chart.y.unit_text(layout.y_ticks.exponent);
+    let mut text = spaced(&chart.title, &unit);
+    if let Some(axis) = &chart.right {
+        text += ", right: ";
+        text += &axis.text(layout.right_ticks.exponent);
+    }
+    match left_out {
+        0 => text,
+        1 => text + " (1 point <= 0 not drawn)",
+        count => text + &format!(" ({count} points <= 0 not drawn)"),
+    }
+}
+
+fn legend_line<'a>(chart: &'a Chart<'_>, theme: Theme) -> Line<'a> {
+    let mut spans = Vec::new();
+    if chart.legend == Legend::Hidden {
+        return Line::default();
+    }
+    for curve in chart.curves.iter().filter(|curve| !curve.label.is_empty()) {
+        if !spans.is_empty() {
+            spans.push(Span::raw("  "));
+        }
+        let style = theme.style(role(curve));
+        spans.push(Span::styled(cell_marker(curve).to_string(), style));
+        let old = match curve.emphasis {
+            Emphasis::Stale => " (old)",
+            Emphasis::Normal | Emphasis::Selected => "",
+        };
+        let side = match curve.side {
+            Side::Left => "",
+            Side::Right => " (right)",
+        };
+        spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
+    }
+    Line::from(spans)
+}
+
+fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
+    if !axis.is_empty() {
+        if legend.width() > 0 {
+            legend.spans.push(Span::raw("   "));
+        }
+        legend.spans.push(Span::raw(axis));
+    }
+    legend
+}
+
+/// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
+fn whole(legend: Line<'_>, room: usize) -> Line<'_> {
+    if legend.width() <= room {
+        return legend;
+    }
+    let mut entries: Vec<Vec<Span<'_>>> = vec![Vec::new()];
+    for span in legend.spans {
+        // Blanks stand between two entries.
+        if span.content.trim().is_empty() {
+            entries.push(Vec::new());
+        } else if let Some(entry) = entries.last_mut() {
+            entry.push(span);
+        }
+    }
+    let mut short: Vec<Span<'_>> = Vec::new();
+    let mut used = 0;
+    for entry in entries {
+        let width = entry.iter().map(Span::width).sum::<usize>() + 2;
+        if used + width + 2 > room {
+            break;
+        }
+        used += width;
+        short.extend(entry);
+        short.push(Span::raw("  "));
+    }
+    short.push(Span::raw(".."));
+    Line::from(short)
+}
+
+/// The whole legend where it fits, else its markers, as many as there is room for.
+fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
+    if legend.width() <= room {
+        return legend;
+    }
+    let markers = legend.spans.iter().filter(|span| span.width() == 1);
+    let mut short: Vec<Span<'_>> = Vec::new();
+    for marker in markers {
+        if short.len() + 2 > room {
+            break;
+        }
+        short.push(marker.clone());
+    }
+    Line::from(short)
 }

@@ -4,11 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::Span;
 
-use super::canvas::Canvas;
-use super::curve::{cell_marker, role};
+use super::canvas::{Canvas, trace};
 use super::layout::Layout;
-use super::trace::trace;
-use super::{Chart, Curve, Emphasis, Labels, Mapping, Mark, Scale, Side};
+use super::{Chart, Curve, Emphasis, Labels, Mapping, Mark, Scale, Side, cell_marker, role};
 use crate::report::chart::ticks::{Tick, label_start};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 

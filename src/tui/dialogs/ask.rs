@@ -1,51 +1,48 @@
 //! The dialogs for one text: a preset's name, the path of a table, the file of a measured curve.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
-use ratatui::layout::Rect;
 
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
-use crate::model::scene::Scene;
-use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Origin};
-use crate::tui::dialogs::popup::frame;
-use crate::tui::dialogs::{Ask, Dialog, Purpose, curve};
-use crate::tui::message::{Effect, FileTask};
+use crate::model::scene::{Scene, SpringKind};
+use crate::model::{units, variables};
+use crate::tui::app::Origin;
+use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
+use crate::tui::message::FileTask;
 use crate::tui::pages;
-use crate::tui::theme::Role;
-use crate::tui::widgets::Canvas;
+use crate::tui::prelude::*;
+use crate::tui::update::edit;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{put, put_lines, wrapped};
+use crate::tui::widgets::text::wrapped;
 
-/// Ask for a text.
-pub(in crate::tui) fn open(app: &mut App, purpose: Purpose, text: TextField) {
+pub(crate) fn open(app: &mut App, purpose: Purpose, text: TextField) {
     app.dialog = Some(Dialog::Ask(Ask { purpose, text, question: false }));
 }
 
 /// Ask for the name to save the scene under.
-pub(in crate::tui) fn save(app: &mut App) -> Vec<Effect> {
+pub(crate) fn save(app: &mut App) {
     let name = proposed_name(app);
     open(app, Purpose::Preset, TextField::selected(name));
-    vec![app.list_presets()]
+    app.list_presets();
 }
 
 /// Ask for the file to write the table shown to, if there is anything in it.
-pub(in crate::tui) fn export(app: &mut App) {
+pub(crate) fn export(app: &mut App) {
     match pages::of(app.tab).table(app) {
         Some(table) => open(app, Purpose::Table(table.title), TextField::new(table.file)),
-        None => app.say(Severity::Error, "nothing to export yet: press r to compute it"),
+        None => app.refuse("nothing to export yet: press r to compute it"),
     }
 }
 
-/// Copy the table shown to the clipboard.
-pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
+pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse("nothing to copy yet: press r to compute it".to_owned());
     };
     match table.content.table(Meta::Beside) {
-        Ok(text) => vec![Effect::Copy(text)],
+        Ok(text) => app.request(Effect::Copy(text)),
         Err(why) => app.refuse(why.to_string()),
     }
 }
@@ -64,22 +61,20 @@ fn proposed_name(app: &App) -> String {
         .unwrap_or_else(|| "my-scene".to_owned())
 }
 
-/// A key while the dialog is open.
-pub(in crate::tui) fn press(app: &mut App, mut state: Ask, key: KeyEvent) -> Vec<Effect> {
+pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
     let is_path = state.purpose != Purpose::Preset;
-    let mut effects = Vec::new();
     match key.code {
-        KeyCode::Esc if !(is_path && state.question) => return effects,
+        KeyCode::Esc if !(is_path && state.question) => return,
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Char('y' | 'o') if state.question => effects = accept(app, &mut state, true),
+        KeyCode::Char('y' | 'o') if state.question => accept(app, &mut state, true),
         KeyCode::Char('r') if state.question && is_path => {
             state.text = TextField::new(next_name(state.text.value()));
             state.question = false;
         }
         KeyCode::Enter if state.question => {}
-        KeyCode::Enter => effects = accept(app, &mut state, false),
+        KeyCode::Enter => accept(app, &mut state, false),
         KeyCode::Tab if is_path => {
-            effects = vec![Effect::Files(FileTask::Complete(state.text.value().to_owned()))];
+            app.request(Effect::Files(FileTask::Complete(state.text.value().to_owned())));
         }
         _ => {
             if state.text.press(key) {
@@ -88,46 +83,39 @@ pub(in crate::tui) fn press(app: &mut App, mut state: Ask, key: KeyEvent) -> Vec
         }
     }
     app.dialog = Some(Dialog::Ask(state));
-    effects
 }
 
 /// Do what the text is asked for; `overwrite`: a file or preset of this name may be replaced.
-fn accept(app: &App, state: &mut Ask, overwrite: bool) -> Vec<Effect> {
+fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     state.text.all_selected = false;
-    let accepted = match state.purpose {
-        Purpose::Preset => save_as(app, state, overwrite),
-        Purpose::Table(_) => typed_path(app, state, "table.csv").and_then(|path| {
+    match task(app, state, overwrite) {
+        Ok(task) => app.effects.extend(task.map(Effect::Files)),
+        Err(error) => state.text.error = Some(error),
+    }
+}
+
+/// What is to be done with files; nothing where a question comes first.
+fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
+    let task = match state.purpose {
+        Purpose::Preset => return save_as(app, state, overwrite),
+        Purpose::Table(_) => {
+            let path = path_of(app, state.text.value(), "table.csv")?;
             let table = pages::of(app.tab).table(app);
             let table = table.ok_or_else(|| "there is nothing to write any more".to_owned())?;
             let existing = Existing::replaced(overwrite);
-            let to = Destination { path, existing, meta: Meta::Beside };
-            Ok(vec![Effect::Files(FileTask::Export(to, table.content))])
-        }),
-        Purpose::Curve(second) => typed_path(app, state, "curve.csv")
-            .map(|path| vec![Effect::Files(FileTask::ReadCurve(second, path))]),
+            FileTask::Export(Destination { path, existing, meta: Meta::Beside }, table.content)
+        }
+        Purpose::Curve(second) => {
+            FileTask::ReadCurve(second, path_of(app, state.text.value(), "curve.csv")?)
+        }
     };
-    accepted.unwrap_or_else(|error| {
-        state.text.error = Some(error);
-        Vec::new()
-    })
-}
-
-fn typed_path(app: &App, state: &mut Ask, example: &str) -> Result<PathBuf, String> {
-    let path = path_of(app, &state.text, example)?;
     state.question = false;
-    Ok(path)
+    Ok(Some(task))
 }
 
 /// The path that was typed.
-///
-/// # Errors
-/// In words, where it names no file.
-pub(in crate::tui) fn path_of(
-    app: &App,
-    field: &TextField,
-    example: &str,
-) -> Result<PathBuf, String> {
-    let text = field.value().trim();
+pub(crate) fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
+    let text = text.trim();
     if text.is_empty() || text.ends_with('/') {
         return Err(format!("the path needs a file name, for example `{example}`"));
     }
@@ -135,7 +123,7 @@ pub(in crate::tui) fn path_of(
 }
 
 /// Save the scene under the name; one of the person's own presets is replaced only when asked.
-fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Vec<Effect>, String> {
+fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
     let name = state.text.value().trim().to_owned();
     if name.is_empty() {
         return Err("a preset needs a name: letters, digits, - and _".to_owned());
@@ -149,14 +137,14 @@ fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Vec<Effect>, S
     }
     if origins.contains(&"mine") && !overwrite {
         state.question = true;
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let scene = Box::new((*app.scene).clone());
-    Ok(vec![Effect::Files(FileTask::SavePreset { name, scene, overwrite })])
+    Ok(Some(FileTask::SavePreset { name, scene, overwrite }))
 }
 
 /// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
-pub(in crate::tui) fn next_name(text: &str) -> String {
+pub(crate) fn next_name(text: &str) -> String {
     let (stem, ending) = match text.rsplit_once('.') {
         Some((stem, ending)) if !ending.contains('/') => (stem, format!(".{ending}")),
         _ => (text, String::new()),
@@ -171,33 +159,32 @@ pub(in crate::tui) fn next_name(text: &str) -> String {
 }
 
 /// The first part of the name proposed for a file about a scene: the preset's, where the scene is still that.
-pub(in crate::tui) fn stem<'a>(app: &'a App, scene: &Scene) -> &'a str {
+pub(crate) fn stem<'a>(app: &'a App, scene: &Scene) -> &'a str {
     if *scene == *app.base.scene { base_stem(app) } else { "scene" }
 }
 
 /// The preset's name without folders and ending.
-pub(in crate::tui) fn base_stem(app: &App) -> &str {
+pub(crate) fn base_stem(app: &App) -> &str {
     app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
 }
 
-/// Draw it.
-pub(in crate::tui) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
     let (width, titles, label) = match state.purpose {
         Purpose::Preset => (64, ("Save the scene as a preset", ""), "name  "),
         Purpose::Table(title) => (76, (title, "Enter writes"), "file  "),
-        Purpose::Curve(_) => (76, curve::TITLES, "file  "),
+        Purpose::Curve(_) => (76, TITLES, "file  "),
     };
-    let inner = frame(app, screen, (width, 9), titles, canvas);
-    let start = put(canvas, inner, (0, 1), label, app.theme.style(Role::Title));
+    let inner = frame(screen, (width, 9), titles, canvas);
+    let start = canvas.put(inner, (0, 1), label, Role::Title);
     let field = TextField { error: None, ..state.text.clone() };
     let width = inner.width.saturating_sub(start + 1);
-    field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 }, app.theme);
+    field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
     let (text, role) = match (&state.text.error, state.question) {
         (_, true) => (question(app, state), Role::Warning),
         (Some(error), false) => (format!("x {error}"), Role::Error),
         (None, false) => (hint(app, state), Role::Dim),
     };
-    put_lines(canvas, inner, 3, app.theme, wrapped(&text, inner.width, role));
+    canvas.put_lines(inner, 3, wrapped(&text, inner.width, role));
 }
 
 fn question(app: &App, state: &Ask) -> String {
@@ -219,6 +206,81 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Table(_) => {
             format!("to {}", app.directory.join(state.text.value().trim()).display())
         }
-        Purpose::Curve(second) => curve::hint(app, second),
+        Purpose::Curve(second) => curve_hint(app, second),
+    }
+}
+
+pub(crate) const TITLES: (&str, &str) =
+    ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps");
+
+/// After a word was taken: a spring that is a table now asks for its file.
+pub(crate) fn ask(app: &mut App, word: &str) {
+    let second = match app.editor.variable().key {
+        "mechanism.spring.kind" => false,
+        "mechanism.second.kind" => true,
+        _ => return,
+    };
+    if word == SpringKind::Table.word() {
+        open(app, Purpose::Curve(second), TextField::default());
+    }
+}
+
+/// What the file has to be, and the points there are.
+pub(crate) fn curve_hint(app: &App, second: bool) -> String {
+    let mechanism = &app.scene.mechanism;
+    let spring = if second { &mechanism.second } else { &mechanism.spring };
+    format!(
+        "displacement in m, force in N, a point a line, as in 0.01,1000. Now: {} (Esc keeps them)",
+        extent(&spring.table.points)
+    )
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(crate) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
+    }
+}
+
+fn is_asked(dialog: Option<&Dialog>) -> bool {
+    matches!(dialog, Some(Dialog::Ask(Ask { purpose: Purpose::Curve(_), .. })))
+}
+
+/// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
+pub(crate) fn read(
+    app: &mut App,
+    second: bool,
+    path: &Path,
+    points: Result<Arc<[[f64; 2]]>, String>,
+) {
+    let name = path
+        .file_name()
+        .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned());
+    let taken = points.and_then(|points| {
+        let count = points.len();
+        let mut scene = (*app.scene).clone();
+        let mechanism = &mut scene.mechanism;
+        let spring = if second { &mut mechanism.second } else { &mut mechanism.spring };
+        spring.kind = SpringKind::Table;
+        spring.table.points = points;
+        variables::validate(&scene).map_err(|error| error.to_string())?;
+        Ok((scene, count))
+    });
+    match (taken, &mut app.dialog) {
+        (Ok((scene, count)), dialog) => {
+            if is_asked(dialog.as_ref()) {
+                *dialog = None;
+            }
+            app.tell(format!("spring: {count} points from {name} (u undoes)"));
+            edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
+        }
+        (Err(text), Some(Dialog::Ask(state))) => state.text.error = Some(text),
+        (Err(text), _) => app.refuse(text),
     }
 }

@@ -1,7 +1,5 @@
 //! The export dialog: what, which runs, which columns, and where.
 
-pub(in crate::tui) mod draw;
-
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
@@ -10,32 +8,185 @@ use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta, RunTable};
 use crate::files::style::Style;
 use crate::report::run::{self, NamedRun, Rows};
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Dialog, Export, ExportRow, What, ask};
-use crate::tui::message::{Content, Effect, FileTask};
+use crate::tui::app::status::clip;
+use crate::tui::dialogs::{Dialog, ask, frame, wrap};
+use crate::tui::message::{Content, FileTask};
+use crate::tui::prelude::*;
+use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::text::{columns, window, wrapped};
 
 /// Rows of a grid when nothing else is asked for, and the most there may be.
 const GRID_ROWS: (usize, usize) = (1001, 1_000_000);
+/// The kinds of export, with the rows of each: those of a grid are so many.
+type Kind = (&'static str, fn(usize) -> Rows);
+const KINDS: [Kind; 4] = [
+    ("time series: solver steps and points between", |_| Rows::Series),
+    ("time series on a uniform grid", Rows::Grid),
+    ("results: one row per run", |_| Rows::Results),
+    ("events with their times", |_| Rows::Events),
+];
+const SERIES: usize = 0;
+const GRID: usize = 1;
 
-/// Open the dialog on the runs there are.
-pub(in crate::tui) fn open(app: &mut App) {
+/// The lines of the dialog that belong together, by what stands at their left.
+const FILE: &str = "file";
+const WHAT: &str = "what";
+const ROWS: &str = "rows";
+const RUNS: &str = "runs";
+const COLUMNS: &str = "columns";
+const STYLE: &str = "style";
+const SCENE: &str = "scene";
+
+#[derive(Clone, Debug)]
+enum Value {
+    Text(TextField),
+    /// One of some words.
+    Choice(usize, Vec<&'static str>),
+    /// Whether it goes along.
+    Tick(String, bool),
+}
+
+#[derive(Clone, Debug)]
+pub struct Export {
+    lines: Vec<(&'static str, Value)>,
+    selected: usize,
+    /// The file exists: the answer to "overwrite?" is awaited.
+    pub(crate) question: bool,
+    /// Names that complete the path.
+    pub(crate) completions: Vec<String>,
+    pub(crate) error: Option<String>,
+}
+
+impl Export {
+    /// The lines there are now: the grid's number only for a grid, columns only for a series.
+    fn shown(&self) -> Vec<usize> {
+        let is_shown = |at: &usize| match self.lines[*at].0 {
+            ROWS => self.choice(WHAT) == GRID,
+            COLUMNS => self.is_series(),
+            _ => true,
+        };
+        (0..self.lines.len()).filter(is_shown).collect()
+    }
+
+    fn of(&self, lead: &'static str) -> impl Iterator<Item = &Value> {
+        self.lines.iter().filter(move |line| line.0 == lead).map(|line| &line.1)
+    }
+
+    fn choice(&self, lead: &'static str) -> usize {
+        self.of(lead)
+            .find_map(|it| if let Value::Choice(at, _) = it { Some(*at) } else { None })
+            .unwrap_or(0)
+    }
+
+    fn text(&self, lead: &'static str) -> &str {
+        self.of(lead)
+            .find_map(|it| if let Value::Text(field) = it { Some(field.value()) } else { None })
+            .unwrap_or("")
+    }
+
+    fn ticked(&self, lead: &'static str) -> Vec<&str> {
+        self.of(lead)
+            .filter_map(|it| if let Value::Tick(name, true) = it { Some(&**name) } else { None })
+            .collect()
+    }
+
+    fn is_series(&self) -> bool {
+        matches!(self.choice(WHAT), SERIES | GRID)
+    }
+
+    /// The columns that are chosen of a series; none of another table.
+    fn columns(&self) -> Vec<String> {
+        let chosen = if self.is_series() { self.ticked(COLUMNS) } else { Vec::new() };
+        chosen.into_iter().map(str::to_owned).collect()
+    }
+
+    fn style(&self) -> Style {
+        Style::ALL[self.choice(STYLE)]
+    }
+
+    fn meta(&self) -> Meta {
+        Meta::ALL[self.choice(SCENE)]
+    }
+
+    /// The file, as typed.
+    pub fn path(&self) -> &str {
+        self.text(FILE)
+    }
+
+    /// Put another text in the place of the path.
+    pub(super) fn set_path(&mut self, text: String) {
+        self.lines[0].1 = Value::Text(TextField::new(text));
+    }
+
+    pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
+        match &mut self.lines[self.selected].1 {
+            Value::Text(field) => Some(field),
+            Value::Choice(..) | Value::Tick(..) => None,
+        }
+    }
+
+    /// Another text or choice: what was said of the old one does not hold any more.
+    pub(super) fn forget(&mut self) {
+        self.question = false;
+        self.error = None;
+        self.completions.clear();
+    }
+
+    /// Change what the selected line chooses, round and round, or tick it.
+    fn change(&mut self, by: isize) {
+        match &mut self.lines[self.selected].1 {
+            Value::Choice(at, words) => *at = wrap(*at, by, words.len()),
+            Value::Tick(_, on) => *on = !*on,
+            Value::Text(_) => {}
+        }
+        self.error = None;
+    }
+
+    /// All lines like the selected one when one is missing, else none.
+    fn all_or_none(&mut self) {
+        let lead = self.lines[self.selected].0;
+        let on = self.of(lead).any(|it| matches!(it, Value::Tick(_, false)));
+        for (_, value) in self.lines.iter_mut().filter(|line| line.0 == lead) {
+            if let Value::Tick(_, ticked) = value {
+                *ticked = on;
+            }
+        }
+    }
+
+    /// Move the selection, stopping at the ends.
+    fn move_by(&mut self, by: isize) {
+        let shown = self.shown();
+        let here = shown.iter().position(|at| *at == self.selected).unwrap_or(0);
+        self.selected = shown[here.saturating_add_signed(by).min(shown.len() - 1)];
+    }
+}
+
+pub(crate) fn open(app: &mut App) {
     let runs = available(app);
     if runs.is_empty() {
-        app.say(Severity::Error, "nothing to export yet: r runs the scene");
-        return;
+        return app.refuse("nothing to export yet: r runs the scene");
     }
-    let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
+    let pins = app.pins.iter().map(|pin| (pin.letter.to_string(), &pin.name));
+    let names: Vec<(String, &String)> = pins.collect();
+    let run = |(name, _): NamedRun| {
+        let pin = names.iter().find(|(letter, _)| *letter == name);
+        pin.map_or_else(|| name.clone(), |(letter, of)| format!("{letter} {of}"))
+    };
+    let tick = |lead, name| (lead, Value::Tick(name, true));
+    let mut lines = vec![
+        (FILE, Value::Text(TextField::new(format!("{}.csv", ask::base_stem(app))))),
+        (WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.0).to_vec())),
+        (ROWS, Value::Text(TextField::new(GRID_ROWS.0.to_string()))),
+    ];
+    lines.extend(runs.into_iter().map(|it| tick(RUNS, run(it))));
+    let names = run::columns(Rows::Series, false).into_iter();
+    lines.extend(names.map(|name| tick(COLUMNS, name.to_owned())));
+    lines.push((STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
+    lines.push((SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     app.dialog = Some(Dialog::Export(Box::new(Export {
-        what: What::Series,
-        grid: TextField::new(GRID_ROWS.0.to_string()),
-        runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
-        columns: run::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
-        path,
-        style: Style::default(),
-        meta: Meta::default(),
-        row: ExportRow::Path,
+        lines,
+        selected: 0,
         question: false,
         completions: Vec::new(),
         error: None,
@@ -45,138 +196,83 @@ pub(in crate::tui) fn open(app: &mut App) {
 /// The runs that can be exported: the current one and the pins, those with a result.
 fn available(app: &App) -> Vec<NamedRun> {
     let now = app.shown.iter().map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
-    let pins = app.pins.iter().filter_map(|pin| {
-        let run = pin.run.as_ref()?;
-        Some((pin.letter.to_string(), Arc::clone(run)))
-    });
-    now.chain(pins).collect()
+    let pins = app.pins.iter();
+    now.chain(pins.filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)))).collect()
 }
 
-/// A key while the dialog is open.
-pub(in crate::tui) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> Vec<Effect> {
-    let typing = matches!(state.row, ExportRow::Path | ExportRow::GridRows);
-    let mut effects = Vec::new();
+pub(crate) fn press(app: &mut App, mut state: Export, key: KeyEvent) {
+    let typing = state.field_mut().is_some();
+    let chooses = matches!(state.lines[state.selected].1, Value::Choice(..));
     match key.code {
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Esc => return Vec::new(),
-        KeyCode::Char('q') if !typing => return Vec::new(),
-        KeyCode::Char('y' | 'o') if state.question => {
-            effects = submit(app, &mut state, Existing::Replace);
+        KeyCode::Esc => return,
+        KeyCode::Char('q') if !typing => return,
+        KeyCode::Char('y' | 'o') if state.question => submit(app, &mut state, Existing::Replace),
+        KeyCode::Char('r') if state.question => {
+            state.set_path(ask::next_name(state.path()));
+            (state.selected, state.question) = (0, false);
         }
-        KeyCode::Char('r') if state.question => rename(&mut state),
-        KeyCode::Enter => effects = submit(app, &mut state, Existing::Keep),
-        KeyCode::Tab if state.row == ExportRow::Path => {
-            effects = vec![Effect::Files(FileTask::Complete(state.path.value().to_owned()))];
+        KeyCode::Enter => submit(app, &mut state, Existing::Keep),
+        KeyCode::Tab if state.selected == 0 => {
+            app.request(Effect::Files(FileTask::Complete(state.path().to_owned())));
         }
         KeyCode::Down | KeyCode::Tab => state.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
-        KeyCode::Char(c @ ('j' | 'k')) if !typing => state.move_by(if c == 'j' { 1 } else { -1 }),
-        KeyCode::Left | KeyCode::Char('h') if !typing && state.choose(-1) => {}
-        KeyCode::Right | KeyCode::Char('l' | ' ') if !typing && state.choose(1) => {}
-        KeyCode::Char(' ') if !typing => toggle(&mut state),
-        KeyCode::Char('a') if !typing => all_or_none(&mut state),
-        _ => typed(&mut state, key),
+        KeyCode::Char('j') if !typing => state.move_by(1),
+        KeyCode::Char('k') if !typing => state.move_by(-1),
+        KeyCode::Left | KeyCode::Char('h') if chooses => state.change(-1),
+        KeyCode::Right | KeyCode::Char('l') if chooses => state.change(1),
+        KeyCode::Char(' ') if !typing => state.change(1),
+        KeyCode::Char('a') if !typing => state.all_or_none(),
+        _ => {
+            if state.field_mut().is_some_and(|field| field.press(key)) {
+                state.forget();
+            }
+        }
     }
     app.dialog = Some(Dialog::Export(Box::new(state)));
-    effects
 }
 
 /// A click on a row: it selects, and ticks or changes what was selected.
-pub(in crate::tui) fn click(app: &mut App, row: usize) -> Vec<Effect> {
-    let Some(Dialog::Export(state)) = &mut app.dialog else { return Vec::new() };
-    let Some(row) = state.rows().get(row).copied() else { return Vec::new() };
-    let again = state.row == row;
-    state.row = row;
-    match row {
-        ExportRow::What | ExportRow::Style | ExportRow::Meta if again => drop(state.choose(1)),
-        ExportRow::Run(_) | ExportRow::Column(_) if again => toggle(state),
-        _ => {}
+pub(crate) fn click(state: &mut Export, row: usize) {
+    let Some(row) = state.shown().get(row).copied() else { return };
+    if state.selected == row {
+        state.change(1);
     }
-    Vec::new()
+    state.selected = row;
 }
 
-fn typed(state: &mut Export, key: KeyEvent) {
-    if state.field_mut().is_some_and(|field| field.press(key)) {
-        state.question = false;
-        state.error = None;
-        state.completions.clear();
-    }
-}
-
-fn toggle(state: &mut Export) {
-    match state.row {
-        ExportRow::Run(at) => state.runs[at].1 = !state.runs[at].1,
-        ExportRow::Column(at) => state.columns[at].1 = !state.columns[at].1,
-        ExportRow::What
-        | ExportRow::Style
-        | ExportRow::Meta
-        | ExportRow::GridRows
-        | ExportRow::Path => {}
-    }
-    state.error = None;
-}
-
-/// All runs (or columns) when one is missing, else none.
-fn all_or_none(state: &mut Export) {
-    match state.row {
-        ExportRow::Run(_) => {
-            let on = state.runs.iter().any(|(_, on)| !on);
-            state.runs.iter_mut().for_each(|run| run.1 = on);
-        }
-        ExportRow::Column(_) => {
-            let on = state.columns.iter().any(|(_, on)| !on);
-            state.columns.iter_mut().for_each(|column| column.1 = on);
-        }
-        ExportRow::What
-        | ExportRow::Style
-        | ExportRow::Meta
-        | ExportRow::GridRows
-        | ExportRow::Path => {}
-    }
-}
-
-/// `NAME.csv` becomes `NAME-2.csv`, and that `NAME-3.csv`.
-fn rename(state: &mut Export) {
-    state.path = TextField::new(ask::next_name(state.path.value()));
-    state.row = ExportRow::Path;
-    state.question = false;
-}
-
-fn submit(app: &App, state: &mut Export, existing: Existing) -> Vec<Effect> {
+fn submit(app: &mut App, state: &mut Export, existing: Existing) {
     match task(app, state, existing) {
         Ok(task) => {
-            state.question = false;
-            state.error = None;
-            vec![Effect::Files(task)]
+            (state.question, state.error) = (false, None);
+            app.request(Effect::Files(task));
         }
-        Err(error) => {
-            state.error = Some(error);
-            Vec::new()
-        }
+        Err(error) => state.error = Some(error),
     }
 }
 
 fn task(app: &App, state: &Export, existing: Existing) -> Result<FileTask, String> {
-    let path = ask::path_of(app, &state.path, "run.csv")?;
-    let runs: Vec<NamedRun> = available(app)
-        .into_iter()
-        .filter(|(name, _)| state.runs.iter().any(|(listed, on)| *on && listed == name))
-        .collect();
+    let path = ask::path_of(app, state.path(), "run.csv")?;
+    let chosen = state.ticked(RUNS);
+    let is_chosen = |name: &str| chosen.iter().any(|it| it.split(' ').next() == Some(name));
+    let runs = available(app).into_iter().filter(|(name, _)| is_chosen(name));
+    let runs: Vec<NamedRun> = runs.collect();
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let grid =
-        if state.what == What::Grid { grid_rows(state.grid.value(), runs.len())? } else { 0 };
-    let mut columns = state.chosen_columns();
+    let what = state.choice(WHAT);
+    let grid = if what == GRID { grid_rows(state.text(ROWS), runs.len())? } else { 0 };
+    let mut columns = state.columns();
     if state.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
     }
-    if columns.len() == state.columns.len() {
+    if columns.len() == state.of(COLUMNS).count() {
         columns.clear();
     }
-    let to = Destination { path, existing, meta: state.meta };
-    let rows = state.what.rows(grid);
-    Ok(FileTask::Export(to, Content::Runs(RunTable { rows, runs, columns, style: state.style })))
+    let to = Destination { path, existing, meta: state.meta() };
+    let rows = KINDS[what].1(grid);
+    Ok(FileTask::Export(to, Content::Runs(RunTable { rows, runs, columns, style: state.style() })))
 }
 
 /// The number of rows typed; all runs together have no more than [`GRID_ROWS`] allows, since a table is made in memory.
@@ -187,4 +283,84 @@ fn grid_rows(text: &str, runs: usize) -> Result<usize, String> {
         let of = if runs > 1 { format!(" for each of {runs} runs") } else { String::new() };
         format!("rows = `{}` is impossible: write a whole number from 2 to {most}{of}", text.trim())
     })
+}
+
+/// Column the values begin in.
+const VALUE: u16 = 11;
+/// Rows below the list: absolute path, note or question, preview.
+const FOOT: u16 = 8;
+
+pub(crate) fn render(app: &App, state: &Export, screen: Rect, canvas: &mut Canvas<'_>) {
+    let rows = state.shown();
+    let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
+    let inner = frame(screen, (100, wanted), ("Export to CSV", "Enter writes"), canvas);
+    let foot = FOOT.min(inner.height.saturating_sub(4));
+    let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
+    let selected = rows.iter().position(|at| *at == state.selected).unwrap_or(0);
+    let shown = RowList { count: rows.len(), selected, painted: false };
+    let first = shown.first(list.height);
+    shown.in_dialog(canvas, list, |canvas, line, at| one(state, rows[at], line, canvas));
+    let hidden = rows.len().saturating_sub(first + usize::from(list.height));
+    if hidden > 0 {
+        let more = format!("({hidden} more below)");
+        let column = list.width.saturating_sub(columns(&more));
+        canvas.put(list, (column, list.height.saturating_sub(1)), &more, Role::Dim);
+    }
+    let lower = Rect { y: list.bottom(), height: foot, ..inner };
+    below(app, state, lower, canvas);
+}
+
+fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
+    let (here, (lead, value)) = (state.selected == at, &state.lines[at]);
+    if at == 0 || state.lines[at - 1].0 != *lead {
+        canvas.put(line, (2, 0), lead, Role::Title);
+    }
+    if here {
+        canvas.put(line, (0, 0), ">", Role::Title);
+    }
+    let room = line.width.saturating_sub(VALUE + 1);
+    let role = if here { Role::Selection } else { Role::Text };
+    let text = match value {
+        Value::Text(field) if here => {
+            return field.draw(canvas, Rect { x: line.x + VALUE, width: room, ..line });
+        }
+        Value::Text(field) => window(&field.input, room).0,
+        Value::Choice(at, words) => format!("< {} >", words[*at]),
+        Value::Tick(name, on) => format!("{} {name}", if *on { "[x]" } else { "[ ]" }),
+    };
+    canvas.put(line, (VALUE, 0), &text, role);
+}
+
+/// The absolute path, then the question, error or completions, else the first lines.
+fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
+    let width = usize::from(area.width);
+    let text = format!("to {}", app.directory.join(state.path().trim()).display());
+    canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
+    let note = match state.meta() {
+        Meta::Beside => "and beside it a .toml that runs it again to the same digits",
+        Meta::Inline => "with the scene in # lines at its head, which not every program skips",
+    };
+    canvas.put(area, (0, 2), &clip(note, width), Role::Dim);
+    let lines: Vec<(String, Role)> = if state.question {
+        let text = "! this file exists: o overwrite, r rename to -2, Esc back";
+        vec![(text.to_owned(), Role::Warning)]
+    } else if let Some(error) = &state.error {
+        wrapped(&format!("x {error}"), area.width, Role::Error).collect()
+    } else if state.completions.is_empty() {
+        preview(app, state).into_iter().map(|line| (line, Role::Dim)).collect()
+    } else {
+        wrapped(&state.completions.join("  "), area.width, Role::Note).collect()
+    };
+    let lines = lines.into_iter().map(|(line, role)| (clip(&line, width), role));
+    canvas.put_lines(area, 4, lines);
+}
+
+/// The first three lines as they would be written.
+fn preview(app: &App, state: &Export) -> Vec<String> {
+    let Some(shown) = &app.shown else { return Vec::new() };
+    let named = [("now".to_owned(), Arc::clone(&shown.run))];
+    let rows = KINDS[state.choice(WHAT)].1(3);
+    let text = run::csv(rows, &named, &state.columns(), 2).unwrap_or_default();
+    let text = state.style().file("", &text).unwrap_or_default();
+    text.trim_start_matches(state.style().head()).lines().take(3).map(str::to_owned).collect()
 }

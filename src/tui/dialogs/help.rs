@@ -1,62 +1,55 @@
 //! The help overlay, which lists the key table, and the palette.
 
-use ratatui::layout::Rect;
-
 use crate::model::variables::Kind;
-use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::dialogs::popup::{filter, frame};
-use crate::tui::dialogs::{HelpRow, Picker, help_rows};
-use crate::tui::pages;
-use crate::tui::pages::run;
-use crate::tui::theme::Role;
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::{put, put_lines, wrapped};
+use crate::tui::dialogs::{HelpRow, Picker, filter, frame, help_rows};
+use crate::tui::pages::{self, run};
+use crate::tui::prelude::*;
+use crate::tui::widgets::RowList;
+use crate::tui::widgets::text::wrapped;
 
-/// Where the sentence of a row begins.
 const SENTENCE: u16 = 14;
 
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
-pub(in crate::tui) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
-    let inner = frame(app, screen, (92, 48), (title.as_str(), "q closes"), canvas);
+    let inner = frame(screen, (92, 48), (title.as_str(), "q closes"), canvas);
     let about = about(app, usize::from(inner.width));
     let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
-    put_lines(canvas, inner, 0, app.theme, about);
+    canvas.put_lines(inner, 0, about);
     let rest = Rect {
         y: inner.y + top.min(inner.height),
         height: inner.height.saturating_sub(top),
         ..inner
     };
-    filter(app, picker, rest, canvas);
+    filter(picker, rest, canvas);
     let rows = help_rows(app, picker.filter.value());
-    list(app, &rows, picker.selected, below(rest), canvas);
+    list(&rows, picker.selected, below(rest), canvas);
 }
 
 /// What `:` finds, and what Enter does with the selected one.
-pub(in crate::tui) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let titles = ("Find an action, preset, variable or page", "Esc closes");
-    let inner = frame(app, screen, (76, 20), titles, canvas);
-    filter(app, picker, inner, canvas);
+    let inner = frame(screen, (76, 20), titles, canvas);
+    filter(picker, inner, canvas);
     let list = below(inner);
     let list = Rect { height: list.height.saturating_sub(DOES), ..list };
     let found = app.palette(picker.filter.value());
     if found.is_empty() {
-        put(canvas, list, (0, 0), "nothing has this name", app.theme.style(Role::Dim));
+        canvas.put(list, (0, 0), "nothing has this name", Role::Dim);
     }
-    let rows = List { count: found.len(), selected: picker.selected, painted: true };
-    rows.in_dialog(canvas, list, app.theme, |canvas, row, index| {
+    let rows = RowList { count: found.len(), selected: picker.selected, painted: true };
+    rows.in_dialog(canvas, list, |canvas, row, index| {
         let item = &found[index];
         let mark = if item.kind() == "broken" { "!" } else { " " };
-        put(canvas, row, (0, 0), mark, app.theme.style(Role::Warning));
-        put(canvas, row, (2, 0), &clip(item.name(), 40), app.theme.style(Role::Text));
+        canvas.put(row, (0, 0), mark, Role::Warning);
+        canvas.put(row, (2, 0), &clip(item.name(), 40), Role::Text);
         let kind = row.width.saturating_sub(10);
-        put(canvas, row, (kind, 0), item.kind(), app.theme.style(Role::Dim));
+        canvas.put(row, (kind, 0), item.kind(), Role::Dim);
     });
     let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
     let foot = Rect { y: list.bottom(), height: DOES, ..list };
-    put_lines(canvas, foot, 0, app.theme, wrapped(&does, foot.width, Role::Title));
+    canvas.put_lines(foot, 0, wrapped(&does, foot.width, Role::Title));
 }
 
 /// Rows that say what Enter does.
@@ -66,21 +59,20 @@ fn below(area: Rect) -> Rect {
     Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
 }
 
-fn list(app: &App, rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) {
+fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) {
     if rows.is_empty() {
-        put(canvas, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
+        canvas.put(area, (0, 0), "nothing matches", Role::Dim);
     }
     let room = usize::from(area.width.saturating_sub(SENTENCE));
-    List { count: rows.len(), selected, painted: true }.in_dialog(
+    RowList { count: rows.len(), selected, painted: true }.in_dialog(
         canvas,
         area,
-        app.theme,
         |canvas, row, index| {
             let line = &rows[index];
             let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
-            put(canvas, row, (0, 0), &keys, app.theme.style(Role::Key));
+            canvas.put(row, (0, 0), &keys, Role::Key);
             let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
-            put(canvas, row, (SENTENCE, 0), &clip(line.help, room), app.theme.style(role));
+            canvas.put(row, (SENTENCE, 0), &clip(line.help, room), role);
         },
     );
 }

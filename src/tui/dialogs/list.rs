@@ -2,46 +2,43 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::model::variables::Value;
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
+use crate::model::variables::{self, Value};
+use crate::tui::app::status::clip;
 use crate::tui::dialogs::options::{self, OptionRow};
-use crate::tui::dialogs::{self, Dialog, List, Picker, ask, curve, export, palette, presets};
-use crate::tui::message::{Effect, Target};
+use crate::tui::dialogs::{self, Dialog, List, Picker, ask, export, frame, palette, presets};
+use crate::tui::prelude::*;
 use crate::tui::update::{act, edit};
+use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::text::wrapped;
 
-/// A key while a dialog is open.
-pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+pub(crate) fn press(app: &mut App, key: KeyEvent) {
     match app.dialog.take() {
         Some(Dialog::List(list, picker)) => in_list(app, list, picker, key),
         Some(Dialog::Ask(state)) => ask::press(app, state, key),
         Some(Dialog::Export(state)) => export::press(app, *state, key),
-        None => Vec::new(),
+        None => {}
     }
 }
 
 /// A click while a dialog is open: it selects a row, does what the row is for where it was selected, or closes a list.
-pub(in crate::tui) fn click(app: &mut App, target: Target) -> Vec<Effect> {
+pub(crate) fn click(app: &mut App, target: Target) {
     match (&mut app.dialog, target) {
         (Some(Dialog::List(_, picker)), Target::DialogRow(row)) => {
             if picker.selected == row {
                 return press(app, KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
             }
             picker.selected = row;
-            Vec::new()
         }
         (Some(Dialog::List(..)), Target::Beside) => {
             app.dialog = None;
-            Vec::new()
         }
-        (Some(Dialog::Export(_)), Target::DialogRow(row)) => export::click(app, row),
+        (Some(Dialog::Export(state)), Target::DialogRow(row)) => export::click(state, row),
         // What has been typed is not thrown away by a click.
-        _ => Vec::new(),
+        _ => {}
     }
 }
 
-/// How many rows a list has.
 fn count(app: &App, list: List, typed: &str) -> usize {
     match list {
         List::Help => dialogs::help_rows(app, typed).len(),
@@ -54,39 +51,40 @@ fn count(app: &App, list: List, typed: &str) -> usize {
 }
 
 /// Keys all lists share; Enter and Space mean what the list is for.
-fn in_list(app: &mut App, list: List, mut picker: Picker, key: KeyEvent) -> Vec<Effect> {
+fn in_list(app: &mut App, list: List, mut picker: Picker, key: KeyEvent) {
     let last = count(app, list, picker.filter.value()).saturating_sub(1);
     let letter = !picker.typing && !key.modifiers.contains(KeyModifiers::CONTROL);
     if let Some(by) = moves(key, letter) {
         picker.selected = picker.selected.saturating_add_signed(by).min(last);
         app.dialog = Some(Dialog::List(list, picker));
-        return Vec::new();
+        return;
     }
-    let mut effects = Vec::new();
     match (key.code, list) {
-        (KeyCode::Esc, List::Palette) => return effects,
+        (KeyCode::Esc, List::Palette) => return,
         (KeyCode::Esc, _) if picker.typing => picker = Picker::default(),
-        (KeyCode::Esc, _) => return effects,
-        (KeyCode::Char('q'), _) if letter => return effects,
-        (KeyCode::Char('?'), List::Help) | (KeyCode::Char('o'), List::Options) if letter => {
-            return effects;
+        (KeyCode::Esc, _) => return,
+        (KeyCode::Char('q'), _)
+        | (KeyCode::Char('?'), List::Help)
+        | (KeyCode::Char('o'), List::Options)
+            if letter =>
+        {
+            return;
         }
         (KeyCode::Left | KeyCode::Char('h'), List::Options) => {
-            effects = options::change(app, OptionRow::ALL[picker.selected.min(last)], false);
+            options::change(app, OptionRow::ALL[picker.selected.min(last)], false);
         }
         (KeyCode::Enter | KeyCode::Right | KeyCode::Char('l' | ' '), List::Options) => {
-            effects = options::change(app, OptionRow::ALL[picker.selected.min(last)], true);
+            options::change(app, OptionRow::ALL[picker.selected.min(last)], true);
         }
         (KeyCode::Enter, _) => return chosen(app, list, &picker),
         (KeyCode::Char('/'), List::Help | List::Palette | List::Presets) if letter => {
             picker.typing = true;
         }
-        (KeyCode::Char(' '), List::Presets) if letter => effects = presets::pin(app, &picker),
+        (KeyCode::Char(' '), List::Presets) if letter => presets::pin(app, &picker),
         _ if picker.typing && picker.filter.press(key) => picker.selected = 0,
         _ => {}
     }
     app.dialog = Some(Dialog::List(list, picker));
-    effects
 }
 
 /// How far a key moves the selection: arrows always, letters while none go into the filter.
@@ -108,72 +106,57 @@ fn moves(key: KeyEvent, letter: bool) -> Option<isize> {
 }
 
 /// After text came into a dialog: what is selected may not be there any more.
-pub(in crate::tui) fn after_typing(app: &mut App) {
+pub(crate) fn after_typing(app: &mut App) {
     match &mut app.dialog {
         Some(Dialog::List(_, picker)) => picker.selected = 0,
         Some(Dialog::Ask(ask)) => ask.question = false,
-        Some(Dialog::Export(export)) => {
-            export.question = false;
-            export.error = None;
-            export.completions.clear();
-        }
+        Some(Dialog::Export(export)) => export.forget(),
         None => {}
     }
 }
 
-fn chosen(app: &mut App, list: List, picker: &Picker) -> Vec<Effect> {
+fn chosen(app: &mut App, list: List, picker: &Picker) {
     match list {
         List::Help => {
             let rows = dialogs::help_rows(app, picker.filter.value());
-            let action = rows.get(picker.selected).map(|row| row.action);
-            action.map_or_else(Vec::new, |action| act::act(app, action))
+            if let Some(action) = rows.get(picker.selected).map(|row| row.action) {
+                act::act(app, action);
+            }
         }
         List::Palette => palette::chosen(app, picker),
         List::Presets => presets::chosen(app, picker),
         List::History => edit::travel(app, picker.selected),
         List::Words => take_word(app, picker),
-        List::Options => Vec::new(),
+        List::Options => {}
     }
 }
 
 /// Set the selected variable to a word; one that is refused leaves the list open, with the reason.
-fn take_word(app: &mut App, picker: &Picker) -> Vec<Effect> {
+fn take_word(app: &mut App, picker: &Picker) {
     let Some(word) = app.editor.variable().words().get(picker.selected) else {
-        return Vec::new();
+        return;
     };
     match edit::set(app, app.editor.selected, Value::Word(word), None) {
-        Ok(effects) => {
-            curve::ask(app, word);
-            effects
-        }
+        Ok(()) => ask::ask(app, word),
         Err(error) => {
-            app.say(Severity::Error, error);
+            app.refuse(error);
             app.dialog = Some(Dialog::List(List::Words, picker.clone()));
-            Vec::new()
         }
     }
 }
 
 /// Names that complete a path: of one it is taken, of several what they have in common, and the list.
-pub(in crate::tui) fn complete(app: &mut App, names: Vec<String>) {
-    let common = common_start(&names);
-    let Some(dialog) = &mut app.dialog else { return };
-    let Some(common) = common else {
-        let error = Some("no file or directory begins like this".to_owned());
-        match dialog {
-            Dialog::Export(export) => export.error = error,
-            Dialog::Ask(ask) => ask.text.error = error,
-            Dialog::List(..) => {}
-        }
-        return;
-    };
-    match dialog {
-        Dialog::Export(export) => {
-            export.path = TextField::new(common);
+pub(crate) fn complete(app: &mut App, names: Vec<String>) {
+    let error = || Some("no file or directory begins like this".to_owned());
+    match (&mut app.dialog, common_start(&names)) {
+        (Some(Dialog::Export(export)), None) => export.error = error(),
+        (Some(Dialog::Ask(ask)), None) => ask.text.error = error(),
+        (Some(Dialog::Export(export)), Some(common)) => {
+            export.set_path(common);
             export.completions = if names.len() > 1 { names } else { Vec::new() };
         }
-        Dialog::Ask(ask) => ask.text = TextField::new(common),
-        Dialog::List(..) => {}
+        (Some(Dialog::Ask(ask)), Some(common)) => ask.text = TextField::new(common),
+        (Some(Dialog::List(..)) | None, _) => {}
     }
 }
 
@@ -191,4 +174,60 @@ fn common_start(names: &[String]) -> Option<String> {
         length = length.min(same);
     }
     Some(first[..length].to_owned())
+}
+
+pub(crate) fn history(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let edits = &app.history.edits;
+    let height = u16::try_from(edits.len() + 3).unwrap_or(u16::MAX);
+    let inner =
+        frame(screen, (70, height.max(6)), ("Edits of this session", "Enter goes there"), canvas);
+    let list = RowList { count: edits.len() + 1, selected: picker.selected, painted: true };
+    list.in_dialog(canvas, inner, |canvas, row, index| {
+        let label = index.checked_sub(1).map_or("the start", |at| &edits[at].label);
+        let (mark, role, undone) = match index.cmp(&app.history.done) {
+            std::cmp::Ordering::Less => (' ', Role::Text, ""),
+            std::cmp::Ordering::Equal => ('>', Role::Title, ""),
+            std::cmp::Ordering::Greater => (' ', Role::Dim, "  (undone)"),
+        };
+        let line = format!("{mark} {index:>3}  {label}{undone}");
+        canvas.put(row, (0, 0), &clip(&line, usize::from(row.width)), role);
+    });
+}
+
+const WIDTH: u16 = 58;
+/// Rows for the meaning below the words.
+const NOTE_ROWS: u16 = 3;
+
+pub(crate) fn words(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let variable = app.editor.variable();
+    let words = variable.words();
+    let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
+    let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
+    let inner = frame(screen, size, (variable.symbol, "Enter takes it"), canvas);
+    let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
+    let now = variable.value(&app.scene);
+    let rows = RowList { count: words.len(), selected: picker.selected, painted: true };
+    rows.in_dialog(canvas, list, |canvas, row, index| {
+        let is_now = now == Value::Word(words[index]);
+        let mark = if is_now { "> " } else { "  " };
+        let role = if refusal(app, words[index]).is_some() { Role::Dim } else { Role::Text };
+        canvas.put(row, (0, 0), mark, Role::Title);
+        let end = canvas.put(row, (2, 0), words[index], role);
+        if is_now {
+            canvas.put(row, (end + 2, 0), "now", Role::Dim);
+        }
+    });
+    let refused = words.get(picker.selected).and_then(|word| refusal(app, word));
+    let (text, role) = match refused {
+        Some(text) => (text, Role::Warning),
+        None => (variable.meaning.to_owned(), Role::Dim),
+    };
+    canvas.put_lines(inner, list.height + 1, wrapped(&text, inner.width, role));
+}
+
+/// Why the scene makes no sense with this word; `None` where it does.
+fn refusal(app: &App, word: &'static str) -> Option<String> {
+    let mut scene = (*app.scene).clone();
+    let set = app.editor.variable().set(&mut scene, Value::Word(word));
+    set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
 }

@@ -1,29 +1,25 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
 
 use crate::model::variables::{VARIABLES, is_offered};
-use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{Picker, presets};
 use crate::tui::keymap::{Call, Command, commands};
-use crate::tui::message::{Effect, PresetEntry};
-use crate::tui::pages::{self, Tab, run};
+use crate::tui::message::PresetEntry;
+use crate::tui::pages::{self, run};
+use crate::tui::prelude::*;
 use crate::tui::update::act;
 use crate::tui::widgets::axis::numeric;
 
 /// Something that can be called by name.
 #[derive(Clone, Copy)]
 pub enum Item<'a> {
-    /// An action or a page.
     Command(&'static Command),
     /// A variable, by index into the table.
     Variable(usize),
-    /// A preset or a part of a library.
     Preset(&'a PresetEntry),
 }
 
 impl Item<'_> {
-    /// Its name.
     pub fn name(&self) -> &str {
         match self {
             Self::Command(command) => command.name,
@@ -74,7 +70,6 @@ impl App {
         ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
     }
 
-    /// What Enter does with it.
     pub fn palette_does(&self, item: &Item<'_>) -> String {
         match item {
             Item::Command(command) => {
@@ -119,43 +114,39 @@ fn lower(name: &str) -> String {
     })
 }
 
-/// Do what the selected row of the palette is for.
-pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
+pub(crate) fn chosen(app: &mut App, picker: &Picker) {
     let found = app.palette(picker.filter.value());
     match found.get(picker.selected).copied() {
         None => {
             let typed = picker.filter.value().trim().to_owned();
-            app.say(Severity::Note, format!("nothing is called `{typed}`"));
-            Vec::new()
+            app.tell(format!("nothing is called `{typed}`"));
         }
         Some(Item::Command(command)) => call(app, command),
         Some(Item::Variable(index)) => {
             app.focus_on(run::VARIABLES);
             app.editor.filter.clear();
             app.editor.selected = index;
-            run::keys::open(app)
+            run::open(app);
         }
         Some(Item::Preset(entry)) => {
             let entry = entry.clone();
-            presets::take(app, entry)
+            presets::take(app, entry);
         }
     }
 }
 
 /// Do what a command is for, in the pane it belongs to.
-fn call(app: &mut App, command: &Command) -> Vec<Effect> {
+fn call(app: &mut App, command: &Command) {
     match command.call {
         Call::Do(action) => act::act(app, action),
         Call::Show(pane, page) => act::show(app, pane, page),
         Call::In(pane, action) => {
-            let mut effects = Vec::new();
             let before = app.tab;
             app.focus_on(pane);
             if app.tab != before {
-                effects = pages::of(app.tab).enter(app);
+                pages::of(app.tab).enter(app);
             }
-            effects.extend(act::act(app, action));
-            effects
+            act::act(app, action);
         }
     }
 }

@@ -1,39 +1,28 @@
 //! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
 
-use ratatui::layout::Rect;
-
-use crate::model::library::Entry;
-use crate::model::scene::Scene;
-use crate::model::variables::{self, VARIABLES, Variable};
-use crate::tui::app::notice::Severity;
+use crate::model::variables::VARIABLES;
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::app::{App, Base, Origin};
+use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::palette::shown_in;
-use crate::tui::dialogs::popup::{filter, frame};
-use crate::tui::dialogs::{Dialog, List, Picker, preset_rows};
-use crate::tui::message::{Effect, FileTask, PresetEntry};
+use crate::tui::dialogs::{Dialog, List, Picker, filter, frame, preset_rows};
+use crate::tui::message::{FileTask, PresetEntry};
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::thesis;
-use crate::tui::theme::Role;
+use crate::tui::prelude::*;
 use crate::tui::update::edit;
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::list::List as RowList;
-use crate::tui::widgets::text::{put, put_lines};
+use crate::tui::widgets::RowList;
 
-/// Columns of the list of names.
 const NAMES: u16 = 32;
 
-/// Draw it.
-pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let inner = frame(
-        app,
         screen,
         (110, 40),
         ("Presets, threats, materials, absorbers", "Enter loads, Space pins only"),
         canvas,
     );
-    filter(app, picker, inner, canvas);
+    filter(picker, inner, canvas);
     let body =
         Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };
     let rows = preset_rows(&app.presets, picker.filter.value());
@@ -45,20 +34,20 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
     };
     if rows.is_empty() {
         let text = "none; Enter opens a file by its path";
-        put(canvas, body, (0, 0), text, app.theme.style(Role::Dim));
+        canvas.put(body, (0, 0), text, Role::Dim);
     }
     let list = RowList { count: rows.len(), selected: picker.selected, painted: true };
-    list.in_dialog(canvas, left, app.theme, |canvas, row, index| {
+    list.in_dialog(canvas, left, |canvas, row, index| {
         let entry = rows[index];
         let room = usize::from(row.width.saturating_sub(11));
         let (mark, role) = match entry.problem {
             Some(_) => ("!", Role::Warning),
             None => (" ", Role::Text),
         };
-        put(canvas, row, (0, 0), mark, app.theme.style(role));
-        put(canvas, row, (1, 0), &clip(&entry.name, room), app.theme.style(role));
+        canvas.put(row, (0, 0), mark, role);
+        canvas.put(row, (1, 0), &clip(&entry.name, room), role);
         let at = row.width.saturating_sub(8);
-        put(canvas, row, (at, 0), entry.origin, app.theme.style(Role::Dim));
+        canvas.put(row, (at, 0), entry.origin, Role::Dim);
     });
     if let Some(entry) = rows.get(picker.selected) {
         about(app, entry, right, canvas);
@@ -73,7 +62,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
         lines.extend(wrap(problem, width).into_iter().map(|line| (line, Role::Text)));
         lines.push(("correct its file, or delete it".to_owned(), Role::Dim));
-        return put_lines(canvas, area, 0, app.theme, lines);
+        return canvas.put_lines(area, 0, lines);
     }
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
@@ -92,7 +81,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
             lines.extend(wrap(&paragraph, width).into_iter().map(|line| (line, Role::Dim)));
         }
     }
-    put_lines(canvas, area, 0, app.theme, lines);
+    canvas.put_lines(area, 0, lines);
 }
 
 /// The variables it would change, old and new; a long list in as many columns as needed.
@@ -116,17 +105,13 @@ fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> 
     let mut lines = vec![("would change:".to_owned(), Role::Text)];
     for index in differing {
         let variable = &VARIABLES[index];
-        let (old, new) = (brief(variable, &app.scene), brief(variable, &scene));
+        let brief = |scene| shown_value(variable, scene, 24);
+        let (old, new) = (brief(&app.scene), brief(&scene));
         let unit = variable.unit().trim_matches('-');
         let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
         lines.push((clip(&text, width), Role::Text));
     }
     lines
-}
-
-/// A value in at most six digits.
-fn brief(variable: &Variable, scene: &Scene) -> String {
-    shown_value(variable, scene, 24)
 }
 
 /// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
@@ -151,37 +136,45 @@ fn paragraphs(text: &str) -> Vec<String> {
 }
 
 /// Load the selected preset; a path opens its file. What is refused leaves the list open.
-pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
+pub(crate) fn chosen(app: &mut App, picker: &Picker) {
     let typed = picker.filter.value();
     let stay = || Some(Dialog::List(List::Presets, picker.clone()));
     match selected_preset(app, picker) {
         Some(entry) => {
-            let refused = entry.problem.is_some();
-            let effects = take(app, entry);
-            if refused || (effects.is_empty() && app.dialog.is_none() && app.is_refused()) {
+            let before = app.effects.len();
+            take(app, entry);
+            if app.effects.len() == before && app.is_refused() {
                 app.dialog = stay();
             }
-            effects
         }
-        None if looks_like_path(typed) => vec![Effect::Files(FileTask::Load(typed.trim().into()))],
+        None if looks_like_path(typed) => {
+            app.request(Effect::Files(FileTask::Load(typed.trim().into())));
+        }
         None => {
             let typed = clip(typed.trim(), 24);
-            let text = format!("no preset matches; a file is opened by its path: ./{typed}.toml");
-            app.say(Severity::Note, text);
+            app.tell(format!("no preset matches; a file is opened by its path: ./{typed}.toml"));
             app.dialog = stay();
-            Vec::new()
         }
     }
 }
 
 /// Load a preset and show what it is about; put a part of a library into the scene.
-pub(in crate::tui) fn take(app: &mut App, entry: PresetEntry) -> Vec<Effect> {
+pub(crate) fn take(app: &mut App, entry: PresetEntry) {
     if let Some(problem) = entry.problem {
         return app.refuse(format!("{} cannot be loaded: {problem}", entry.name));
     }
-    match &entry.part {
-        Some(part) => take_part(app, part),
-        None => thesis::keys::show(app, base_of(entry)),
+    let Some(part) = &entry.part else { return thesis::show(app, base_of(entry)) };
+    match entry.scene_on(&app.scene) {
+        Err(error) => app.refuse(error.to_string()),
+        Ok(scene) => {
+            let label = format!("{} {}", part.library.word(), part.name);
+            edit::commit_scene(app, scene, label.clone(), None);
+            if part.warning.is_empty() {
+                app.tell(format!("{label} (u undoes)"));
+            } else {
+                app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
+            }
+        }
     }
 }
 
@@ -204,31 +197,13 @@ fn base_of(entry: PresetEntry) -> Base {
     Base { name: entry.name, origin, scene: entry.scene.into() }
 }
 
-/// Pin the selected preset.
-pub(in crate::tui) fn pin(app: &mut App, picker: &Picker) -> Vec<Effect> {
-    let Some(entry) = selected_preset(app, picker) else { return Vec::new() };
+pub(crate) fn pin(app: &mut App, picker: &Picker) {
+    let Some(entry) = selected_preset(app, picker) else { return };
     if let Some(problem) = entry.problem {
         return app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
     }
     match entry.scene_on(&app.scene) {
-        Ok(scene) => runs::keys::pin(app, entry.name, scene.into()),
+        Ok(scene) => runs::pin(app, entry.name, scene.into()),
         Err(error) => app.refuse(error.to_string()),
     }
-}
-
-/// Takes an entry of a library into the scene, as one edit; one that makes no sense is refused.
-fn take_part(app: &mut App, part: &Entry) -> Vec<Effect> {
-    let mut scene = (*app.scene).clone();
-    let made = part.apply(&mut scene).and_then(|()| variables::validate(&scene));
-    if let Err(error) = made {
-        return app.refuse(error.to_string());
-    }
-    let label = format!("{} {}", part.library.word(), part.name);
-    let effects = edit::commit_scene(app, scene, label.clone(), None);
-    if part.warning.is_empty() {
-        app.say(Severity::Note, format!("{label} (u undoes)"));
-    } else {
-        app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
-    }
-    effects
 }

@@ -1,39 +1,35 @@
 //! The Explore tab: curves or a map of a quantity over one variable or two.
 
-pub(in crate::tui) mod curves;
-pub(in crate::tui) mod gaps;
-pub(in crate::tui) mod keys;
-pub(in crate::tui) mod layout;
-pub(in crate::tui) mod map;
+pub(crate) mod curves;
 pub mod plan;
-pub(in crate::tui) mod progress;
 pub mod setup;
 pub mod state;
 
 use std::sync::Arc;
 
-use ratatui::layout::Rect;
-
+use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep;
 use crate::study::sweep::Axis;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
-use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::ask;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::explore::state::Picture;
+use crate::study::sweep::grid::Grid;
+use crate::tui::app::jobs::Running;
+use crate::tui::app::layout::{ROOMY, setup_width, split_bottom, split_left};
+use crate::tui::dialogs::{ask, wrap};
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::explore::plan::PictureSweep;
+use crate::tui::pages::explore::state::{Found, Picture, sweep_of};
+use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::{About, Page, StatusPart, Tab, Table, note};
+use crate::tui::pages::{About, Page, StatusPart, Table, note};
+use crate::tui::prelude::*;
+use crate::tui::update::act::cursor_moved;
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
+use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::form::Form;
+use crate::worker::ReportBody;
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
-/// What is swept.
 pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
 #[rustfmt::skip]
@@ -61,20 +57,64 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(RESULTS, A::FitResiduals), "Toggle residuals of the quadratic fit", "response surface r2"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct ExploreTab;
+pub(crate) struct ExploreTab;
 
 impl Page for ExploreTab {
     fn about(&self) -> &'static About {
         &About { name: "Explore", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
-    fn enter(&self, app: &mut App) -> Vec<Effect> {
-        keys::enter(app)
+    fn enter(&self, app: &mut App) {
+        let picture = app.picture();
+        let plan = app.sweep_plan(picture);
+        let wanted = plan.as_ref().ok();
+        let coming = app.jobs.study::<PictureSweep>().map(|(_, sweep)| sweep);
+        if coming.is_some_and(|it| it.picture == picture && Some(&*it.plan) == wanted) {
+            return;
+        }
+        let there =
+            app.pages.explore.found(picture).is_some_and(|found| {
+                Some(&**found.grid.plan()) == wanted && found.grid.is_complete()
+            });
+        if !there {
+            return compute(app);
+        }
+        app.pages.explore.problem = None;
+        if coming.is_none_or(|it| it.picture != picture) {
+            return;
+        }
+        // The setup is again what is shown: what was asked for meanwhile would replace it.
+        stop(app);
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
-        keys::act(app, action)
+    fn act(&self, app: &mut App, action: Action) -> bool {
+        match action {
+            Action::Run => compute(app),
+            Action::Export | Action::Copy => return false,
+            Action::Mark => runs::pin_design(app, app.sweep_design()),
+            Action::Contour => {
+                app.pages.explore.has_contour = !app.pages.explore.has_contour;
+            }
+            Action::FitResiduals => app.pages.explore.residuals = !app.pages.explore.residuals,
+            _ if app.pane() == SETUP => return setup::act(app, action),
+            Action::View => {
+                let count = sweep_of(&app.scene).outputs.len();
+                app.pages.explore.output = wrap(app.pages.explore.output, 1, count);
+            }
+            Action::LogY => app.pages.explore.log_values = !app.pages.explore.log_values,
+            Action::LogX => setup::toggle_spacing(app),
+            Action::ZoomIn | Action::ZoomOut | Action::PanLeft | Action::PanRight
+                if app.picture() == Picture::Surface =>
+            {
+                app.tell("a map shows all of its axes: change their ends in the setup");
+            }
+            Action::Enter => edit::load_design(app, app.sweep_design()),
+            _ => match cursor_moved(action, FAR) {
+                Some(by) => move_cursor(app, by),
+                None => return false,
+            },
+        }
+        true
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
@@ -85,8 +125,22 @@ impl Page for ExploreTab {
         app.sweep_status(app.picture())
     }
 
-    fn report(&self, app: &mut App, running: &Running, news: &News) {
-        keys::report(app, running, news);
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        let Some(sweep) = running.study.of::<PictureSweep>() else { return };
+        match (news, news.found::<Grid>()) {
+            (ReportBody::Failed(_), _) => {
+                app.pages.explore.problem =
+                    Some("this cannot be swept: press r to see why".to_owned());
+            }
+            (ReportBody::Ended { took, .. }, Some(grid)) => {
+                if !grid.is_complete() {
+                    app.tell("Cancelled. Partial results are shown; press r to sweep again.");
+                }
+                app.pages.explore.show(sweep.picture, Found { grid, took: Some(*took) });
+            }
+            (_, Some(grid)) => app.pages.explore.show(sweep.picture, Found { grid, took: None }),
+            (_, None) => warn_if_long(app, running),
+        }
     }
 
     fn table(&self, app: &App) -> Option<Table> {
@@ -94,11 +148,10 @@ impl Page for ExploreTab {
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
-        let (name, scene, grid) =
-            (app.name_of(plan.base()), Arc::new(plan.base().clone()), Arc::clone(&found.grid));
-        let is_complete = grid.is_complete();
-        let csv = move || sweep::grid_csv(&name, &grid);
-        Some(Table::new("Export the sweep to CSV", file, Some(&scene), csv).complete(is_complete))
+        let (scene, grid) = (Arc::new(plan.base().clone()), Arc::clone(&found.grid));
+        let of = (&scene, grid.is_complete());
+        let csv = move |name: &str| sweep::grid_csv(name, &grid);
+        Some(Table::of(app, "Export the sweep to CSV", file, of, csv))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -114,12 +167,12 @@ impl Page for ExploreTab {
         app.pages.explore.row = app.setup_choices()[row];
     }
 
-    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<Vec<Effect>, String> {
-        setup::keys::step(app, app.setup_choices()[row], press)
+    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
+        setup::step(app, app.setup_choices()[row], press)
     }
 
-    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<Vec<Effect>, String> {
-        setup::keys::take(app, app.setup_choices()[row], text)
+    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
+        setup::take(app, app.setup_choices()[row], text)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
@@ -137,13 +190,174 @@ impl Page for ExploreTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = layout::panes(app, body);
+        let panes = panes(app, body);
         if let Some(area) = panes.setup {
             app.setup_form().render(app, SETUP, area, canvas);
         }
         match app.picture() {
-            Picture::Line => curves::render(app, &panes, canvas),
-            Picture::Surface => map::render(app, &panes, canvas),
+            Picture::Line => curves::render_curves(app, &panes, canvas),
+            Picture::Surface => curves::render_map(app, &panes, canvas),
         }
     }
+}
+
+/// Far along a picture, in points.
+const FAR: i16 = 10;
+/// A sweep that will take longer says so.
+const LONG_S: u64 = 60;
+
+/// After an edit of the scene: a picture on the screen follows at once.
+pub(crate) fn after_edit(app: &mut App) {
+    if app.auto_run && app.tab == Tab::Explore {
+        ExploreTab.enter(app);
+    }
+}
+
+/// Forget the sweep under way.
+fn stop(app: &mut App) {
+    let before = app.jobs.take::<PictureSweep>();
+    app.effects.extend(before.map(|job| Effect::Cancel(job.id)));
+}
+
+pub(crate) fn compute(app: &mut App) {
+    let picture = app.picture();
+    if let Some(horizon_s) = app.scene.run.horizon_s {
+        let horizon = engineering(horizon_s, "s");
+        app.say(
+            Severity::Warning,
+            format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),
+        );
+    }
+    match app.sweep_plan(picture) {
+        Err(error) => {
+            stop(app);
+            app.pages.explore.problem =
+                Some("these axes cannot be swept: press r to see why".to_owned());
+            app.refuse(error.to_string());
+        }
+        Ok(plan) => {
+            app.pages.explore.problem = None;
+            let sweep = PictureSweep { picture, plan: Arc::new(plan) };
+            jobs::study(app, Tab::Explore, sweep);
+        }
+    }
+}
+
+/// Move the cursor by points; the scene stays as it is.
+fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
+    let picture = app.picture();
+    let Some(found) = app.pages.explore.found(picture) else {
+        return app.tell("no results yet: press r to sweep");
+    };
+    let grid = Arc::clone(&found.grid);
+    let at = app.cursor_point(&grid);
+    let next = if grid.is_full() {
+        let (across, up) = grid.counts();
+        let axes = grid.plan().axes();
+        let moved = |at: usize, by: isize, count: usize, axis: Option<&Axis>| {
+            // Right and up lead to greater values, also on an axis that runs downward.
+            let down = axis.is_some_and(|axis| axis.ends().0 > axis.ends().1);
+            at.saturating_add_signed(if down { -by } else { by }).min(count - 1)
+        };
+        (moved(at.0, x, across, axes.first()), moved(at.1, y, up, axes.get(1)))
+    } else {
+        let upward = x == 0 && picture == Picture::Surface;
+        (neighbour(&grid, at.0, usize::from(upward), x + y), 0)
+    };
+    app.pages.explore.cursor[picture as usize] = Some(next);
+}
+
+/// Another point of a design, in the order of one of its axes.
+fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
+    let axis = axis.min(grid.plan().axes().len() - 1);
+    let along = (0..grid.counts().0).map(|x| grid.coordinate((x, 0), axis));
+    let order = ascending(&along.collect::<Vec<f64>>());
+    let at = order.iter().position(|x| *x == here).unwrap_or(0);
+    order[at.saturating_add_signed(by).min(order.len() - 1)]
+}
+
+fn warn_if_long(app: &mut App, running: &Running) {
+    let left = running.left().map_or(0, |left| left.as_secs());
+    if left < LONG_S || app.pages.explore.warned == Some(running.id) {
+        return;
+    }
+    app.pages.explore.warned = Some(running.id);
+    let minutes = left.div_ceil(60);
+    app.say(
+        Severity::Warning,
+        format!(
+            "this sweep will take about {minutes} min more: Esc stops it and keeps what is finished"
+        ),
+    );
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct SweepPanes {
+    /// Axes, output, held variables.
+    pub setup: Option<Rect>,
+    /// One chart or two, or the map.
+    pub plots: Vec<Rect>,
+    pub scale: Option<Rect>,
+    /// The slices through the cursor, along and up.
+    pub slices: Vec<Rect>,
+}
+
+pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
+    match app.picture() {
+        Picture::Line => lines(body, app.pane(), app.is_full()),
+        Picture::Surface => surface(body, app.pane(), app.is_full()),
+    }
+}
+
+/// The setup beside one chart, or two where there is room.
+fn lines(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
+    if full_pane && focus == SETUP {
+        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
+    }
+    let (setup, rest) = if full_pane {
+        (None, body)
+    } else {
+        let (left, right) = split_left(body, setup_width(body.width));
+        (Some(left), right)
+    };
+    let plots = if rest.height >= 26 {
+        let (top, bottom) = split_bottom(rest, rest.height / 2);
+        vec![top, bottom]
+    } else {
+        vec![rest]
+    };
+    SweepPanes { setup, plots, ..SweepPanes::default() }
+}
+
+/// The map; setup at its left, scale and slices at its right. On a narrow screen the pane at the left is the one that is of
+/// use: the setup while it has the keys, else scale and slices.
+fn surface(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
+    let on_setup = focus == SETUP;
+    if full_pane && on_setup {
+        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
+    }
+    if full_pane {
+        return SweepPanes { plots: vec![body], ..SweepPanes::default() };
+    }
+    let (left, rest) = split_left(body, setup_width(body.width));
+    if body.width < ROOMY && on_setup {
+        return SweepPanes { setup: Some(left), plots: vec![rest], ..SweepPanes::default() };
+    }
+    let (setup, map, side) = if body.width < ROOMY {
+        (None, rest, left)
+    } else {
+        let (map, side) = split_left(rest, rest.width - 32.min(rest.width));
+        (Some(left), map, side)
+    };
+    // Ten bands and the marks, within a frame; what is left goes to the slices, one where two would be too low.
+    let (scale, below) = split_bottom(side, side.height - side.height.min(13));
+    let slices = match below.height {
+        0..=5 => Vec::new(),
+        6..=15 => vec![below],
+        _ => {
+            let (top, bottom) = split_bottom(below, below.height / 2);
+            vec![top, bottom]
+        }
+    };
+    SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
 }

@@ -1,36 +1,32 @@
 //! The Limit tab: the ballistic limit, the residual velocity, and the comparison at equal areal mass.
 
 pub mod comparison;
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
-pub(in crate::tui) mod layout;
 pub mod state;
 
 use std::sync::Arc;
 
-use ratatui::layout::Rect;
-
 use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
 use crate::study::limit::Report;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
-use crate::tui::app::notice::Severity;
+use crate::tui::app::jobs::Running;
+use crate::tui::app::layout::{NARROW, split_bottom, split_left};
 use crate::tui::chart::Scale;
-use crate::tui::dialogs::ask;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::limit::comparison::Comparison;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::dialogs::{ask, wrap};
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
+use crate::tui::pages::limit::state::LimitSearch;
+use crate::tui::pages::run::runs;
+use crate::tui::pages::{About, Page, Rows, StatusPart, Table, note};
+use crate::tui::prelude::*;
+use crate::tui::update::act::{along, cursor_moved};
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
+use crate::tui::update::{edit, jobs};
+use crate::worker::ReportBody;
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
 /// The comparison at equal areal mass.
 pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
-/// The map of mass efficiency.
 pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 
 #[rustfmt::skip]
@@ -59,20 +55,37 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay mass efficiency compare worth absorber"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct LimitTab;
+pub(crate) struct LimitTab;
 
 impl Page for LimitTab {
     fn about(&self) -> &'static About {
         &About { name: "Limit", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
-    fn enter(&self, app: &mut App) -> Vec<Effect> {
-        keys::enter(app)
+    fn enter(&self, app: &mut App) {
+        let tab = &app.pages.limit;
+        let found = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
+        let coming = app.jobs.is_coming::<LimitSearch>(&app.scene);
+        if !found && !coming {
+            find(app);
+        }
+        let comparing =
+            app.compared_scene().is_ok_and(|wanted| app.jobs.is_coming::<EqualMass>(&wanted));
+        let compared = app.pages.limit.comparison.is_some() && !app.comparison_is_old();
+        if !comparing && !compared {
+            compare(app);
+        }
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
-        keys::act(app, action)
+    fn act(&self, app: &mut App, action: Action) -> bool {
+        match (action, app.pane()) {
+            (Action::Run, RESIDUAL) => find(app),
+            (Action::Run, _) => compare(app),
+            (_, COMPARISON) => return in_comparison(app, action),
+            (_, EFFICIENCY_MAP) => return in_map(app, action),
+            _ => return in_curve(app, action),
+        }
+        true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
@@ -87,7 +100,7 @@ impl Page for LimitTab {
         app.limit_status()
     }
 
-    fn report(&self, app: &mut App, running: &Running, news: &News) {
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if let Some(comparison) = news.found::<Comparison>() {
             app.pages.limit.comparison = Some((Arc::clone(&running.scene), comparison));
         } else if let Some(report) = news.found::<Report>() {
@@ -100,24 +113,27 @@ impl Page for LimitTab {
         if app.pane() == RESIDUAL {
             let report = app.pages.limit.report.as_ref();
             let report = Arc::clone(report.filter(|report| !report.shots.is_empty())?);
-            let (name, scene) = (app.name_of(&report.scene), Arc::clone(&report.scene));
+            let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
             let file = format!("{}-limit.csv", ask::stem(app, &scene));
-            let is_complete = report.is_complete;
-            let csv = move || limit::shots(&name, &report).csv();
-            let title = "Export the shots to CSV";
-            return Some(Table::new(title, file, Some(&scene), csv).complete(is_complete));
+            let csv = move |name: &str| limit::shots(name, &report).csv();
+            return Some(Table::of(
+                app,
+                "Export the shots to CSV",
+                file,
+                (&scene, is_complete),
+                csv,
+            ));
         }
         let (scene, found) = app.pages.limit.comparison.as_ref()?;
-        let (name, found) = (app.name_of(scene), Arc::clone(found));
         if app.pane() == COMPARISON {
-            let is_complete = found.report.is_complete;
-            let csv = move || compare::table(&name, &found.report).csv();
-            let (title, file) = ("Export the comparison to CSV", format!("{stem}-compare.csv"));
-            return Some(Table::new(title, file, Some(scene), csv).complete(is_complete));
+            let (file, of) = (format!("{stem}-compare.csv"), (scene, found.report.is_complete));
+            let found = Arc::clone(found);
+            let csv = move |name: &str| compare::table(name, &found.report).csv();
+            return Some(Table::of(app, "Export the comparison to CSV", file, of, csv));
         }
         let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
-        let csv = move || compare::map_table(&name, &map).csv();
-        Some(Table::new("Export the map to CSV", file, Some(scene), csv))
+        let csv = move |name: &str| compare::map_table(name, &map).csv();
+        Some(Table::of(app, "Export the map to CSV", file, (scene, true), csv))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -127,7 +143,7 @@ impl Page for LimitTab {
                 Some(Rows { count, selected, shown: 1 })
             }
             COMPARISON => {
-                let area = layout::panes(app, app.layout().body?).comparison?;
+                let area = panes(app, app.layout().body?).comparison?;
                 let shown = usize::from(area.height.saturating_sub(2));
                 let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2))).len();
                 let count = lines.saturating_sub(shown) + 1;
@@ -161,15 +177,153 @@ impl Page for LimitTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = layout::panes(app, body);
+        let panes = panes(app, body);
         if let Some(area) = panes.comparison {
-            comparison::draw::render(app, area, canvas);
+            comparison::render(app, area, canvas);
         }
         if let Some(area) = panes.residual {
-            draw::render(app, area, canvas);
+            state::render(app, area, canvas);
         }
         if let Some(area) = panes.map {
-            comparison::draw::map(app, area, canvas);
+            comparison::map(app, area, canvas);
         }
     }
 }
+
+/// Far along the curve, in shots, and over the map, in cells.
+const FAR: i16 = 5;
+const FAR_CELLS: i16 = 10;
+
+fn in_curve(app: &mut App, action: Action) -> bool {
+    match action {
+        Action::View => {
+            app.pages.limit.sampled = !app.pages.limit.sampled;
+            find(app);
+        }
+        Action::Down | Action::PageDown => turn(app, 1),
+        Action::Up | Action::PageUp => turn(app, -1),
+        Action::First => {
+            app.pages.limit.cursor = (!app.pages.limit.shots().is_empty()).then_some(0);
+        }
+        Action::Last => app.pages.limit.cursor = app.pages.limit.shots().len().checked_sub(1),
+        Action::LogX => app.pages.limit.log.0 = !app.pages.limit.log.0,
+        Action::LogY => app.pages.limit.log.1 = !app.pages.limit.log.1,
+        Action::Enter => load_shot(app),
+        _ => match along(action, FAR) {
+            Some(by) => app.pages.limit.move_cursor(by.into()),
+            None => return false,
+        },
+    }
+    true
+}
+
+fn load_shot(app: &mut App) {
+    if app.limit_is_old() {
+        return app.refuse("these results belong to another scene: press r to find its limit");
+    }
+    let Some(velocity_m_s) = app.pages.limit.shot().map(|shot| shot.impact_m_s) else {
+        return app.tell("no shot under the cursor: h and l move it");
+    };
+    let mut scene = (*app.scene).clone();
+    scene.projectile.velocity_m_s = velocity_m_s;
+    let text = format!("v_i = {} m/s", crate::model::units::significant(velocity_m_s, 4));
+    edit::load_design(app, Ok((scene, text)));
+}
+
+fn in_comparison(app: &mut App, action: Action) -> bool {
+    match action {
+        Action::View => {
+            app.pages.limit.absorber = wrap(app.pages.limit.absorber, 1, app.absorbers().len() + 1);
+            compare(app);
+        }
+        Action::Enter => match (app.compared_scene(), app.absorber()) {
+            (_, None) => app.tell("the scene's own spring: v takes one of the library"),
+            (Ok(scene), Some(absorber)) => {
+                let name = format!("absorber {}", absorber.name);
+                app.pages.limit.absorber = 0;
+                edit::load_scene(app, scene, &name);
+            }
+            (Err(why), _) => app.refuse(why),
+        },
+        _ => return false,
+    }
+    true
+}
+
+fn in_map(app: &mut App, action: Action) -> bool {
+    match (action, cursor_moved(action, FAR_CELLS)) {
+        (Action::Enter, _) => edit::load_design(app, app.efficiency_design()),
+        (Action::Mark, _) => runs::pin_design(app, app.efficiency_design()),
+        (_, Some(by)) => move_on_map(app, by),
+        (_, None) => return false,
+    }
+    true
+}
+
+fn move_on_map(app: &mut App, (x, y): (isize, isize)) {
+    let map = app.comparison().and_then(|found| found.map.as_ref());
+    let counts = map.map(|map| (map.x().count(), map.y().count()));
+    if let (Some((across, up)), Some(at)) = (counts, app.efficiency_cursor()) {
+        let moved = |at: usize, by: isize, count: u64| {
+            let last = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
+            at.saturating_add_signed(by).min(last)
+        };
+        app.pages.limit.map_cursor = Some((moved(at.0, x, across), moved(at.1, y, up)));
+    }
+}
+
+fn compare(app: &mut App) {
+    match app.compared_scene() {
+        Ok(scene) => jobs::study_of(app, Tab::Limit, &Arc::new(scene), EqualMass),
+        Err(why) => app.refuse(why),
+    }
+}
+
+/// Turn from the curve through the pages of words, in a circle.
+fn turn(app: &mut App, by: isize) {
+    let pages = app.limit_pages().map_or(0, |(_, pages)| pages);
+    app.pages.limit.page = wrap(app.pages.limit.page.min(pages), by, pages + 1);
+}
+
+fn find(app: &mut App) {
+    let (effort, scene) = (app.pages.limit.effort(), Arc::clone(&app.scene));
+    jobs::study_of(app, Tab::Limit, &scene, LimitSearch(effort));
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct LimitPanes {
+    /// The comparison at equal areal mass.
+    pub comparison: Option<Rect>,
+    pub residual: Option<Rect>,
+    pub map: Option<Rect>,
+}
+
+/// The comparison above the residual velocity and the map; the pane that has the keys alone where there is no room for three.
+pub(crate) fn panes(app: &App, body: Rect) -> LimitPanes {
+    let focus = app.pane();
+    let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
+    if app.is_full() || body.height < rows + 8 {
+        let of = |pane| (focus == pane).then_some(body);
+        return LimitPanes {
+            comparison: of(COMPARISON),
+            residual: of(RESIDUAL),
+            map: of(EFFICIENCY_MAP),
+        };
+    }
+    let (comparison, below) = split_bottom(body, body.height - rows);
+    if body.width < NARROW {
+        let map = focus == EFFICIENCY_MAP;
+        return LimitPanes {
+            comparison: Some(comparison),
+            residual: (!map).then_some(below),
+            map: map.then_some(below),
+        };
+    }
+    let (left, right) = split_left(below, below.width / 2);
+    LimitPanes { comparison: Some(comparison), residual: Some(left), map: Some(right) }
+}
+
+/// Rows of the comparison, frame included; of the verdict alone where the body is lower than this, so that charts can be read.
+const COMPARISON_ROWS: u16 = 10;
+const VERDICT_ROWS: u16 = 6;
+const ROOM_FOR_FIGURES: u16 = 26;

@@ -1,19 +1,17 @@
 //! The Log tab: messages of this session, and all about the run on the screen.
 
-pub(in crate::tui) mod draw;
-pub mod state;
+use crate::model::run::{EnergyLedger, Run, envelope};
+use crate::report::figures::run::event_letter;
+use crate::report::run::{EnergyTerm, energy_terms, estimate_words};
+use crate::tui::app::notice::Notice;
+use crate::tui::app::status::wrap;
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
+use crate::tui::pages::run::runs::engineering;
+use crate::tui::pages::{About, Page, Rows, StatusPart};
+use crate::tui::prelude::*;
+use crate::tui::theme;
+use crate::tui::widgets::text::text_role;
 
-use ratatui::layout::Rect;
-
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab};
-use crate::tui::widgets::Canvas;
-
-/// The log.
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
 #[rustfmt::skip]
@@ -29,16 +27,15 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct LogTab;
+pub(crate) struct LogTab;
 
 impl Page for LogTab {
     fn about(&self) -> &'static About {
         &About { name: "Log", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
-    fn act(&self, _app: &mut App, _action: Action) -> Option<Vec<Effect>> {
-        None
+    fn act(&self, _app: &mut App, _action: Action) -> bool {
+        false
     }
 
     fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
@@ -64,6 +61,198 @@ impl Page for LogTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        draw::render(app, body, canvas);
+        render(app, body, canvas);
+    }
+}
+
+/// Messages that stand before what is said of the run.
+const NEWEST: usize = 5;
+
+pub type LogLine = (Role, String);
+
+impl App {
+    /// Keep a line of the program's own log; it does not show in the message row.
+    pub fn note(&mut self, level: log::Level, text: String) {
+        let severity = match level {
+            log::Level::Error => Severity::Error,
+            log::Level::Warn => Severity::Warning,
+            log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
+        };
+        self.keep(Notice { severity, text });
+    }
+
+    /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
+    pub fn log_lines(&self, columns: usize) -> Vec<LogLine> {
+        // Two borders, and three columns of indent with one of air.
+        let room = columns.saturating_sub(6).max(10);
+        let wanted = self.find.log.trim().to_lowercase();
+        let matches = |line: &LogLine| line.1.to_lowercase().contains(&wanted);
+        let mut lines = self.whole_lines();
+        lines.retain(|line| wanted.is_empty() || matches(line));
+        let lines = lines.into_iter();
+        lines
+            .flat_map(|(role, text)| {
+                let fits = theme::columns(&text) <= room;
+                let parts = if fits { vec![text] } else { wrap(&text, room) };
+                parts.into_iter().map(move |text| (role, text))
+            })
+            .collect()
+    }
+
+    fn whole_lines(&self) -> Vec<LogLine> {
+        let mut lines = Vec::new();
+        heading(&mut lines, "Messages of this session, newest first");
+        if self.log.is_empty() {
+            push(&mut lines, Role::Dim, "none".to_owned());
+        }
+        let (newest, older): (Vec<_>, Vec<_>) =
+            self.log.iter().rev().enumerate().partition(|(at, _)| *at < NEWEST);
+        let message = |lines: &mut Vec<LogLine>, notice: &Notice| {
+            push(
+                lines,
+                text_role(notice.severity),
+                format!("{:<8} {}", notice.severity.word(), notice.text),
+            );
+        };
+        for (_, notice) in newest {
+            message(&mut lines, notice);
+        }
+        if let Some(shown) = &self.shown {
+            let which = if self.is_stale() { " (of another scene: press r)" } else { "" };
+            warnings(&mut lines, &shown.run, which);
+            stack(&mut lines, &shown.run);
+            events(&mut lines, &shown.run);
+            energy(&mut lines, &shown.run.ledger);
+            cost(&mut lines, &shown.run);
+        } else {
+            heading(&mut lines, "Run");
+            push(&mut lines, Role::Dim, "no run yet".to_owned());
+        }
+        if !older.is_empty() {
+            heading(&mut lines, "Older messages");
+        }
+        for (_, notice) in older {
+            message(&mut lines, notice);
+        }
+        lines
+    }
+}
+
+fn push(lines: &mut Vec<LogLine>, role: Role, text: String) {
+    lines.push((role, text));
+}
+
+fn heading(lines: &mut Vec<LogLine>, text: &str) {
+    if !lines.is_empty() {
+        push(lines, Role::Text, String::new());
+    }
+    push(lines, Role::Title, text.to_owned());
+}
+
+fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
+    heading(lines, &format!("Warnings of the run{which}"));
+    let warnings = envelope::warnings(run);
+    if warnings.is_empty() {
+        push(lines, Role::Dim, "none".to_owned());
+    }
+    for warning in warnings {
+        push(lines, Role::Warning, format!("! {warning}"));
+    }
+}
+
+fn stack(lines: &mut Vec<LogLine>, run: &Run) {
+    if let Some(stack) = &run.stack {
+        heading(lines, "Stack: plate by plate");
+        let table = crate::study::stack::table(run, stack).into_iter();
+        lines.extend(table.map(|line| (Role::Text, line)));
+    }
+}
+
+fn events(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Events");
+    if run.events.is_empty() {
+        push(lines, Role::Dim, "none".to_owned());
+    }
+    lines.extend(event_lines(run).into_iter().map(|line| (Role::Text, line)));
+}
+
+pub fn event_lines(run: &Run) -> Vec<String> {
+    run.events
+        .iter()
+        .enumerate()
+        .map(|(index, event)| {
+            let (tag, time) = (event_letter(index), engineering(event.t_s, "s"));
+            format!("{tag:<2}{time:>10}  {}", event.kind.words())
+        })
+        .collect()
+}
+
+fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
+    heading(lines, "Energy: where it was at the start, and where it went");
+    lines.extend(energy_lines(ledger).into_iter().map(|line| (Role::Text, line)));
+}
+
+/// The energy ledger, one term a line, with its share of the energy at the start.
+pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
+    let line = |term: &EnergyTerm| {
+        let percent = crate::model::units::decimals(term.percent, 1);
+        format!("{:<13}{:>10}  {percent:>5} %", term.label, engineering(term.energy_j, "J"))
+    };
+    let (start, end) = energy_terms(ledger);
+    let residual = match ledger.residual() {
+        0.0 => "0".to_owned(),
+        other => crate::model::units::scientific(other, 1),
+    };
+    let start_j = ledger.initial_j();
+    let total = |label, energy_j| line(&EnergyTerm::of(label, energy_j, start_j));
+    let mut lines = vec![total("at the start", start_j)];
+    // One term alone is the whole.
+    lines.extend(start.iter().filter(|_| start.len() > 1).map(line));
+    lines.push(total("at the end", ledger.final_j()));
+    lines.extend(end.iter().map(line));
+    lines.push(format!("{:<13}{residual:>10}  of the start", "residual"));
+    lines
+}
+
+fn cost(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Computation");
+    let estimate = estimate_words(run, "").unwrap_or_else(|| "not estimated".to_owned());
+    let omitted =
+        if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
+    let cost = &run.cost;
+    for (name, text) in [
+        ("method", format!("{}: {}", cost.method, cost.reason)),
+        (
+            "steps",
+            format!(
+                "{} accepted, {} rejected, {} evaluations",
+                cost.steps, cost.rejected, cost.rhs_evaluations
+            ),
+        ),
+        ("end", run.end.words().to_owned()),
+        ("error", estimate),
+        ("omitted", omitted),
+    ] {
+        push(lines, Role::Text, format!("{name:<13}{text}"));
+    }
+}
+
+pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let lines = app.log_lines(usize::from(area.width));
+    let height = usize::from(area.height.saturating_sub(2));
+    let first = app.log_scroll.min(lines.len().saturating_sub(height));
+    let end = (first + height).min(lines.len());
+    let counter = if lines.len() > height {
+        format!("{}-{}/{}", first + 1, end, lines.len())
+    } else {
+        String::new()
+    };
+    let pane = PaneFrame::new("Log of this run and this session")
+        .right(counter)
+        .focused(app.dialog.is_none());
+    let inner = pane.draw(area, canvas);
+    for (row, (role, text)) in inner.rows().zip(lines.iter().skip(first)) {
+        let column = if *role == Role::Title { 1 } else { 3 };
+        canvas.put(row, (column, 0), text, *role);
     }
 }

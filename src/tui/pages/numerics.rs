@@ -5,34 +5,25 @@ pub mod stability;
 
 use std::sync::Arc;
 
-use ratatui::layout::Rect;
-
-use crate::report::accuracy as accuracy_table;
-use crate::report::stability as stability_table;
+use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
 use crate::study::stability::map::Map;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
-use crate::tui::app::notice::Severity;
+use crate::tui::app::jobs::Running;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Table, note};
+use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
+use crate::worker::ReportBody;
 use crate::worker::study::RowsSoFar;
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
-/// The map of stability.
 pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
-/// The stiff and extreme scenes.
 pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
 
-/// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Numerics {
     /// Error against run time.
@@ -73,8 +64,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(ACCURACY, A::SpreadBars), "Toggle bars of the timings", "spread"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct NumericsTab;
+pub(crate) struct NumericsTab;
 
 impl Page for NumericsTab {
     fn about(&self) -> &'static About {
@@ -94,26 +84,26 @@ impl Page for NumericsTab {
         usize::from(app.pane() != ACCURACY)
     }
 
-    fn turn_to(&self, app: &mut App, page: usize) -> Vec<Effect> {
+    fn turn_to(&self, app: &mut App, page: usize) {
         app.focus_on(if page == 0 { ACCURACY } else { STABILITY });
-        self.enter(app)
+        self.enter(app);
     }
 
-    fn enter(&self, app: &mut App) -> Vec<Effect> {
+    fn enter(&self, app: &mut App) {
         match app.pane() {
-            ACCURACY => accuracy::keys::enter(app),
-            _ => stability::keys::enter(app),
+            ACCURACY => accuracy::enter(app),
+            _ => stability::enter(app),
         }
     }
 
-    fn focused(&self, app: &mut App) -> Vec<Effect> {
-        self.enter(app)
+    fn focused(&self, app: &mut App) {
+        self.enter(app);
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    fn act(&self, app: &mut App, action: Action) -> bool {
         match app.pane() {
-            ACCURACY => accuracy::keys::act(app, action),
-            _ => stability::keys::act(app, action),
+            ACCURACY => accuracy::act(app, action),
+            _ => stability::act(app, action),
         }
     }
 
@@ -132,9 +122,9 @@ impl Page for NumericsTab {
         }
     }
 
-    fn report(&self, app: &mut App, running: &Running, news: &News) {
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         if let Some(report) = news.found::<Report>() {
-            accuracy::keys::report(app, running, report, matches!(news, News::Ended(..)));
+            accuracy::report(app, running, report, matches!(news, ReportBody::Ended { .. }));
         } else if let Some(map) = news.found::<Map>() {
             app.pages.numerics.stability.show_map(Arc::clone(&running.scene), map);
         } else if let Some(rows) = news.found::<RowsSoFar<Row>>() {
@@ -146,29 +136,26 @@ impl Page for NumericsTab {
         Some(match app.pane() {
             ACCURACY => {
                 let report = Arc::clone(app.pages.numerics.accuracy.report.as_ref()?);
-                let (name, scene) = (app.name_of(&report.scene), Arc::clone(&report.scene));
+                let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
                 let file = format!("{}-accuracy.csv", ask::stem(app, &scene));
-                let is_complete = report.is_complete;
-                let named = (name, (*report).clone());
-                let csv = move || accuracy_table::table(std::slice::from_ref(&named)).csv();
-                let title = "Export the measurements to CSV";
-                Table::new(title, file, Some(&scene), csv).complete(is_complete)
+                let csv = move |name: &str| {
+                    accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
+                };
+                Table::of(app, "Export the measurements to CSV", file, (&scene, is_complete), csv)
             }
             STIFF_SCENES => {
                 let battery = app.pages.numerics.stability.battery.as_ref();
                 let battery = Arc::clone(battery.filter(|battery| !battery.rows.is_empty())?);
                 let is_complete = battery.is_complete;
                 let csv = move || stability_table::table(&battery.rows).csv();
-                let title = "Export the stiff scenes to CSV";
-                Table::new(title, "battery.csv", None, csv).complete(is_complete)
+                Table::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
                 let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
-                let (name, map) = (app.name_of(scene), Arc::clone(map));
-                let file = format!("{}-map.csv", ask::stem(app, scene));
-                let is_complete = map.is_complete();
-                let csv = move || stability_table::map_table(&name, &map).csv();
-                Table::new("Export the map to CSV", file, Some(scene), csv).complete(is_complete)
+                let (file, map) = (format!("{}-map.csv", ask::stem(app, scene)), Arc::clone(map));
+                let of = (scene, map.is_complete());
+                let csv = move |name: &str| stability_table::map_table(name, &map).csv();
+                Table::of(app, "Export the map to CSV", file, of, csv)
             }
         })
     }
@@ -176,15 +163,12 @@ impl Page for NumericsTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             ACCURACY => {
-                let (count, selected) =
-                    (Method::ALL.len(), app.pages.numerics.accuracy.selected_row());
-                Some(Rows { count, selected, shown: 8 })
+                let selected = app.pages.numerics.accuracy.selected_row();
+                Some(Rows { count: Method::ALL.len(), selected, shown: 8 })
             }
             STIFF_SCENES => {
-                let (count, selected) = (
-                    app.pages.numerics.stability.rows().len(),
-                    app.pages.numerics.stability.selected,
-                );
+                let tab = &app.pages.numerics.stability;
+                let (count, selected) = (tab.rows().len(), tab.selected);
                 Some(Rows { count, selected, shown: app.list_rows() })
             }
             _ => None,
@@ -233,8 +217,8 @@ impl Page for NumericsTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         match app.pane() {
             ACCURACY => accuracy::draw::render(app, body, canvas),
-            STABILITY => stability::draw::map(app, body, canvas),
-            _ => stability::draw::battery(app, body, canvas),
+            STABILITY => stability::draw_map(app, body, canvas),
+            _ => stability::draw_battery(app, body, canvas),
         }
     }
 }

@@ -2,31 +2,23 @@
 
 pub mod charts;
 pub mod editor;
-pub(in crate::tui) mod keys;
-pub(in crate::tui) mod layout;
-pub(in crate::tui) mod mechanism;
+pub(crate) mod mechanism;
 pub mod runs;
-pub(in crate::tui) mod side;
 pub mod steps;
 pub mod summary;
 
-use ratatui::layout::Rect;
-
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, note};
-use crate::tui::update::edit;
+use crate::model::variables::Kind;
+use crate::tui::app::layout::{ROOMY, WIDE, split_bottom, split_left};
+use crate::tui::dialogs::List;
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::run::steps::{Press, Size};
+use crate::tui::pages::{self, About, Page, Rows, StatusPart, note};
+use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
+use crate::tui::update::{self, edit, jobs};
 
-/// The list of variables.
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
-/// The charts.
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
-/// The table of runs.
 pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 
 #[rustfmt::skip]
@@ -75,16 +67,34 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::In(CHARTS, A::ZoomFit), "Show everything", "fit zoom"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct RunTab;
+pub(crate) struct RunTab;
 
 impl Page for RunTab {
     fn about(&self) -> &'static About {
         &About { name: "Run", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
-        keys::act(app, action)
+    fn act(&self, app: &mut App, action: Action) -> bool {
+        match (action, app.pane()) {
+            (Action::Run, _) => jobs::run_now(app),
+            (_, CHARTS) | (Action::Difference, RUNS) => return charts::act(app, action),
+            (Action::Mark, RUNS) if app.selected_run > 0 => runs::unpin(app),
+            (Action::Mark, _) => runs::pin_scene(app),
+            (Action::Enter, RUNS) => runs::load(app),
+            (Action::ShowHide, RUNS) => runs::show_or_hide(app),
+            (Action::Sort, RUNS) => {
+                let sorted = app.runs_sorted.next(&app.compared_runs().keys());
+                app.runs_sorted = sorted;
+            }
+            (Action::Enter, VARIABLES) => open(app),
+            (Action::Reset, VARIABLES) => edit::reset(app),
+            (_, VARIABLES) => match step_of(action) {
+                Some(press) => edit::step(app, press),
+                None => return false,
+            },
+            _ => return false,
+        }
+        true
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
@@ -104,7 +114,7 @@ impl Page for RunTab {
             VARIABLES => {
                 let listed = app.editor.listed(&app.scene);
                 let selected = listed.iter().position(|index| *index == app.editor.selected);
-                let shown = layout::variable_rows(app);
+                let shown = variable_rows(app);
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
@@ -152,7 +162,7 @@ impl Page for RunTab {
         app.editor.variable().show(&app.scene)
     }
 
-    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
+    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<(), String> {
         edit::type_value(app, app.editor.selected, text)
     }
 
@@ -166,22 +176,166 @@ impl Page for RunTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = layout::panes(app, body);
+        let panes = panes(app, body);
         if let Some(area) = panes.variables {
-            editor::draw::render(app, area, app.has_focus(VARIABLES), canvas);
+            editor::render(app, area, app.has_focus(VARIABLES), canvas);
         }
         charts::draw::render(app, &panes.charts, app.has_focus(CHARTS), canvas);
         if let Some(area) = panes.runs {
-            runs::draw::render(app, area, app.has_focus(RUNS), canvas);
+            runs::render(app, area, app.has_focus(RUNS), canvas);
         }
         if let Some(area) = panes.events {
-            side::events(app, area, canvas);
+            mechanism::events(app, area, canvas);
         }
         if let Some(area) = panes.mechanism {
             mechanism::render(app, area, canvas);
         }
         if let Some(area) = panes.ledger {
-            side::ledger(app, area, canvas);
+            mechanism::ledger(app, area, canvas);
         }
     }
+}
+
+/// Words from which on a list is clearer than going to the next one.
+const WORDS_LISTED: usize = 3;
+
+/// Up or down, and by how much, an action steps a value.
+pub(crate) fn step_of(action: Action) -> Option<Press> {
+    let press = |up, size| Some(Press { up, size });
+    match action {
+        Action::Left => press(false, Size::Plain),
+        Action::Right => press(true, Size::Plain),
+        Action::FarLeft => press(false, Size::Coarse),
+        Action::FarRight => press(true, Size::Coarse),
+        Action::FineLess => press(false, Size::Fine),
+        Action::FineMore => press(true, Size::Fine),
+        _ => None,
+    }
+}
+
+/// Open the selected variable's field, or the list of its words; of two words, the other one is taken.
+pub(crate) fn open(app: &mut App) {
+    match &app.editor.variable().kind {
+        Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
+            app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
+        }
+        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, Press::NEXT),
+        Kind::Number(_) => {
+            let row = pages::of(Tab::Run).rows(app).map_or(0, |rows| rows.selected);
+            update::open_field(app, row);
+        }
+    }
+}
+
+/// From this width on: events and energy beside the charts.
+const WIDEST: u16 = 160;
+/// From this height on: the table of runs is always there.
+const TALL: u16 = 34;
+
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Panes {
+    pub variables: Option<Rect>,
+    /// One chart (the selected one) or all three, from top to bottom.
+    pub charts: Vec<Rect>,
+    pub runs: Option<Rect>,
+    pub events: Option<Rect>,
+    pub ledger: Option<Rect>,
+    pub mechanism: Option<Rect>,
+}
+
+pub(crate) fn panes(app: &App, body: Rect) -> Panes {
+    let (focus, pins) = (app.pane(), app.pins.len());
+    if app.is_full() {
+        full(body, focus)
+    } else if body.width < WIDE {
+        narrow(body, app.size.1, focus, pins)
+    } else {
+        wide(body, app.size.1, focus, pins)
+    }
+}
+
+pub(crate) fn variable_rows(app: &App) -> usize {
+    let variables = app.layout().body.and_then(|body| panes(app, body).variables);
+    variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
+}
+
+fn full(body: Rect, focus: Pane) -> Panes {
+    match focus {
+        CHARTS => Panes { charts: stacked(body), ..Panes::default() },
+        RUNS => Panes { runs: Some(body), ..Panes::default() },
+        _ => Panes { variables: Some(body), ..Panes::default() },
+    }
+}
+
+fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
+    let (left, right) = split_left(body, 31);
+    let mut panes = Panes { variables: Some(left), ..Panes::default() };
+    if height >= TALL {
+        let (top, bottom) = split_bottom(right, runs_height(pins));
+        panes.runs = Some(bottom);
+        panes.charts = if top.height >= 36 { stacked(top) } else { vec![top] };
+    } else if focus == RUNS {
+        panes.runs = Some(right);
+    } else {
+        panes.charts = vec![right];
+    }
+    panes
+}
+
+fn wide(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
+    let (left, mut right) = split_left(body, if body.width >= ROOMY { 52 } else { 48 });
+    let mut panes = Panes::default();
+    if height >= TALL || focus == RUNS {
+        let wanted = runs_height(pins).min(body.height / 2);
+        let (top, bottom) = split_bottom(left, wanted);
+        panes.variables = Some(top);
+        panes.runs = Some(bottom);
+    } else {
+        panes.variables = Some(left);
+    }
+    if body.width >= WIDEST {
+        let (middle, column) = split_left(right, right.width - 42);
+        right = middle;
+        let (events, ledger) = split_bottom(column, 14.min(column.height / 2));
+        panes.events = Some(events);
+        panes.ledger = Some(ledger);
+    }
+    if right.height >= DRAWN {
+        let (charts, drawing) = split_bottom(right, DRAWING_ROWS);
+        right = charts;
+        panes.mechanism = Some(drawing);
+    }
+    panes.charts = stacked(right);
+    panes
+}
+
+/// Rows of the drawing of the mechanism, frame included, and from what height on it stands below the charts.
+const DRAWING_ROWS: u16 = 5;
+const DRAWN: u16 = 19;
+
+/// Header, the current run, the pins, and what differs from the first pin.
+fn runs_height(pins: usize) -> u16 {
+    let rows = u16::try_from(pins.min(8)).unwrap_or(8);
+    if rows == 0 { 6 } else { 7 + rows }
+}
+
+/// As many of the three charts as can be read: six rows each, and two more for the common axis.
+fn stacked(area: Rect) -> Vec<Rect> {
+    let count = match area.height {
+        0..=13 => 1,
+        14..=19 => 2,
+        _ => 3,
+    };
+    // Short charts share the time axis of the lowest, which needs two rows more for it.
+    let extra = if count > 1 && area.height / count < 11 { 2 } else { 0 };
+    let each = (area.height - extra) / count;
+    let mut areas = Vec::new();
+    let mut y = area.y;
+    for index in 0..count {
+        let rest = area.y + area.height - y;
+        let height = if index + 1 == count { rest } else { each };
+        areas.push(Rect { y, height, ..area });
+        y += height;
+    }
+    areas
 }

@@ -1,35 +1,39 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
-pub mod bounds;
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
-pub mod lines;
-pub mod request;
+pub(crate) mod draw;
 pub mod setup;
 pub mod state;
 
 use std::sync::Arc;
 
-use ratatui::layout::Rect;
-
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
+use crate::model::scene::SweepAxis;
+use crate::study::quantities::named;
+use crate::study::search::seek::SCAN;
+use crate::study::sweep::Axis;
+use crate::tui::app::find::quantity_called;
+use crate::tui::app::history::{Change, Setting};
+use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::{NARROW, setup_width, split_left};
-use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
+use crate::tui::dialogs::wrap;
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::pages::search::setup::{Setup, read_bound};
+use crate::tui::pages::search::state::{Request, Row};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Table};
+use crate::tui::prelude::*;
+use crate::tui::update::act::{along, move_by};
 use crate::tui::update::zoom::Across;
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::form::Form;
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::axis::whole;
+use crate::tui::widgets::form::{Form, quantity_beside};
+use crate::worker::ReportBody;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
 
 /// Where setup and findings stand; where there is no room for both, the one that has the keys has more of it, or all.
-pub(in crate::tui) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
+pub(crate) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     let width = match (app.is_full(), app.pane()) {
         (false, SETUP) if body.width < NARROW => SEARCH_SETUP,
         (false, _) if body.width < NARROW => 0,
@@ -39,9 +43,7 @@ pub(in crate::tui) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     };
     split_left(body, width)
 }
-/// What is looked for.
 pub const SETUP: Pane = Pane::of(Tab::Search, 0);
-/// What was found.
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
 #[rustfmt::skip]
@@ -71,54 +73,87 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(RESULTS, Some(3)), "Monte Carlo", "uncertainty scatter spread distribution histogram"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct SearchTab;
+pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
     fn about(&self) -> &'static About {
-        &About {
-            name: "Search",
-            pages: &["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"],
-            panes: PANES,
-            commands: COMMANDS,
-        }
+        &About { name: "Search", pages: &state::Page::TITLES, panes: PANES, commands: COMMANDS }
     }
 
     fn shown(&self, app: &App) -> usize {
-        app.pages.search.page.index()
+        app.pages.search.page as usize
     }
 
-    fn turn_to(&self, app: &mut App, page: usize) -> Vec<Effect> {
-        keys::turn_to(app, page)
+    fn turn_to(&self, app: &mut App, page: usize) {
+        app.pages.search.page = state::Page::ALL[page.min(state::Page::ALL.len() - 1)];
+        app.pages.search.problem = None;
+        app.field = None;
+        app.pages.search.row = app.search_row();
+        if app.pages.search.shown().is_none() {
+            look(app);
+        }
     }
 
-    fn enter(&self, app: &mut App) -> Vec<Effect> {
-        keys::enter(app)
+    fn enter(&self, app: &mut App) {
+        let tab = &app.pages.search;
+        let there = tab.shown().is_some() || app.jobs.running::<Request>().is_some();
+        if !there {
+            look(app);
+        }
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
-        keys::act(app, action)
+    fn act(&self, app: &mut App, action: Action) -> bool {
+        match action {
+            Action::Run => look(app),
+            Action::Export | Action::Copy => return false,
+            _ if app.pane() == SETUP => return false,
+            Action::Enter => edit::load_design(app, app.search_design()),
+            Action::Mark => runs::pin_design(app, app.search_design()),
+            Action::View => view(app),
+            Action::Sort => app.pages.search.sort_next(),
+            Action::LogX if app.pages.search.page != state::Page::Front => {
+                app.tell("only the chart of the Pareto front has a scale across to choose");
+            }
+            Action::LogY
+                if !matches!(app.pages.search.page, state::Page::Front | state::Page::Seek) =>
+            {
+                app.tell("no scale to choose here: goal seek and the Pareto front have one");
+            }
+            Action::LogX => app.pages.search.log.0 = !app.pages.search.log.0,
+            Action::LogY => app.pages.search.log.1 = !app.pages.search.log.1,
+            _ => match along(action, FAR) {
+                Some(by) => move_by(app, by.into()),
+                None => return false,
+            },
+        }
+        true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        note(app.search_readout())
+        crate::tui::pages::note(app.search_readout())
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         app.search_status()
     }
 
-    fn report(&self, app: &mut App, running: &Running, news: &News) {
-        keys::report(app, running, news);
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        if matches!(news, ReportBody::Failed(_)) {
+            app.pages.search.problem = app.notice.as_ref().map(|notice| notice.text.clone());
+        }
+        if let (Some(request), Some(answer)) = (running.study.of::<Request>(), news.found()) {
+            let (scene, request) = (Arc::clone(&running.scene), request.clone());
+            let page = request.page() as usize;
+            app.pages.search.found[page] = Some(state::Found { scene, request, answer });
+        }
     }
 
     fn table(&self, app: &App) -> Option<Table> {
         let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
-        let (name, scene) = (app.name_of(&found.scene), Arc::clone(&found.scene));
-        let is_complete = found.is_complete();
-        let csv = move || found.csv(&name);
-        let title = "Export the results to CSV";
-        Some(Table::new(title, file, Some(&scene), csv).complete(is_complete))
+        let (scene, is_complete) = (Arc::clone(&found.scene), found.is_complete());
+        let csv = move |name: &str| found.csv(name);
+        let file = file.to_owned();
+        Some(Table::of(app, "Export the results to CSV", file, (&scene, is_complete), csv))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -133,8 +168,13 @@ impl Page for SearchTab {
         (app.pane() == SETUP).then(|| app.search_form())
     }
 
-    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<Vec<Effect>, String> {
-        keys::step(app, app.search_choices()[row], press)
+    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
+        let row = app.search_choices()[row];
+        let before = app.pages.search.setup.clone();
+        change(app, row, press)?;
+        note(app, row, before, true);
+        after_edit(app);
+        Ok(())
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -143,7 +183,7 @@ impl Page for SearchTab {
             return Some(form.rows(shown));
         }
         let (count, selected) = match tab.choices() {
-            0 => (keys::hidden_lines(app) + 1, tab.scrolled()),
+            0 => (hidden_lines(app) + 1, tab.scrolled()),
             choices => (choices, tab.selected()),
         };
         Some(Rows { count, selected, shown })
@@ -160,8 +200,13 @@ impl Page for SearchTab {
         None
     }
 
-    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<Vec<Effect>, String> {
-        keys::take(app, app.search_choices()[row], text)
+    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
+        let row = app.search_choices()[row];
+        let before = app.pages.search.setup.clone();
+        read(app, row, text)?;
+        note(app, row, before, false);
+        after_edit(app);
+        Ok(())
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
@@ -176,4 +221,190 @@ impl Page for SearchTab {
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         draw::render(app, panes(app, body), canvas);
     }
+}
+
+/// Far along a front, in designs.
+const FAR: i16 = 10;
+/// Steps in a row of the setup that belong to one edit carry this, the page and the row in place of a variable.
+const STEPPING: usize = usize::MAX / 2;
+/// Steps of numbers that are not typed.
+const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
+const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
+const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
+
+/// The next pair of objectives on the axes of a front.
+fn view(app: &mut App) {
+    if app.pages.search.page != state::Page::Front {
+        return app.tell("one view here: only the Pareto front has axes to choose");
+    }
+    let count = app.chosen_objectives().len();
+    let before = app.pages.search.setup.clone();
+    let setup = &mut app.pages.search.setup;
+    let (across, up) = setup.axes;
+    setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
+    if setup.axes.1 >= count {
+        setup.axes = (0, 1.min(count.saturating_sub(1)));
+    }
+    app.pages.search.zoomed = None;
+    note(app, Row::Up, before, false);
+}
+
+/// Lines of the words that have no room; none where the chart stands alone.
+pub(crate) fn hidden_lines(app: &App) -> usize {
+    let Some(body) = app.layout().body else { return 0 };
+    let (_, area) = panes(app, body);
+    let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
+    match app.pages.search.words_height(area.height, lines) {
+        0 => 0,
+        below => lines.saturating_sub(usize::from(below.saturating_sub(2))),
+    }
+}
+
+fn look(app: &mut App) {
+    let page = app.pages.search.page;
+    let request = match app.search_request(page) {
+        Ok(request) => request,
+        Err(problem) => {
+            app.refuse(problem.clone());
+            app.pages.search.problem = Some(problem);
+            return;
+        }
+    };
+    app.pages.search.problem = None;
+    jobs::study(app, Tab::Search, request);
+}
+
+/// After an edit of the setup: a search that takes less than a second follows at once.
+fn after_edit(app: &mut App) {
+    let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
+    if quick && app.search_is_old() {
+        look(app);
+    }
+}
+
+/// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
+fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
+    if app.pages.search.setup == before {
+        return;
+    }
+    let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
+    let stepping = stepped.then_some(STEPPING + 100 * app.pages.search.page as usize + at);
+    // Held arrows: from where they began.
+    let first = match app.history.extended(stepping) {
+        Some(Change::Setting(Setting::Search(first), _)) => Setup::clone(first),
+        _ => before.clone(),
+    };
+    let after = std::mem::replace(&mut app.pages.search.setup, first);
+    let old = app.search_line(row, &app.search_bounds());
+    app.pages.search.setup = after.clone();
+    let new = app.search_line(row, &app.search_bounds());
+    let label = if new.value.is_empty() {
+        // A result stands in the place of its label.
+        format!("search: {} -> {}", old.label, new.label)
+    } else {
+        format!("search: {} {} -> {}", new.label, old.value, new.value)
+    };
+    let setting = (Setting::Search(Box::new(before)), Setting::Search(Box::new(after)));
+    edit::note_setting(app, setting, label, stepping);
+}
+
+fn change(app: &mut App, row: Row, press: Press) -> Result<(), String> {
+    let bounds = app.search_bounds();
+    let objectives = app.chosen_objectives().len().max(1);
+    let setup = &mut app.pages.search.setup;
+    let (up, by) = (press.up, press.by());
+    let within = |value: usize, (least, most, each): (usize, usize, usize)| {
+        let moved = if up { value + each } else { value.saturating_sub(each) };
+        moved.clamp(least, most)
+    };
+    let objective = |at: usize| wrap(at.min(objectives - 1), by, objectives);
+    match row {
+        Row::Axis(part) => {
+            let mut axis = setup.seek.clone();
+            part.step(&mut axis, &app.scene, press)?;
+            setup.seek = checked(axis)?;
+        }
+        Row::Result => setup.goal.0 = quantity_beside(setup.goal.0, by),
+        Row::Output => setup.output = quantity_beside(setup.output, by),
+        Row::Bound(at) => {
+            setup.bounds = bounds;
+            if let Some(bound) = setup.bounds.get_mut(at) {
+                bound.on = !bound.on;
+            }
+        }
+        Row::Objective(at) => setup.objectives[at] = !setup.objectives[at],
+        Row::Stroke => setup.stroke_m = up.then(|| setup.stroke_m.unwrap_or(1.0)),
+        Row::Feasible => setup.feasible = !setup.feasible,
+        Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
+        Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
+        Row::Across => setup.axes.0 = objective(setup.axes.0),
+        Row::Up => setup.axes.1 = objective(setup.axes.1),
+        Row::Percent => {
+            setup.percent = (setup.percent + if up { 0.5 } else { -0.5 }).clamp(0.5, 50.0);
+        }
+        Row::Samples => {
+            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
+            setup.samples = SAMPLES[at.saturating_add_signed(by).min(SAMPLES.len() - 1)];
+        }
+        Row::Goal => app.tell("Enter types a value here"),
+        Row::Heading(_) => {}
+    }
+    Ok(())
+}
+
+/// The axis of a scan, where there can be one.
+fn checked(axis: SweepAxis) -> Result<SweepAxis, String> {
+    Axis::of(&axis, &SCAN).map(|_| axis).map_err(|error| error.to_string())
+}
+
+fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
+    let scene = Arc::clone(&app.scene);
+    let bounds = app.search_bounds();
+    let setup = &mut app.pages.search.setup;
+    let name = |text: &str| quantity_called(text).map(|column| column.name);
+    match row {
+        Row::Axis(part) => {
+            let mut axis = setup.seek.clone();
+            part.read(&mut axis, &scene, text, &SCAN)?;
+            setup.seek = checked(axis)?;
+        }
+        Row::Result => setup.goal.0 = name(text)?,
+        Row::Goal => {
+            let column = named(setup.goal.0).map_err(|error| error.to_string())?;
+            setup.goal.1 = column.parse(text)?;
+        }
+        Row::Bound(at) => {
+            let old = bounds.get(at).ok_or("this variable is not there any more")?;
+            let new = read_bound(old, text)?;
+            setup.bounds.clone_from(&bounds);
+            setup.bounds[at] = new;
+        }
+        Row::Stroke if text == "none" => setup.stroke_m = None,
+        Row::Stroke => {
+            let column = named("stroke_m").map_err(|error| error.to_string())?;
+            let value = column.parse(text)?;
+            if value <= 0.0 {
+                return Err(format!("`{text}` must be greater than 0, or none"));
+            }
+            setup.stroke_m = Some(value);
+        }
+        Row::Population => {
+            let value = whole(text, &(8..=2000))?;
+            if value % 2 == 1 {
+                return Err(format!("`{text}` must be even"));
+            }
+            setup.effort.0 = value;
+        }
+        Row::Generations => setup.effort.1 = whole(text, &(1..=100_000))?,
+        Row::Output => setup.output = name(text)?,
+        Row::Percent => {
+            let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
+            setup.percent = value
+                .filter(|value| *value > 0.0 && *value <= 100.0)
+                .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
+        }
+        Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
+        Row::Heading(_) | Row::Objective(_) | Row::Feasible | Row::Across | Row::Up => {}
+    }
+    Ok(())
 }

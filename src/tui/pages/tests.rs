@@ -8,7 +8,7 @@ use super::explore::plan::PictureSweep;
 use super::explore::state::Picture;
 use super::limit::state::LimitSearch;
 use super::numerics::accuracy::Measurements;
-use super::search::request::{Answer, Request};
+use super::search::state::{Answer, Request};
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
 use crate::study::limit::monte_carlo::{ModelError, Sampling};

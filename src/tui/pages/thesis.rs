@@ -1,29 +1,34 @@
 //! The Thesis tab: its claims, its principles, its screening matrix.
 
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
-pub mod state;
+pub(crate) mod draw;
 
-use ratatui::layout::Rect;
+use std::error::Error;
+use std::sync::Arc;
 
+use crate::model::scene::Scene;
+use crate::model::units::significant;
 use crate::report::thesis;
+use crate::study::context::Context;
 use crate::study::principles;
-use crate::study::screening::CRITERIA;
-use crate::study::thesis::Row;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{News, Running};
-use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Action as A;
-use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
-use crate::tui::message::Effect;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
-use crate::tui::widgets::Canvas;
+use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
+use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
+use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::history::{Change, Setting};
+use crate::tui::app::jobs::Running;
+use crate::tui::app::{Base, Origin};
+use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::pages::explore::state::{Picture, Spread};
+use crate::tui::pages::run::{self, step_of};
+use crate::tui::pages::{
+    self, About, Page, Progress, Rows, StatusPart, Table, explore, note, progress,
+};
+use crate::tui::prelude::*;
+use crate::tui::update::{edit, jobs};
+use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
+use crate::worker::{Finding, ReportBody};
 
-/// The claims of the thesis.
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
-/// Its design principles.
 pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
-/// Its screening matrix.
 pub const SCREENING: Pane = Pane::of(Tab::Thesis, 2);
 
 #[rustfmt::skip]
@@ -56,8 +61,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(SCREENING, None), "Screening", "matrix weights criteria concepts"),
 ];
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct ThesisTab;
+pub(crate) struct ThesisTab;
 
 impl Page for ThesisTab {
     fn about(&self) -> &'static About {
@@ -77,17 +81,44 @@ impl Page for ThesisTab {
         PANES.iter().position(|spec| spec.pane == app.pane()).unwrap_or(0)
     }
 
-    fn turn_to(&self, app: &mut App, page: usize) -> Vec<Effect> {
+    fn turn_to(&self, app: &mut App, page: usize) {
         app.focus_on(PANES[page.min(PANES.len() - 1)].pane);
-        self.enter(app)
+        self.enter(app);
     }
 
-    fn enter(&self, app: &mut App) -> Vec<Effect> {
-        keys::enter(app)
+    fn enter(&self, app: &mut App) {
+        let tab = &app.pages.thesis;
+        let there = tab.report.as_ref().is_some_and(|report| report.is_complete)
+            || app.jobs.running::<Claims>().is_some();
+        if !there && app.pane() == CLAIMS {
+            jobs::study(app, Tab::Thesis, Claims);
+        }
     }
 
-    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
-        keys::act(app, action)
+    fn act(&self, app: &mut App, action: Action) -> bool {
+        let pane = app.pane();
+        if let (SCREENING, Some(press)) = (pane, step_of(action)) {
+            let step = STEP * press.size.factor();
+            let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
+            weights[at] =
+                (weights[at] + if press.up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
+            weigh(app, weights, Some(at));
+            return true;
+        }
+        match action {
+            Action::Run => jobs::study(app, Tab::Thesis, Claims),
+            Action::Enter => open(app),
+            Action::View if pane == CLAIMS => app.pages.thesis.next_filter(),
+            Action::Sort => app.pages.thesis.by_verdict = !app.pages.thesis.by_verdict,
+            Action::Reset => {
+                let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
+                weights[at] = WEIGHTS_PERCENT[at];
+                weigh(app, weights, None);
+                app.tell("the weight is that of Table 7.1 again (u undoes)");
+            }
+            _ => return false,
+        }
+        true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
@@ -98,7 +129,7 @@ impl Page for ThesisTab {
         app.thesis_status()
     }
 
-    fn report(&self, app: &mut App, _running: &Running, news: &News) {
+    fn report(&self, app: &mut App, _running: &Running, news: &ReportBody) {
         if let Some(found) = news.found() {
             app.pages.thesis.report = Some(found);
         }
@@ -114,7 +145,7 @@ impl Page for ThesisTab {
                 ("claims.csv", (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?)
             }
         };
-        Some(Table::new("Export this page to CSV", file, None, move || text.clone()))
+        Some(Table::new("Export this page to CSV", file, true, move || text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -151,5 +182,221 @@ impl Page for ThesisTab {
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         draw::render(app, body, canvas);
+    }
+}
+
+const STEP: f64 = 1.0;
+/// Steps of a weight that belong to one edit carry this and the criterion in place of a variable.
+const STEPPING: usize = usize::MAX - 100;
+const WEIGHT_MAX: f64 = 100.0;
+
+/// Other weights, as one edit; steps of one criterion join.
+fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
+    let before = std::mem::replace(&mut app.pages.thesis.weights, weights);
+    if weights.map(f64::to_bits) == before.map(f64::to_bits) {
+        return;
+    }
+    let stepping = stepped.map(|at| STEPPING + at);
+    let label = match stepped {
+        None => "printed weights".to_owned(),
+        Some(at) => {
+            // Held arrows: from where they began.
+            let first = match app.history.extended(stepping) {
+                Some(Change::Setting(Setting::Weights(first), _)) => first[at],
+                _ => before[at],
+            };
+            let percent = |weight| significant(weight, 4);
+            format!("{} {} -> {} %", CRITERIA[at], percent(first), percent(weights[at]))
+        }
+    };
+    let setting = (Setting::Weights(before), Setting::Weights(weights));
+    edit::note_setting(app, setting, label, stepping);
+}
+
+/// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.
+fn open(app: &mut App) {
+    let tab = &app.pages.thesis;
+    let row = app.claim();
+    let opens = match app.pane() {
+        PRINCIPLES => {
+            principles::PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset)
+        }
+        SCREENING => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+        _ => row.map_or(Opens::Nothing, |row| row.claim.opens),
+    };
+    let id = row.map_or("claim", |row| row.claim.id);
+    let base = match opens {
+        Opens::Nothing => None,
+        Opens::Scene(scene) => Some(Base {
+            name: format!("claim {id}"),
+            origin: Origin::Other,
+            scene: Arc::new(scene.clone()),
+        }),
+        Opens::Preset(name) => {
+            app.presets.iter().find(|entry| entry.name == name).map(|entry| Base {
+                name: entry.name.clone(),
+                origin: Origin::Bundled,
+                scene: Arc::new(entry.scene.clone()),
+            })
+        }
+    };
+    let Some(base) = base else {
+        return app.tell("no scene shows this");
+    };
+    show(app, base);
+}
+
+/// Load a scene and show what it is about: a sweep in Explore, else its run.
+pub(crate) fn show(app: &mut App, base: Base) {
+    let name = base.name.clone();
+    let axes = base.scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len());
+    edit::load(app, base);
+    if axes == 0 {
+        app.focus_on(run::VARIABLES);
+        return;
+    }
+    app.focus_on(explore::RESULTS);
+    app.pages.explore.output = 0;
+    app.pages.explore.cursor = [None; 2];
+    app.pages.explore.zoomed = None;
+    // The sweep as the preset has it, whatever was looked at before.
+    let visits = &mut app.pages.explore.visits;
+    visits.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
+    visits.spreads = [Spread::Grid; 2];
+    pages::of(Tab::Explore).enter(app);
+    app.tell(format!("{name} loaded, here is its sweep (u undoes)"));
+}
+
+/// Checks every claim of the thesis; the scene plays no part.
+#[derive(Debug)]
+pub struct Claims;
+
+impl Study for Claims {
+    fn lane(&self) -> Lane {
+        Lane::Studies
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let watch = &mut reporter.watch(RowsSoFar::part);
+        let rows = reproduce(&mut Context::new(reporter.threads(), watch));
+        Ok(Finding::new(RowsSoFar::ended(rows, claims().len())))
+    }
+}
+
+#[derive(Clone, Debug)]
+pub struct Thesis {
+    pub report: Option<Arc<RowsSoFar<Row>>>,
+    pub filter: Option<Verdict>,
+    pub by_verdict: bool,
+    pub selected: usize,
+    pub principle: usize,
+    pub criterion: usize,
+    /// Weights of the criteria, percent.
+    pub weights: [f64; 7],
+}
+
+impl Default for Thesis {
+    fn default() -> Self {
+        Self {
+            report: None,
+            filter: None,
+            by_verdict: false,
+            selected: 0,
+            principle: 0,
+            criterion: 0,
+            weights: WEIGHTS_PERCENT,
+        }
+    }
+}
+
+impl Thesis {
+    pub fn rows(&self) -> &[Row] {
+        self.report.as_ref().map_or(&[], |report| &report.rows)
+    }
+
+    /// The next verdict to filter by; after the last one, all rows.
+    pub fn next_filter(&mut self) {
+        let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
+        self.filter = match at {
+            None => Verdict::ALL.first().copied(),
+            Some(at) => Verdict::ALL.get(at + 1).copied(),
+        };
+        self.selected = 0;
+    }
+}
+
+impl App {
+    /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
+    pub fn claims(&self) -> Vec<&Row> {
+        let tab = &self.pages.thesis;
+        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
+        let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
+            let claim = &row.claim;
+            rank(&self.find.claims, &[claim.id, claim.place], claim.says)
+        });
+        if tab.by_verdict {
+            let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);
+            rows.sort_by_key(order);
+        }
+        rows
+    }
+
+    pub fn claim(&self) -> Option<&Row> {
+        self.claims().get(self.pages.thesis.selected).copied()
+    }
+
+    /// What is selected, in words, for the message row.
+    pub fn thesis_readout(&self) -> Option<String> {
+        let tab = &self.pages.thesis;
+        match self.pane() {
+            CLAIMS => {
+                let row = self.claim()?;
+                let opens = match row.claim.opens {
+                    Opens::Nothing => "no scene shows this".to_owned(),
+                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("Enter opens {name}"),
+                };
+                // The cause is in the detail: a line that changes its height here would move the list.
+                Some(format!("{}: {opens}", row.found.verdict.words()))
+            }
+            PRINCIPLES => {
+                let principle = &principles::PRINCIPLES[tab.principle];
+                let opens = principle.preset.map_or_else(
+                    || "no preset shows it".to_owned(),
+                    |name| format!("Enter opens {name}"),
+                );
+                // Its name is selected in the list and heads the detail.
+                Some(opens)
+            }
+            _ => {
+                let weight = tab.weights[tab.criterion];
+                // In one row of the narrowest screen: a second one would hide the ranks.
+                Some(format!(
+                    "{}: {} %, printed {} %",
+                    CRITERIA[tab.criterion],
+                    significant(weight, 4),
+                    significant(WEIGHTS_PERCENT[tab.criterion], 4),
+                ))
+            }
+        }
+    }
+
+    pub fn thesis_status(&self) -> Vec<StatusPart> {
+        let tab = &self.pages.thesis;
+        let mut parts = Vec::new();
+        let kept = tab.report.as_ref().map(|report| report.is_complete);
+        let checking = progress::<Claims>(self, "checking the claims", ("of", ""), false, kept);
+        parts.extend(checking.map(Progress::part));
+        if tab.report.is_some() {
+            let (rows, counts) = (tab.rows(), tally(tab.rows()));
+            let listed = |show: fn(Verdict) -> &'static str| {
+                let parts = Verdict::ALL.iter().zip(counts);
+                let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
+                parts.collect::<Vec<_>>().join(", ")
+            };
+            let full = format!("{} rows: {}", rows.len(), listed(Verdict::words));
+            parts.push((Severity::Note, full, listed(Verdict::brief)));
+        }
+        parts
     }
 }

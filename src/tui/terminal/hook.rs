@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::thread::{self, ThreadId};
 
 /// Install the hook; the calling thread is the one that draws. Reports go to `directory`.
-pub(in crate::tui) fn install(directory: Option<PathBuf>) {
+pub(crate) fn install(directory: Option<PathBuf>) {
     let drawing = thread::current().id();
     let before = panic::take_hook();
     panic::set_hook(Box::new(move |info| {

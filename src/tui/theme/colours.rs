@@ -6,16 +6,12 @@
 
 use ratatui::style::Color;
 
-/// How many colours the terminal shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ColourDepth {
     /// None: `NO_COLOR`, or a terminal without colours.
     None,
-    /// The sixteen named ones.
     Sixteen,
-    /// The 256 of xterm.
     Ansi256,
-    /// Any.
     Rgb,
 }
 
@@ -55,7 +51,6 @@ impl ColourDepth {
         }
     }
 
-    /// The word shown to people.
     pub fn word(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -101,11 +96,8 @@ const fn shade(sixteen: Color, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
 
 /// Border and title of the focused pane.
 pub(super) const FOCUS: Shade = shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6));
-/// Errors.
 pub(super) const ERROR: Shade = shade(Color::Red, 160, (0xD4, 0x2A, 0x2A));
-/// Warnings.
 pub(super) const WARNING: Shade = shade(Color::Yellow, 130, (0xB8, 0x70, 0x00));
-/// Notes.
 pub(super) const NOTE: Shade = shade(Color::Cyan, 31, (0x1A, 0x85, 0x9C));
 
 /// Blue, orange, reddish purple, foreground, ochre, teal: after Okabe and Ito (2008, "Color universal design"), darkened or

@@ -9,7 +9,6 @@ use std::str::FromStr;
 use ratatui::buffer::Buffer;
 use ratatui::symbols::border;
 
-/// A set of characters to draw with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GlyphSet {
     /// `+ - |` and letters: one dot a cell, works everywhere.
@@ -76,7 +75,6 @@ impl GlyphSet {
         }
     }
 
-    /// The lines and joints of this set.
     pub fn lines(self) -> &'static Lines {
         match self {
             Self::Ascii => &ASCII_LINES,

@@ -8,7 +8,6 @@ use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme};
 
-/// A frame with its titles.
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
     title: Line<'a>,
@@ -18,12 +17,10 @@ pub struct PaneFrame<'a> {
 }
 
 impl<'a> PaneFrame<'a> {
-    /// A frame with this title at its left.
     pub fn new(title: impl Into<Line<'a>>) -> Self {
         Self { title: title.into(), ..Self::default() }
     }
 
-    /// With this title at its left.
     #[must_use]
     pub fn titled(self, title: impl Into<Line<'a>>) -> Self {
         Self { title: title.into(), ..self }
@@ -36,7 +33,6 @@ impl<'a> PaneFrame<'a> {
         self
     }
 
-    /// Whether the pane has the keys.
     #[must_use]
     pub fn focused(mut self, focused: bool) -> Self {
         self.focused = focused;
@@ -50,18 +46,15 @@ impl<'a> PaneFrame<'a> {
         self
     }
 
-    /// The sides that are drawn.
     fn block(&self) -> Block<'_> {
         let without = if self.open_below { Borders::BOTTOM } else { Borders::NONE };
         Block::new().borders(Borders::ALL.difference(without))
     }
 
-    /// What is inside the frame.
     pub fn inner(&self, area: Rect) -> Rect {
         self.block().inner(area)
     }
 
-    /// Draws the frame and gives what is inside.
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Rect {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });

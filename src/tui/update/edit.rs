@@ -6,31 +6,26 @@ use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
+use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Setting, Snapshot};
-use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base};
 use crate::tui::dialogs::wrap;
-use crate::tui::message::Effect;
 use crate::tui::pages::explore;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::runs::Pin;
-use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::run::{runs, steps};
+use crate::tui::pages::run::runs::{self, Pin};
+use crate::tui::pages::run::steps::{self, Press};
+use crate::tui::prelude::*;
 use crate::tui::update::jobs;
 
 /// Columns that hold six digits of any value.
 const WIDE: usize = 24;
 
 /// Set a variable. `stepping` joins it with the steps just before.
-///
-/// # Errors
-/// Why the value, or the scene with it, makes no sense; nothing is changed then.
-pub(in crate::tui) fn set(
+pub(crate) fn set(
     app: &mut App,
     index: usize,
     value: Value,
     stepping: Option<usize>,
-) -> Result<Vec<Effect>, String> {
+) -> Result<(), String> {
     let variable = &VARIABLES[index];
     let mut scene = (*app.scene).clone();
     variable
@@ -38,7 +33,7 @@ pub(in crate::tui) fn set(
         .and_then(|()| variables::validate(&scene))
         .map_err(|error| error.to_string())?;
     if scene == *app.scene {
-        return Ok(Vec::new());
+        return Ok(());
     }
     let old = match app.history.extended(stepping) {
         // Held arrows: from where they began.
@@ -55,46 +50,30 @@ pub(in crate::tui) fn set(
         .find(|breach| breach.check.symbol() == variable.symbol)
         .map(|breach| breach.to_string());
     let warning = breach.or_else(|| variable.range_warning(&scene));
-    let effects = commit_scene(app, scene, label, stepping);
+    commit_scene(app, scene, label, stepping);
     if let Some(warning) = warning {
         app.say(Severity::Warning, warning);
     }
-    Ok(effects)
+    Ok(())
 }
 
 /// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
-///
-/// # Errors
-/// As [`set`], and where the text is no value.
-pub(in crate::tui) fn type_value(
-    app: &mut App,
-    index: usize,
-    text: &str,
-) -> Result<Vec<Effect>, String> {
+pub(crate) fn type_value(app: &mut App, index: usize, text: &str) -> Result<(), String> {
     let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
 
 /// Make another scene the current one, as one edit.
-pub(in crate::tui) fn commit_scene(
-    app: &mut App,
-    scene: Scene,
-    label: String,
-    stepping: Option<usize>,
-) -> Vec<Effect> {
+pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
     let after = Snapshot { scene: Arc::new(scene), base: app.base.clone() };
-    commit(app, after, label, stepping)
+    commit(app, after, label, stepping);
 }
 
 /// Make the design under a cursor the current scene, or say why there is none.
-pub(in crate::tui) fn load_design(
-    app: &mut App,
-    design: Result<(Scene, String), String>,
-) -> Vec<Effect> {
+pub(crate) fn load_design(app: &mut App, design: Result<(Scene, String), String>) {
     match design {
         Ok((scene, _)) if scene == *app.scene => {
-            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
-            Vec::new()
+            app.tell("the scene is this design already: 1 shows its run");
         }
         Ok((scene, label)) => load_scene(app, scene, &label),
         Err(why) => app.refuse(why),
@@ -102,27 +81,26 @@ pub(in crate::tui) fn load_design(
 }
 
 /// Make a scene the current one, as one edit, and say so.
-pub(in crate::tui) fn load_scene(app: &mut App, scene: Scene, label: &str) -> Vec<Effect> {
-    let effects = commit_scene(app, scene, format!("load {label}"), None);
-    app.say(Severity::Note, format!("loaded {label}: 1 shows its run, u undoes"));
-    effects
+pub(crate) fn load_scene(app: &mut App, scene: Scene, label: &str) {
+    commit_scene(app, scene, format!("load {label}"), None);
+    app.tell(format!("loaded {label}: 1 shows its run, u undoes"));
 }
 
 /// Make another scene current and compare it with another preset, as one edit.
-pub(in crate::tui) fn load(app: &mut App, base: Base) -> Vec<Effect> {
+pub(crate) fn load(app: &mut App, base: Base) {
     let label = format!("load {}", base.name);
     let after = Snapshot { scene: Arc::clone(&base.scene), base };
     app.charts.zoom_s = None;
     app.charts.cursor_s = None;
-    commit(app, after, label, None)
+    commit(app, after, label, None);
 }
 
-fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
+fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) {
     let change = Change::Scene(snapshot(app), after.clone());
     app.history.push(Edit { label, change, stepping });
     app.first_run = false;
     (app.scene, app.base) = (after.scene, after.base);
-    follow(app)
+    follow(app);
 }
 
 fn snapshot(app: &App) -> Snapshot {
@@ -130,21 +108,20 @@ fn snapshot(app: &App) -> Snapshot {
 }
 
 /// What follows from another scene.
-fn follow(app: &mut App) -> Vec<Effect> {
-    let mut effects = jobs::after_edit(app);
-    effects.extend(explore::keys::after_edit(app));
-    effects.push(Effect::SaveSession);
-    effects
+fn follow(app: &mut App) {
+    jobs::after_edit(app);
+    explore::after_edit(app);
+    app.request(Effect::SaveSession);
 }
 
 /// Note that a pin was taken away, as one edit.
-pub(in crate::tui) fn note_unpinned(app: &mut App, pin: Pin) {
+pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
     let label = format!("unpin {}: {}", pin.letter, pin.name);
     app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
 }
 
 /// Note that the setup of a tab was changed, as one edit; `stepping` joins it with the steps just before.
-pub(in crate::tui) fn note_setting(
+pub(crate) fn note_setting(
     app: &mut App,
     (before, after): (Setting, Setting),
     label: String,
@@ -154,7 +131,7 @@ pub(in crate::tui) fn note_setting(
 }
 
 /// Set a tab up as it was, or will be again.
-fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
+fn set_up(app: &mut App, setting: Setting) {
     match setting {
         Setting::Search(setup) => {
             app.pages.search.setup = *setup;
@@ -162,49 +139,45 @@ fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
         }
         Setting::Visits(visits) => {
             app.pages.explore.visits = visits;
-            return explore::keys::after_edit(app);
+            explore::after_edit(app);
         }
         Setting::Weights(weights) => app.pages.thesis.weights = weights,
     }
-    Vec::new()
 }
 
 /// Take the last edit back.
-pub(in crate::tui) fn undo(app: &mut App) -> Vec<Effect> {
+pub(crate) fn undo(app: &mut App) {
     let Some(last) = app.history.done.checked_sub(1) else {
-        app.say(Severity::Note, "nothing to undo");
-        return Vec::new();
+        return app.tell("nothing to undo");
     };
     let label = app.history.edits[last].label.clone();
-    app.say(Severity::Note, format!("undone: {label} (Ctrl-r redoes)"));
-    go_to(app, last)
+    app.tell(format!("undone: {label} (Ctrl-r redoes)"));
+    go_to(app, last);
 }
 
 /// Do the last undone edit again.
-pub(in crate::tui) fn redo(app: &mut App) -> Vec<Effect> {
+pub(crate) fn redo(app: &mut App) {
     let done = app.history.done;
     let Some(label) = app.history.edits.get(done).map(|edit| edit.label.clone()) else {
-        app.say(Severity::Note, "nothing to redo");
-        return Vec::new();
+        return app.tell("nothing to redo");
     };
-    app.say(Severity::Note, format!("redone: {label}"));
-    go_to(app, done + 1)
+    app.tell(format!("redone: {label}"));
+    go_to(app, done + 1);
 }
 
 /// Go to the state after the first `done` edits, and say so.
-pub(in crate::tui) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
+pub(crate) fn travel(app: &mut App, done: usize) {
     let done = done.min(app.history.edits.len());
     if done == app.history.done {
-        return Vec::new();
+        return;
     }
-    app.say(Severity::Note, format!("back to the state after edit {done}"));
-    go_to(app, done)
+    app.tell(format!("back to the state after edit {done}"));
+    go_to(app, done);
 }
 
 /// Undo or redo until the first `done` edits are in force.
-fn go_to(app: &mut App, done: usize) -> Vec<Effect> {
+fn go_to(app: &mut App, done: usize) {
     let before = snapshot(app);
-    let mut effects = Vec::new();
     while app.history.done != done {
         let forward = app.history.done < done;
         let edit = if forward { app.history.redo() } else { app.history.undo() };
@@ -215,60 +188,48 @@ fn go_to(app: &mut App, done: usize) -> Vec<Effect> {
                 (app.scene, app.base) = (there.scene, there.base);
             }
             Change::Setting(before, after) => {
-                effects.extend(set_up(app, if forward { after } else { before }));
+                set_up(app, if forward { after } else { before });
             }
-            Change::Unpinned(pin) if forward => effects.extend(runs::keys::take_away(app, &pin)),
-            Change::Unpinned(pin) => effects.extend(runs::keys::put_back(app, pin)),
+            Change::Unpinned(pin) if forward => runs::take_away(app, &pin),
+            Change::Unpinned(pin) => runs::put_back(app, pin),
         }
     }
     if snapshot(app) != before {
-        effects.extend(follow(app));
+        follow(app);
     }
-    effects
 }
 
 /// Reset the selected variable to the preset's value.
-pub(in crate::tui) fn reset(app: &mut App) -> Vec<Effect> {
+pub(crate) fn reset(app: &mut App) {
     let index = app.editor.selected;
     let value = VARIABLES[index].value(&app.base.scene);
-    match set(app, index, value, None) {
-        Ok(effects) => {
-            if effects.is_empty() {
-                app.say(
-                    Severity::Note,
-                    format!("{} has the preset's value already", VARIABLES[index].symbol),
-                );
-            }
-            effects
-        }
-        Err(error) => app.refuse(error),
+    if value == VARIABLES[index].value(&app.scene) {
+        return app.tell(format!("{} has the preset's value already", VARIABLES[index].symbol));
     }
+    finish(app, index, value, None);
 }
 
 /// Reset every variable to the preset's value.
-pub(in crate::tui) fn reset_all(app: &mut App) -> Vec<Effect> {
+pub(crate) fn reset_all(app: &mut App) {
     if !app.is_modified() {
-        app.say(Severity::Note, "nothing differs from the preset");
-        return Vec::new();
+        return app.tell("nothing differs from the preset");
     }
     let scene = (*app.base.scene).clone();
     let label = format!("reset all to {}", app.base.name);
-    app.say(Severity::Note, format!("{label}: u undoes"));
-    commit_scene(app, scene, label, None)
+    app.tell(format!("{label}: u undoes"));
+    commit_scene(app, scene, label, None);
 }
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
-pub(in crate::tui) fn step(app: &mut App, press: Press) -> Vec<Effect> {
+pub(crate) fn step(app: &mut App, press: Press) {
     let index = app.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
         if let Some(value) = cycled(app, index, press.by()) {
             return finish(app, index, value, None);
         }
-
         let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
-        app.say(Severity::Note, only);
-        return Vec::new();
+        return app.tell(only);
     };
     let value = match (number.get)(&app.scene) {
         Some(value) => step_number(app, index, number, value, press),
@@ -277,8 +238,7 @@ pub(in crate::tui) fn step(app: &mut App, press: Press) -> Vec<Effect> {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));
     }
-    app.say(Severity::Note, edge(variable, press.up));
-    Vec::new()
+    app.tell(edge(variable, press.up));
 }
 
 fn step_number(
@@ -305,10 +265,9 @@ fn edge(variable: &Variable, up: bool) -> String {
     )
 }
 
-fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) -> Vec<Effect> {
-    match set(app, index, value, stepping) {
-        Ok(effects) => effects,
-        Err(error) => app.refuse(error),
+fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {
+    if let Err(error) = set(app, index, value, stepping) {
+        app.refuse(error);
     }
 }
 

@@ -5,13 +5,12 @@ use std::time::Duration;
 
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
-use crate::tui::app::App;
-use crate::tui::app::jobs::{InFlight, News, Running};
-use crate::tui::app::notice::Severity;
+use crate::tui::app::jobs::{InFlight, Running};
 use crate::tui::app::status::warning_text;
-use crate::tui::message::{Effect, Message};
+use crate::tui::message::Message;
+use crate::tui::pages;
 use crate::tui::pages::run::runs::{Pin, Shown};
-use crate::tui::pages::{self, Tab};
+use crate::tui::prelude::*;
 use crate::worker::study::Study;
 use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
 
@@ -19,66 +18,61 @@ use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
 const QUIET: Duration = Duration::from_millis(30);
 
 /// From this on, counted from its first report, a job is too long to be dropped unasked.
-pub(in crate::tui) const LONG: Duration = Duration::from_secs(5);
+pub(crate) const LONG: Duration = Duration::from_secs(5);
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
-pub(in crate::tui) fn after_edit(app: &mut App) -> Vec<Effect> {
+pub(crate) fn after_edit(app: &mut App) {
     app.jobs.serial += 1;
     app.jobs.failure = None;
     app.jobs.cancelled = false;
     if !app.auto_run {
-        return Vec::new();
+        return;
     }
     app.jobs.overdue = false;
     let due = Effect::After(QUIET, Message::RunDue(app.jobs.serial));
-    let mut effects = if app.jobs.current.is_none() { submit(app) } else { Vec::new() };
-    effects.push(due);
-    effects
+    if app.jobs.current.is_none() {
+        submit(app);
+    }
+    app.request(due);
 }
 
 /// Run the scene now, whatever is in flight.
-pub(in crate::tui) fn run_now(app: &mut App) -> Vec<Effect> {
+pub(crate) fn run_now(app: &mut App) {
     app.jobs.serial += 1;
-    submit_now(app)
+    submit_now(app);
 }
 
 /// Submit the scene, with the moment after which the old result is called old.
-pub(in crate::tui) fn submit_now(app: &mut App) -> Vec<Effect> {
+pub(crate) fn submit_now(app: &mut App) {
     app.jobs.overdue = false;
     app.jobs.failure = None;
     app.jobs.cancelled = false;
-    let mut effects = submit(app);
-    effects.push(Effect::After(QUIET, Message::RunDue(app.jobs.serial)));
-    effects
+    submit(app);
+    app.request(Effect::After(QUIET, Message::RunDue(app.jobs.serial)));
 }
 
-fn submit(app: &mut App) -> Vec<Effect> {
+fn submit(app: &mut App) {
     let (id, scene) = (app.jobs.next_id(), Arc::clone(&app.scene));
     app.jobs.current = Some(InFlight { id, scene: Arc::clone(&scene), reached: None });
-    vec![Effect::Submit(Task { id, threads: 1, work: Work::Run(Slot::Current, scene) })]
+    app.request(Effect::Submit(Task { id, threads: 1, work: Work::Run(Slot::Current, scene) }));
 }
 
 /// Submit every pin that has neither result nor job.
-pub(in crate::tui) fn submit_pins(app: &mut App) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    for pin in &mut app.pins {
-        if pin.run.is_none() && pin.job.is_none() {
-            let id = app.jobs.next_id();
-            pin.job = Some(id);
-            let work = Work::Run(Slot::Pin(pin.letter), Arc::clone(&pin.scene));
-            effects.push(Effect::Submit(Task { id, threads: 1, work }));
-        }
+pub(crate) fn submit_pins(app: &mut App) {
+    for pin in app.pins.iter_mut().filter(|pin| pin.run.is_none() && pin.job.is_none()) {
+        let id = app.jobs.next_id();
+        pin.job = Some(id);
+        let work = Work::Run(Slot::Pin(pin.letter), Arc::clone(&pin.scene));
+        app.effects.push(Effect::Submit(Task { id, threads: 1, work }));
     }
-    effects
 }
 
-/// Submit a study of a scene for a tab; an older one of its type is replaced.
-pub(in crate::tui) fn study<S: Study>(
-    app: &mut App,
-    tab: Tab,
-    scene: &Arc<Scene>,
-    study: S,
-) -> Vec<Effect> {
+/// Submit a study of the scene for a tab; an older one of its type is replaced.
+pub(crate) fn study(app: &mut App, tab: Tab, study: impl Study) {
+    study_of(app, tab, &Arc::clone(&app.scene), study);
+}
+
+pub(crate) fn study_of<S: Study>(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: S) {
     app.jobs.take::<S>();
     let (id, threads, study) = (app.jobs.next_id(), app.crew(), Arc::new(study));
     app.jobs.studies.push(Running {
@@ -90,60 +84,55 @@ pub(in crate::tui) fn study<S: Study>(
         elapsed: Duration::ZERO,
     });
     let task = Task { id, threads, work: Work::Study(Arc::clone(scene), study) };
-    vec![Effect::Submit(task), Effect::After(LONG, Message::LongJob(id))]
+    app.request(Effect::Submit(task));
+    app.request(Effect::After(LONG, Message::LongJob(id)));
 }
 
 /// A report of a study: its page hears what it brings; those of replaced ones are dropped.
-fn study_report(app: &mut App, id: u64, body: ReportBody) {
+fn study_report(app: &mut App, id: u64, body: &ReportBody) {
     let Some(at) = app.jobs.studies.iter().position(|running| running.id == id) else { return };
     let running = if body.is_last() {
         app.jobs.studies.remove(at)
     } else {
         let running = &mut app.jobs.studies[at];
-        if let ReportBody::Progress { progress: Progress::Points(done, total), elapsed } = body {
+        if let ReportBody::Progress { progress: Progress::Points(done, total), elapsed } = *body {
             (running.points, running.elapsed) = (Some((done, total)), elapsed);
         }
         running.clone()
     };
-    let news = match body {
-        ReportBody::Progress { .. } => News::Progress,
-        ReportBody::Part(finding) => News::Part(finding),
-        ReportBody::Ended { found: Some(finding), took } => News::Ended(finding, took),
-        ReportBody::Ended { found: None, .. } => return,
-        ReportBody::Failed(text) => {
-            app.say(Severity::Error, text);
-            News::Failed
-        }
-    };
-    pages::of(running.tab).report(app, &running, &news);
+    if let ReportBody::Failed(text) = body {
+        app.refuse(text);
+    }
+    pages::of(running.tab).report(app, &running, body);
 }
 
 /// The quiet time after an edit is over.
-pub(in crate::tui) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
+pub(crate) fn run_due(app: &mut App, serial: u64) {
     let Some(job) = app.jobs.current.as_ref().filter(|_| serial == app.jobs.serial) else {
-        return Vec::new();
+        return;
     };
     app.jobs.overdue = true;
-    if job.scene == app.scene { Vec::new() } else { submit(app) }
+    if job.scene != app.scene {
+        submit(app);
+    }
 }
 
 /// A report of a task; those of replaced ones are dropped.
-pub(in crate::tui) fn report(app: &mut App, report: Report) -> Vec<Effect> {
+pub(crate) fn report(app: &mut App, report: Report) {
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
     }
     match report.slot {
         Slot::Current if app.jobs.current.as_ref().is_some_and(|job| job.id == report.id) => {
-            return run_report(app, report);
+            run_report(app, report);
         }
         Slot::Current => {}
         Slot::Pin(letter) => pin(app, letter, report),
-        Slot::Study(_) => study_report(app, report.id, report.body),
+        Slot::Study(_) => study_report(app, report.id, &report.body),
     }
-    Vec::new()
 }
 
-fn run_report(app: &mut App, report: Report) -> Vec<Effect> {
+fn run_report(app: &mut App, report: Report) {
     match report.body {
         ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
             // The first report says that the run takes a while.
@@ -151,35 +140,37 @@ fn run_report(app: &mut App, report: Report) -> Vec<Effect> {
             if let Some(job) = app.jobs.current.as_mut().filter(|_| !begins) {
                 job.reached = Some((t_s, elapsed));
             }
-            let id = report.id;
-            let long = begins.then_some(Effect::After(LONG, Message::LongJob(id)));
-            return long.into_iter().collect();
+            if begins {
+                app.request(Effect::After(LONG, Message::LongJob(report.id)));
+            }
+            return;
         }
-        ReportBody::Progress { .. } => return Vec::new(),
+        ReportBody::Progress { .. } => return,
         ReportBody::Part(found) => {
             if let Some(run) = found.get::<Run>() {
-                app.note_run(&run);
                 app.shown = Some(Shown { run, took: None });
             }
-            return Vec::new();
+            return;
         }
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
-            app.say(Severity::Error, text);
+            app.refuse(text);
         }
         ReportBody::Ended { found, took } => {
             if let Some(run) = found.and_then(|found| found.get()) {
                 ended(app, run, took);
             } else {
                 app.jobs.cancelled = true;
-                app.say(Severity::Note, "cancelled: r runs again");
+                app.tell("cancelled: r runs again");
             }
         }
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
     let outdated = finished.is_some_and(|job| job.scene != app.scene);
-    if outdated && app.auto_run { submit_now(app) } else { Vec::new() }
+    if outdated && app.auto_run {
+        submit_now(app);
+    }
 }
 
 fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
@@ -187,7 +178,7 @@ fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
         return show(app, run, Some(took));
     }
     app.jobs.cancelled = true;
-    app.say(Severity::Note, "cancelled: what was finished is shown");
+    app.tell("cancelled: what was finished is shown");
     show(app, run, None);
 }
 
@@ -210,7 +201,6 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
             app.notice = kept;
         }
     }
-    app.note_run(&run);
     app.shown = Some(Shown { run, took });
 }
 
@@ -224,11 +214,10 @@ fn pin(app: &mut App, letter: char, report: Report) {
         ReportBody::Ended { found: Some(found), .. } => {
             if let Some(run) = found.get::<Run>() {
                 pin.run = Some(Arc::clone(&run));
-                app.note_run(&run);
             }
         }
         ReportBody::Failed(text) => {
-            app.say(Severity::Error, format!("pinned run {letter}: {text}"));
+            app.refuse(format!("pinned run {letter}: {text}"));
         }
         ReportBody::Progress { .. } | ReportBody::Part(_) | ReportBody::Ended { .. } => {}
     }

@@ -3,22 +3,20 @@
 use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::Action;
 
-/// One zoom step.
 const STEP: f64 = 2.0;
 /// One pan step, as a share of the span.
 const PAN: f64 = 0.25;
 
 /// Whether an action chooses the part in view.
-pub(in crate::tui) fn is_zoom(action: Action) -> bool {
+pub(crate) fn is_zoom(action: Action) -> bool {
     use Action::{PanLeft, PanRight, ZoomFit, ZoomIn, ZoomOut};
     matches!(action, ZoomIn | ZoomOut | ZoomFit | PanLeft | PanRight)
 }
 
 /// The axis across of the chart in the pane.
-pub(in crate::tui) struct Across<'a> {
+pub(crate) struct Across<'a> {
     /// The part of it that was chosen; `None`: home.
     pub kept: &'a mut Option<ViewRange>,
-    /// What is in view.
     pub view: ViewRange,
     /// What is in view where nothing was chosen.
     pub home: ViewRange,
@@ -31,7 +29,7 @@ pub(in crate::tui) struct Across<'a> {
 
 impl<'a> Across<'a> {
     /// An axis that shows all of itself at home.
-    pub(in crate::tui) fn of(
+    pub(crate) fn of(
         kept: &'a mut Option<ViewRange>,
         home: ViewRange,
         scale: Scale,
@@ -49,7 +47,7 @@ impl<'a> Across<'a> {
     }
 
     /// Show what an action asks for; false where it is no zoom.
-    pub(in crate::tui) fn change(self, action: Action) -> bool {
+    pub(crate) fn change(self, action: Action) -> bool {
         let (view, scale) = (self.view, self.scale);
         let about = || {
             let middle = scale.back(0.5 * (scale.place(view.lo()) + scale.place(view.hi())));

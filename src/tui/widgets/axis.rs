@@ -15,24 +15,17 @@ use crate::tui::widgets::form::{Line, VALUE_WIDTH};
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
 
-/// What a row sets of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The variable.
     Name,
-    /// Its first value.
     From,
-    /// Its last value.
     To,
-    /// The number of points.
     Points,
-    /// How they are spread.
     Spacing,
 }
 
 impl Part {
-    /// The row of an axis.
-    pub(in crate::tui) fn line(self, axis: &SweepAxis) -> Line {
+    pub(crate) fn line(self, axis: &SweepAxis) -> Line {
         let variable = variables::find(&axis.name).ok();
         let end = |label: &str, value: f64| Line {
             text: Some(units::shortest(value)),
@@ -51,10 +44,7 @@ impl Part {
     }
 
     /// Take the next value, or the one before.
-    ///
-    /// # Errors
-    /// Why there is none.
-    pub(in crate::tui) fn step(
+    pub(crate) fn step(
         self,
         axis: &mut SweepAxis,
         scene: &Scene,
@@ -81,10 +71,7 @@ impl Part {
     }
 
     /// Take what was typed.
-    ///
-    /// # Errors
-    /// What is wrong with it.
-    pub(in crate::tui) fn read(
+    pub(crate) fn read(
         self,
         axis: &mut SweepAxis,
         scene: &Scene,
@@ -123,21 +110,17 @@ fn step_end(part: Part, axis: &mut SweepAxis, press: Press) -> Result<(), String
 }
 
 /// `gamma: mass ratio of the plate to the projectile`.
-pub(in crate::tui) fn meaning(variable: &Variable) -> String {
+pub(crate) fn meaning(variable: &Variable) -> String {
     format!("{}: {}", variable.symbol, variable.meaning)
 }
 
-/// The place of an axis's variable among some.
-pub(in crate::tui) fn place(axis: &SweepAxis, among: &[&'static Variable]) -> Option<usize> {
+pub(crate) fn place(axis: &SweepAxis, among: &[&'static Variable]) -> Option<usize> {
     let now = variables::find(&axis.name).ok()?;
     among.iter().position(|variable| variable.key == now.key)
 }
 
 /// An axis over a variable: the thesis's range, or from half to twice the present value.
-///
-/// # Errors
-/// That the variable has no numbers.
-pub(in crate::tui) fn over(
+pub(crate) fn over(
     scene: &Scene,
     variable: &'static Variable,
     count: usize,
@@ -158,15 +141,12 @@ pub(in crate::tui) fn over(
 }
 
 /// The numeric variables, in the order of the editor: what an axis can be.
-pub(in crate::tui) fn numeric() -> impl Iterator<Item = &'static Variable> {
+pub(crate) fn numeric() -> impl Iterator<Item = &'static Variable> {
     VARIABLES.iter().filter(|variable| matches!(variable.kind, Kind::Number(_)))
 }
 
 /// A whole number in a range.
-///
-/// # Errors
-/// That it is none.
-pub(in crate::tui) fn whole<T: FromStr + PartialOrd + Display>(
+pub(crate) fn whole<T: FromStr + PartialOrd + Display>(
     text: &str,
     allowed: &RangeInclusive<T>,
 ) -> Result<T, String> {

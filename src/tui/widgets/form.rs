@@ -1,29 +1,22 @@
 //! A form: rows with their values below each other, the field that is open over the selected one.
 
-use ratatui::layout::Rect;
-
 use crate::study::quantities::{QUANTITIES, Quantity, named};
-use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::wrap;
-use crate::tui::keymap::Pane;
-use crate::tui::message::Target;
 use crate::tui::pages::Rows;
-use crate::tui::theme::{PaneFrame, Role};
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::prelude::*;
+use crate::tui::widgets::RowList;
+use crate::tui::widgets::text::columns;
 
 /// Columns within a row: cursor, `*`, label, value, unit.
 const LABEL: u16 = 2;
 const VALUE: u16 = 10;
 /// Columns of a number.
-pub(in crate::tui) const VALUE_WIDTH: u16 = 7;
+pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// What a row shows, and how it is meant.
-pub(in crate::tui) struct Line {
-    /// At the left.
+pub(crate) struct Line {
     pub label: String,
     /// At the right; empty where the label is the value.
     pub value: String,
@@ -35,20 +28,18 @@ pub(in crate::tui) struct Line {
     pub meaning: String,
     /// Its field takes a number with a unit.
     pub takes_unit: bool,
-    /// It differs from the preset.
     pub is_changed: bool,
     /// Headings are titles; what does not count as it is is dim.
     pub role: Role,
 }
 
 impl Line {
-    /// A heading.
-    pub(in crate::tui) fn heading(label: &str) -> Self {
+    pub(crate) fn heading(label: &str) -> Self {
         Self { role: Role::Title, ..Self::word(label, "") }
     }
 
     /// A row whose values are gone through.
-    pub(in crate::tui) fn word(label: &str, value: impl Into<String>) -> Self {
+    pub(crate) fn word(label: &str, value: impl Into<String>) -> Self {
         Self {
             label: label.to_owned(),
             value: value.into(),
@@ -61,26 +52,22 @@ impl Line {
         }
     }
 
-    /// A row that is switched on and off.
-    pub(in crate::tui) fn switch(label: &str, on: bool) -> Self {
+    pub(crate) fn switch(label: &str, on: bool) -> Self {
         let row = Self::word(label, if on { "yes" } else { "no" });
         Self { role: if on { Role::Text } else { Role::Dim }, ..row }
     }
 
-    /// A row whose value is typed.
-    pub(in crate::tui) fn typed(label: &str, value: impl Into<String>) -> Self {
+    pub(crate) fn typed(label: &str, value: impl Into<String>) -> Self {
         let row = Self::word(label, value);
         Self { text: Some(row.value.clone()), ..row }
     }
 
-    /// A row that chooses a quantity.
-    pub(in crate::tui) fn quantity(name: &str) -> Self {
+    pub(crate) fn quantity(name: &str) -> Self {
         let title = named(name).map_or_else(|_| name.to_owned(), Quantity::title);
         Self { text: Some(title.clone()), ..Self::word(&title, "") }.means(quantity_meaning(name))
     }
 
-    /// The same with what it means.
-    pub(in crate::tui) fn means(self, meaning: impl Into<String>) -> Self {
+    pub(crate) fn means(self, meaning: impl Into<String>) -> Self {
         Self { meaning: meaning.into(), ..self }
     }
 
@@ -93,32 +80,29 @@ impl Line {
         if self.value.is_empty() { LABEL } else { VALUE }
     }
 
-    fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let style = |role| app.theme.style(role);
+    fn draw(&self, area: Rect, canvas: &mut Canvas<'_>) {
         if self.is_heading() {
-            put(canvas, area, (0, 0), &self.label, style(self.role));
+            canvas.put(area, (0, 0), &self.label, self.role);
             return;
         }
         if self.is_changed {
-            put(canvas, area, (1, 0), "*", style(Role::Note));
+            canvas.put(area, (1, 0), "*", Role::Note);
         }
         let room = |start: u16| usize::from(area.width.saturating_sub(start));
-        let label =
-            put(canvas, area, (LABEL, 0), &clip(&self.label, room(LABEL)), style(self.role));
+        let label = canvas.put(area, (LABEL, 0), &clip(&self.label, room(LABEL)), self.role);
         // A long name moves its value to the right, a long value begins further left.
         let wide = columns(&self.value);
         let start = (VALUE + VALUE_WIDTH).saturating_sub(wide).max(VALUE);
         let start = start.min(area.width.saturating_sub(wide)).max(label + 1);
-        let end = put(canvas, area, (start, 0), &clip(&self.value, room(start)), style(self.role));
+        let end = canvas.put(area, (start, 0), &clip(&self.value, room(start)), self.role);
         // Half a unit would be another one.
         if end < UNIT && UNIT + columns(self.unit) <= area.width {
-            put(canvas, area, (UNIT, 0), self.unit, style(Role::Dim));
+            canvas.put(area, (UNIT, 0), self.unit, Role::Dim);
         }
     }
 }
 
-/// What a quantity is.
-pub(in crate::tui) fn quantity_meaning(name: &str) -> String {
+pub(crate) fn quantity_meaning(name: &str) -> String {
     named(name).map_or_else(
         |_| String::new(),
         |quantity| format!("{}: {}", quantity.title(), quantity.meaning),
@@ -126,22 +110,21 @@ pub(in crate::tui) fn quantity_meaning(name: &str) -> String {
 }
 
 /// The name of the quantity so many after another one, in a circle.
-pub(in crate::tui) fn quantity_beside(name: &str, by: isize) -> &'static str {
+pub(crate) fn quantity_beside(name: &str, by: isize) -> &'static str {
     let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
     QUANTITIES[wrap(at, by, QUANTITIES.len())].name
 }
 
 /// The setup of a study.
-pub(in crate::tui) struct Form {
+pub(crate) struct Form {
     /// Its rows, headings included.
     lines: Vec<Line>,
-    /// Which of them is selected.
     selected: usize,
 }
 
 impl Form {
     /// A form of these rows with one of them selected, the first one where it is not among them.
-    pub(in crate::tui) fn new<R: Copy + PartialEq>(
+    pub(crate) fn new<R: Copy + PartialEq>(
         rows: &[R],
         selected: R,
         line: impl Fn(R) -> Line,
@@ -155,13 +138,12 @@ impl Form {
         self.lines.iter().filter(|line| !line.is_heading())
     }
 
-    /// The selected row.
-    pub(in crate::tui) fn line(&self) -> Option<&Line> {
+    pub(crate) fn line(&self) -> Option<&Line> {
         self.lines.get(self.selected)
     }
 
     /// A row of those that can be selected.
-    pub(in crate::tui) fn row(&self, row: usize) -> Option<&Line> {
+    pub(crate) fn row(&self, row: usize) -> Option<&Line> {
         self.choices().nth(row)
     }
 
@@ -171,24 +153,17 @@ impl Form {
     }
 
     /// Those that can be selected, where so many are shown.
-    pub(in crate::tui) fn rows(&self, shown: usize) -> Rows {
+    pub(crate) fn rows(&self, shown: usize) -> Rows {
         Rows { count: self.choices().count(), selected: self.place(self.selected), shown }
     }
 
-    /// Draw it as the setup that is a pane.
-    pub(in crate::tui) fn render(
-        &self,
-        app: &App,
-        pane: Pane,
-        area: Rect,
-        canvas: &mut Canvas<'_>,
-    ) {
+    pub(crate) fn render(&self, app: &App, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
         let on = app.pane() == pane;
         let frame = PaneFrame::new("Setup").right(if on { "" } else { "Tab" });
-        let inner = frame.focused(app.has_focus(pane)).render(area, canvas, app.theme);
+        let inner = frame.focused(app.has_focus(pane)).draw(area, canvas);
         canvas.pane(area, pane);
         let field = app.field.as_ref().filter(|_| on);
-        let list = List {
+        let list = RowList {
             count: self.lines.len(),
             // Without the keys it shows its beginning.
             selected: if on { self.selected } else { 0 },
@@ -196,14 +171,14 @@ impl Form {
         };
         let target =
             |at: usize| (!self.lines[at].is_heading()).then(|| Target::Row(pane, self.place(at)));
-        list.render(canvas, inner, app.theme, target, |canvas, row, at| {
+        list.render(canvas, inner, target, |canvas, row, at| {
             let line = &self.lines[at];
-            line.draw(app, row, canvas);
+            line.draw(row, canvas);
             if on && at == self.selected {
-                put(canvas, row, (0, 0), ">", app.theme.style(Role::Title));
+                canvas.put(row, (0, 0), ">", Role::Title);
                 if let Some(field) = field {
                     let room = row.width.saturating_sub(line.field() + 1);
-                    field.draw_boxed(canvas, row, line.field(), room, app.theme);
+                    field.draw_boxed(canvas, row, line.field(), room);
                 }
             }
         });

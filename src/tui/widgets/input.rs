@@ -3,22 +3,18 @@
 use std::ops::{Deref, DerefMut};
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
-use ratatui::layout::Rect;
 use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
 
-use crate::tui::theme::{Role, Theme};
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{put, window};
+use crate::tui::prelude::*;
+use crate::tui::widgets::text::window;
 
 /// No field of the workbench takes a longer text: characters that nobody means to type (a paste that came as keys, a book on
 /// the keyboard) are dropped.
-pub(in crate::tui) const TEXT_MAX: usize = 1024;
+pub(crate) const TEXT_MAX: usize = 1024;
 
-/// A text being typed.
 #[derive(Clone, Debug, Default)]
 pub struct TextField {
-    /// The text, and the cursor in it.
     pub input: Input,
     /// The whole text is selected: the first character replaces it.
     pub all_selected: bool,
@@ -32,12 +28,10 @@ impl TextField {
         Self { input: Input::new(text.into()), ..Self::default() }
     }
 
-    /// A field whose text is selected.
     pub fn selected(text: impl Into<String>) -> Self {
         Self { all_selected: true, ..Self::new(text) }
     }
 
-    /// The text.
     pub fn value(&self) -> &str {
         self.input.value()
     }
@@ -72,25 +66,21 @@ impl TextField {
         }
     }
 
-    /// Draw the text into a row, and the cursor in it.
-    pub(in crate::tui) fn draw(&self, canvas: &mut Canvas<'_>, area: Rect, theme: Theme) {
+    pub(crate) fn draw(&self, canvas: &mut Canvas<'_>, area: Rect) {
         let (shown, at) = window(&self.input, area.width);
         let role = match (self.error.is_some(), self.all_selected) {
             (true, _) => Role::Error,
             (false, true) => Role::Selection,
             (false, false) => Role::Text,
         };
-        put(canvas, area, (0, 0), &shown, theme.style(role));
+        canvas.put(area, (0, 0), &shown, role);
         canvas.cursor = Some((area.x + at, area.y));
     }
 }
 
-/// The field of a row of a list or a form.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// The row.
     pub row: usize,
-    /// Its text.
     pub text: TextField,
 }
 
@@ -101,23 +91,15 @@ impl Field {
     }
 
     /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for so many characters.
-    pub(in crate::tui) fn draw_boxed(
-        &self,
-        canvas: &mut Canvas<'_>,
-        row: Rect,
-        start: u16,
-        room: u16,
-        theme: Theme,
-    ) {
-        let bracket = theme.style(Role::Focus);
+    pub(crate) fn draw_boxed(&self, canvas: &mut Canvas<'_>, row: Rect, start: u16, room: u16) {
         let blank = " ".repeat(usize::from(room));
-        put(canvas, row, (start, 0), &blank, theme.style(Role::Text));
-        put(canvas, row, (start - 1, 0), "[", bracket);
+        canvas.put(row, (start, 0), &blank, Role::Text);
+        canvas.put(row, (start - 1, 0), "[", Role::Focus);
         let area = Rect { x: row.x + start, width: room, ..row };
-        self.draw(canvas, area.intersection(row), theme);
-        put(canvas, row, (start + room, 0), "]", bracket);
+        self.draw(canvas, area.intersection(row));
+        canvas.put(row, (start + room, 0), "]", Role::Focus);
         if self.error.is_some() {
-            put(canvas, row, (0, 0), "x", theme.style(Role::Error));
+            canvas.put(row, (0, 0), "x", Role::Error);
         }
     }
 }

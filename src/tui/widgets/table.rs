@@ -15,8 +15,7 @@ const NAME_LEAST: usize = 12;
 /// From this width on two blanks stand between columns, one below it.
 const WIDE: u16 = 60;
 
-/// The columns of a table that are shown.
-pub(in crate::tui) struct Grid {
+pub(crate) struct Grid {
     cells: Vec<Cells>,
     shown: Range<usize>,
     /// What stands between two columns.
@@ -27,7 +26,7 @@ pub(in crate::tui) struct Grid {
 
 impl Grid {
     /// The page after so many turns of a table that has so many columns of the screen.
-    pub(in crate::tui) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
+    pub(crate) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
         let gap = gap(width);
         let lead = cells.first().map_or(0, Cells::width);
         let room = usize::from(width).saturating_sub(lead);
@@ -52,7 +51,7 @@ impl Grid {
     }
 
     /// As many columns as fit beside names of [`NAME_LEAST`] columns; longer names are shortened to the room that is left.
-    pub(in crate::tui) fn shortened(mut cells: Vec<Cells>, width: u16) -> Self {
+    pub(crate) fn shortened(mut cells: Vec<Cells>, width: u16) -> Self {
         let (gap, room) = (gap(width).len(), usize::from(width));
         let mut used = cells.first().map_or(0, Cells::width).min(NAME_LEAST);
         let fitting = cells.iter().skip(1).take_while(|column| {
@@ -71,13 +70,13 @@ impl Grid {
     }
 
     /// Which page of how many, and the key that turns it; nothing where all columns are shown.
-    pub(in crate::tui) fn hint(&self) -> Option<String> {
+    pub(crate) fn hint(&self) -> Option<String> {
         let (number, count) = self.page;
         (count > 1).then(|| format!("v columns {}/{count}", number + 1))
     }
 
     /// The headings, or the cells of a row.
-    pub(in crate::tui) fn line(&self, row: Option<usize>) -> String {
+    pub(crate) fn line(&self, row: Option<usize>) -> String {
         let shown = self.cells.first().into_iter().chain(&self.cells[self.shown.clone()]);
         shown.map(|column| column.padded(row)).collect::<Vec<_>>().join(self.gap)
     }
@@ -102,7 +101,7 @@ impl Sorting {
     }
 
     /// The places of the rows of a table in this order; what has no value stands last.
-    pub(in crate::tui) fn order<R>(self, table: &Table<'_, R>) -> Vec<usize> {
+    pub(crate) fn order<R>(self, table: &Table<'_, R>) -> Vec<usize> {
         let mut order: Vec<usize> = (0..table.rows.len()).collect();
         let column = self.0.and_then(|key| table.columns.iter().find(|column| column.key == key));
         if let Some(column) = column {
@@ -113,7 +112,7 @@ impl Sorting {
     }
 
     /// Mark the heading of the column that a table is sorted by.
-    pub(in crate::tui) fn mark(self, keys: &[&str], cells: &mut [Cells]) {
+    pub(crate) fn mark(self, keys: &[&str], cells: &mut [Cells]) {
         for (_, cells) in keys.iter().zip(cells).filter(|(key, _)| self.0 == Some(key)) {
             cells.head.insert(0, '*');
         }

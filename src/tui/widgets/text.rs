@@ -1,20 +1,17 @@
 //! Small helpers for writing text into cells.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
-use ratatui::text::Line;
 use tui_input::Input;
 
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
-use crate::tui::theme::{self, Role, Theme};
+use crate::tui::prelude::*;
+use crate::tui::theme;
 
 /// What stands in a tab that studies one plate while the scene is a stack.
-pub(in crate::tui) const NEEDS_SINGLE: &str = "this tab needs a single plate";
+pub(crate) const NEEDS_SINGLE: &str = "this tab needs a single plate";
 
-/// The role of a line of text of this severity.
-pub(in crate::tui) fn text_role(severity: Severity) -> Role {
+pub(crate) fn text_role(severity: Severity) -> Role {
     match severity {
         Severity::Note => Role::Text,
         Severity::Warning => Role::Warning,
@@ -22,13 +19,12 @@ pub(in crate::tui) fn text_role(severity: Severity) -> Role {
     }
 }
 
-/// The columns a text takes.
-pub(in crate::tui) fn columns(text: &str) -> u16 {
+pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
 }
 
 /// The part of a field's text that is shown in so many columns, and the column of the cursor in it. Wide characters take two.
-pub(in crate::tui) fn window(input: &Input, room: u16) -> (String, u16) {
+pub(crate) fn window(input: &Input, room: u16) -> (String, u16) {
     let room = usize::from(room);
     let scroll = input.visual_scroll(room.saturating_sub(1));
     let mut skipped = 0;
@@ -51,7 +47,7 @@ pub(in crate::tui) fn window(input: &Input, room: u16) -> (String, u16) {
 }
 
 /// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
-pub(in crate::tui) fn put(
+pub(crate) fn put(
     buffer: &mut Buffer,
     area: Rect,
     at: (u16, u16),
@@ -68,52 +64,13 @@ pub(in crate::tui) fn put(
     end - area.x
 }
 
-/// Write lines below each other from a row on, as many as have room.
-pub(in crate::tui) fn put_lines(
-    buffer: &mut Buffer,
-    area: Rect,
-    from: u16,
-    theme: Theme,
-    lines: impl IntoIterator<Item = (String, Role)>,
-) {
-    for (row, (text, role)) in (from..area.height).zip(lines) {
-        put(buffer, area, (0, row), &text, theme.style(role));
-    }
-}
-
 /// The lines of a text of at most so many columns, all in one role.
-pub(in crate::tui) fn wrapped(
-    text: &str,
-    width: u16,
-    role: Role,
-) -> impl Iterator<Item = (String, Role)> {
+pub(crate) fn wrapped(text: &str, width: u16, role: Role) -> impl Iterator<Item = (String, Role)> {
     wrap(text, usize::from(width)).into_iter().map(move |line| (line, role))
 }
 
-/// Write a text in the middle of an area.
-pub(in crate::tui) fn put_centred(buffer: &mut Buffer, area: Rect, text: &str, style: Style) {
-    let column = area.width.saturating_sub(columns(text)) / 2;
-    put(buffer, area, (column, area.height / 2), text, style);
-}
-
-/// Write a line into a row of an area.
-pub(in crate::tui) fn put_line(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) {
-    let area = area.intersection(buffer.area);
-    if row < area.height {
-        buffer.set_line(area.x, area.y + row, line, area.width);
-    }
-}
-
-/// Give a whole row of an area a style.
-pub(in crate::tui) fn paint_row(buffer: &mut Buffer, area: Rect, row: u16, style: Style) {
-    if row < area.height {
-        let row = Rect::new(area.x, area.y + row, area.width, 1);
-        buffer.set_style(row.intersection(buffer.area), style);
-    }
-}
-
 /// The first row of a list to show so that the selected one is in sight.
-pub(in crate::tui) fn first_row(selected: usize, height: usize, count: usize) -> usize {
+pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     let most = count.saturating_sub(height);
     selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
 }

@@ -5,7 +5,7 @@ use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::Tab;
-use cmra::tui::pages::thesis::state::Claims;
+use cmra::tui::pages::thesis::Claims;
 use cmra::worker::Finding;
 use cmra::worker::study::RowsSoFar;
 use insta::assert_snapshot;

@@ -5,14 +5,16 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
+use crate::model::units;
 use crate::study::context::Context;
-use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use crate::study::sweep::{Axis, Plan, SweepError};
-use crate::tui::app::App;
-use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
+use crate::study::sweep::grid::{self, Cell, GRID_COUNTS, Grid};
+use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
+use crate::tui::app::notice::Severity;
+use crate::tui::app::{App, show_duration};
+use crate::tui::pages::explore::state::{Picture, has_family, quadratic, sweep_of};
+use crate::tui::pages::{Progress, StatusPart, part};
 use crate::worker::Finding;
-use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Study, Tempo};
+use crate::worker::study::{Lane, Reporter, Study, Tempo};
 
 /// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
 const FIRST: Duration = Duration::from_millis(25);
@@ -22,9 +24,7 @@ const BETWEEN_PASSES: Duration = Duration::from_millis(120);
 /// Computes the points of a picture: coarse ones come first.
 #[derive(Debug)]
 pub struct PictureSweep {
-    /// For which picture.
     pub picture: Picture,
-    /// What is swept.
     pub plan: Arc<Plan>,
 }
 
@@ -52,17 +52,11 @@ impl Study for PictureSweep {
 
 impl App {
     /// What a picture of the present scene would have to compute.
-    ///
-    /// # Errors
-    /// [`SweepError`] when the axes do not fit the scene, or have more points than a screen keeps.
     pub fn sweep_plan(&self, picture: Picture) -> Result<Plan, SweepError> {
         self.sweep_plan_of(&self.scene, picture)
     }
 
     /// The same for another scene.
-    ///
-    /// # Errors
-    /// As [`sweep_plan`](Self::sweep_plan).
     pub fn sweep_plan_of(&self, scene: &Scene, picture: Picture) -> Result<Plan, SweepError> {
         let sweep = sweep_of(scene);
         let axis = |at: usize| Axis::of(&sweep.axes[at], &GRID_COUNTS);
@@ -84,5 +78,122 @@ impl App {
         let design = self.pages.explore.spread(picture).design(axes[0].count());
         let plan = Plan::new(scene, axes, design, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)
+    }
+}
+
+/// Why no point of a picture has a value of an output that can be drawn, and what to do about it, in a few lines.
+pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
+    let column = grid.plan().outputs()[output];
+    let name = column.title();
+    let (done, _) = grid.progress();
+    if done == 0 {
+        return vec!["sweeping the first points".to_owned()];
+    }
+    let (along, up) = grid.counts();
+    let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    if points.any(|(x, y)| matches!(grid.cell(x, y, output), Cell::Value(_))) {
+        return lines(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
+    }
+    let counts = grid.outcomes();
+    let all = counts.total();
+    let other = "v, or Show in the setup (Tab): another output";
+    if counts.perforated == all {
+        let instead = "or show residual_velocity_m_s (Tab, Show)";
+        let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
+        return lines(&format!("every point perforates: no {name}"), &cure);
+    }
+    if counts.arrested + counts.separated == all {
+        let why = match column.name {
+            "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
+            _ => PointOutcome::Arrested.without_value(column),
+        };
+        return lines(&format!("no {name}: {why}"), &[other]);
+    }
+    if counts.moving == all {
+        let cure = ["a longer horizon decides them (Tab, Hold)", other];
+        return lines(&format!("every point still moves at the end: no {name}"), &cure);
+    }
+    if counts.failed == all {
+        return lines(
+            "every point failed",
+            &["Enter opens one in the Run tab, and 7:Log says why"],
+        );
+    }
+    lines(&format!("no point has a {name}"), &[&counts.to_string(), other])
+}
+
+/// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.
+pub(crate) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    let rested = |(x, y): (usize, usize)| match grid.outcome(x, y)? {
+        outcome @ (PointOutcome::Arrested | PointOutcome::Separated) => {
+            Some((outcome, grid.value(x, y, output)))
+        }
+        PointOutcome::Perforated | PointOutcome::Moving | PointOutcome::Failed(_) => None,
+    };
+    let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
+    let (outcome, _) = without.next()?;
+    let why = outcome.without_value(grid.plan().outputs()[output]);
+    Some(format!("{} {}: {why}", 1 + without.count(), outcome.letter()))
+}
+
+/// The reason, then what to do about it.
+fn lines(what: &str, cures: &[&str]) -> Vec<String> {
+    std::iter::once(what).chain(cures.iter().copied()).map(str::to_owned).collect()
+}
+
+impl App {
+    pub fn sweep_status(&self, picture: Picture) -> Vec<StatusPart> {
+        let mut parts = Vec::new();
+        let found = self.pages.explore.found(picture);
+        let computing = self.jobs.study::<PictureSweep>();
+        let computing = computing.filter(|(_, sweep)| sweep.picture == picture);
+        parts.push(match (computing, &self.pages.explore.problem, found) {
+            (Some((computing, _)), ..) => {
+                let points = computing.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {done} of {total} points")
+                });
+                let left = computing.left().filter(|left| left.as_secs() > 0);
+                let left =
+                    left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
+                Progress::Running(format!("sweeping{points}{left}")).part()
+            }
+            (None, Some(problem), _) => part(Severity::Error, problem.clone()),
+            _ if self.sweep_is_old(picture) => Progress::Old("scene").part(),
+            (None, None, None) => Progress::Nothing.part(),
+            (None, None, Some(found)) => {
+                let (done, total) = found.grid.progress();
+                match found.took.filter(|_| found.grid.is_complete()) {
+                    Some(took) => {
+                        Progress::Done(format!("{total} points in {}", show_duration(took))).part()
+                    }
+                    None => Progress::Cut(format!(" after {done} of {total} points")).part(),
+                }
+            }
+        });
+        if let Some(found) = found {
+            for (word, count) in found.grid.outcomes().each() {
+                if count > 0 && word != "arrested" {
+                    let severity =
+                        if word == "separated" { Severity::Note } else { Severity::Warning };
+                    parts.push(part(severity, format!("{count} {word}")));
+                }
+            }
+            let output = self.shown_output(&found.grid).0;
+            parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
+        }
+        if let Some(found) =
+            found.filter(|_| picture == Picture::Surface && self.pages.explore.residuals)
+        {
+            let (output, _) = self.shown_output(&found.grid);
+            let text = quadratic(&found.grid, output).map_or_else(
+                || "no quadratic fits".to_owned(),
+                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
+            );
+            parts.push(part(Severity::Note, text));
+        }
+        parts.extend(self.validity_part());
+        parts
     }
 }

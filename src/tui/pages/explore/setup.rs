@@ -1,32 +1,33 @@
 //! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
 
-pub(in crate::tui) mod keys;
+use std::ops::RangeInclusive;
 
-use crate::model::scene::SweepAxis;
-use crate::model::variables::{self, VARIABLES, Value};
-use crate::tui::app::App;
-use crate::tui::pages::explore::state::{Picture, Spread, has_family, sweep_of};
+use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::units;
+use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use crate::study::sweep::Axis;
+use crate::study::sweep::grid::GRID_COUNTS;
+use crate::tui::app::find::quantity_called;
+use crate::tui::app::history::Setting;
+use crate::tui::dialogs::{around, wrap};
+use crate::tui::pages::explore::state::{Picture, Spread, Sweeping, has_family, sweep_of};
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::theme::Role;
-use crate::tui::widgets::axis::meaning;
-use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH};
+use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::{explore, run};
+use crate::tui::prelude::*;
+use crate::tui::update::edit;
+use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
+use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_beside};
 
 pub use crate::tui::widgets::axis::Part;
 
-/// One row of the setup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SetupRow {
-    /// A heading.
     Heading(&'static str),
-    /// A part of an axis.
     Axis(usize, Part),
-    /// Curves or a map.
     Picture,
-    /// Which points there are.
     Design,
-    /// The number of curves of a family.
     Curves,
-    /// The output shown.
     Output,
     /// A held variable, by index into the table.
     Held(usize),
@@ -52,7 +53,7 @@ impl App {
         }
         rows.push(R::Heading("Hold"));
         let sweep = sweep_of(&self.scene);
-        let swept = |variable: &variables::Variable| {
+        let swept = |variable: &Variable| {
             let key = |axis: &SweepAxis| variables::find(&axis.name).map(|found| found.key);
             let axes = if has_two { 2 } else { 1 };
             sweep.axes.iter().take(axes).any(|axis| key(axis) == Ok(variable.key))
@@ -79,8 +80,7 @@ impl App {
         if self.setup_rows().contains(&row) { row } else { SetupRow::Axis(0, Part::Name) }
     }
 
-    /// The setup as a form.
-    pub(in crate::tui) fn setup_form(&self) -> Form {
+    pub(crate) fn setup_form(&self) -> Form {
         let sweep = sweep_of(&self.scene);
         let line = |row| match row {
             SetupRow::Heading(text) => Line::heading(text),
@@ -132,5 +132,186 @@ impl App {
     /// Whether there is one curve: a stand-in for the second axis that nobody chose is not shown as chosen.
     fn has_no_second(&self) -> bool {
         self.picture() == Picture::Line && !has_family(&self.scene)
+    }
+}
+
+/// How many curves a family may have.
+const CURVES: RangeInclusive<u64> = 2..=7;
+
+/// What an action does to a held variable beside typing a number; `None` where it means nothing of its own.
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
+    let SetupRow::Held(index) = app.setup_row() else {
+        if action == Action::Reset {
+            app.tell("only held variables are reset here: u undoes an edit");
+        }
+        return action == Action::Reset;
+    };
+    app.editor.selected = index;
+    match action {
+        Action::Reset => edit::reset(app),
+        // A list of the words, or the other of two.
+        Action::Enter if !matches!(VARIABLES[index].kind, Kind::Number(_)) => run::open(app),
+        _ => return false,
+    }
+    true
+}
+
+/// The variable along on the other scale.
+pub(crate) fn toggle_spacing(app: &mut App) {
+    if let Err(error) = step(app, SetupRow::Axis(0, Part::Spacing), Press::NEXT) {
+        app.refuse(error);
+    }
+}
+
+/// Take what was typed into the field of a row.
+pub(crate) fn take(app: &mut App, row: SetupRow, text: &str) -> Result<(), String> {
+    let mut sweep = sweep_of(&app.scene);
+    match row {
+        SetupRow::Axis(1, Part::Name) if app.picture() == Picture::Line && text == "none" => {
+            sweep.axes.truncate(1);
+            store(app, sweep, "one curve".to_owned());
+        }
+        SetupRow::Axis(at, part) => {
+            part.read(&mut sweep.axes[at], &app.scene, text, &GRID_COUNTS)?;
+            checked(app, sweep, at)?;
+        }
+        SetupRow::Curves => {
+            let curves = whole(text, &CURVES)?;
+            tried(app, app.picture(), |sweeping| sweeping.visits.curves = curves)?;
+        }
+        SetupRow::Output => choose_output(app, sweep, quantity_called(text)?.name),
+        SetupRow::Held(index) => edit::type_value(app, index, text)?,
+        SetupRow::Heading(_) | SetupRow::Design | SetupRow::Picture => {}
+    }
+    Ok(())
+}
+
+/// Show another output in the place of the one shown; where it is among them already, just that one.
+fn choose_output(app: &mut App, mut sweep: Sweep, name: &str) {
+    if let Some(there) = sweep.outputs.iter().position(|one| one == name) {
+        app.pages.explore.output = there;
+        return;
+    }
+    let at = app.pages.explore.output_of(&sweep);
+    name.clone_into(&mut sweep.outputs[at]);
+    store(app, sweep, format!("show {name}"));
+}
+
+/// One press of an arrow on a row.
+pub(crate) fn step(app: &mut App, row: SetupRow, press: Press) -> Result<(), String> {
+    let mut sweep = sweep_of(&app.scene);
+    let picture = app.picture();
+    let by = press.by();
+    match row {
+        SetupRow::Axis(at, Part::Name) => next_variable(app, at, by)?,
+        SetupRow::Axis(at, part) => {
+            part.step(&mut sweep.axes[at], &app.scene, press)?;
+            checked(app, sweep, at)?;
+        }
+        SetupRow::Picture => {
+            let next = around(&[Picture::Line, Picture::Surface], picture, by);
+            tried(app, next, |sweeping| sweeping.visits.picture = next)?;
+        }
+        SetupRow::Design => {
+            let next = around(&Spread::ALL, app.pages.explore.spread(picture), by);
+            tried(app, picture, |sweeping| sweeping.visits.spreads[picture as usize] = next)?;
+        }
+        SetupRow::Curves => {
+            let curves = app.pages.explore.visits.curves.saturating_add_signed(by as i64);
+            let next = curves.clamp(*CURVES.start(), *CURVES.end());
+            tried(app, picture, |sweeping| sweeping.visits.curves = next)?;
+        }
+        SetupRow::Output => {
+            let next = quantity_beside(&sweep.outputs[app.pages.explore.output_of(&sweep)], by);
+            choose_output(app, sweep, next);
+        }
+        SetupRow::Held(_) => edit::step(app, press),
+        SetupRow::Heading(_) => {}
+    }
+    Ok(())
+}
+
+/// Another variable on an axis; across curves also none.
+fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
+    let mut sweep = sweep_of(&app.scene);
+    let other = variables::find(&sweep.axes[1 - at].name).map(|found| found.key);
+    let family = at == 1 && app.picture() == Picture::Line;
+    let alone = family && !has_family(&app.scene);
+    let taken = |variable: &&'static Variable| {
+        // The stand-in second axis gives way; one that a person chose does not.
+        let stands_in = at == 0 && !has_family(&app.scene);
+        stands_in || other != Ok(variable.key)
+    };
+    let choices: Vec<&'static Variable> = numeric().filter(taken).collect();
+    let places = choices.len() + usize::from(family);
+    let own = place(&sweep.axes[at], &choices).unwrap_or(0);
+    let next = match (alone, by > 0) {
+        // From none to the usual one first.
+        (true, true) => own,
+        (true, false) => wrap(places - 1, by, places),
+        (false, _) => wrap(own, by, places),
+    };
+    let Some(variable) = choices.get(next) else {
+        sweep.axes.truncate(1);
+        store(app, sweep, "one curve".to_owned());
+        return Ok(());
+    };
+    sweep.axes[at] = over(&app.scene, variable, sweep.axes[at].count)?;
+    checked(app, sweep, at)
+}
+
+/// Change what a picture visits, unless the picture cannot be made then.
+fn tried(
+    app: &mut App,
+    picture: Picture,
+    change: impl FnOnce(&mut Sweeping),
+) -> Result<(), String> {
+    let (before, old) = (app.pages.explore.visits, app.pages.explore.spread(picture));
+    change(&mut app.pages.explore);
+    if let Err(error) = app.sweep_plan(picture) {
+        app.pages.explore.visits = before;
+        return Err(error.to_string());
+    }
+    let (after, new) = (app.pages.explore.visits, app.pages.explore.spread(picture));
+    if after == before {
+        return Ok(());
+    }
+    let label = if before.picture != after.picture {
+        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
+        format!("show {word}")
+    } else if old == new {
+        format!("curves {} -> {}", before.curves, after.curves)
+    } else {
+        format!("design {} -> {}", old.word(), new.word())
+    };
+    let setting = (Setting::Visits(before), Setting::Visits(after));
+    edit::note_setting(app, setting, label, None);
+    explore::after_edit(app);
+    Ok(())
+}
+
+/// Store a sweep that can be made, changed in one of its axes; the refusal names axis, value, rule and cure.
+fn checked(app: &mut App, mut sweep: Sweep, changed: usize) -> Result<(), String> {
+    // The stand-in second axis becomes the scene's own only when it is shown or touched.
+    if app.picture() == Picture::Line && changed == 0 && !has_family(&app.scene) {
+        sweep.axes.truncate(1);
+    }
+    for axis in &sweep.axes {
+        Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
+    }
+    let edited = Scene { sweep: Some(sweep.clone()), ..Scene::clone(&app.scene) };
+    app.sweep_plan_of(&edited, app.picture()).map_err(|error| error.to_string())?;
+    let show = units::shortest;
+    let words =
+        sweep.axes.iter().map(|it| format!("{} {}..{}", it.name, show(it.from), show(it.to)));
+    let words: Vec<String> = words.collect();
+    store(app, sweep, format!("sweep {}", words.join(", ")));
+    Ok(())
+}
+
+fn store(app: &mut App, sweep: Sweep, label: String) {
+    let scene = Scene { sweep: Some(sweep), ..Scene::clone(&app.scene) };
+    if scene != *app.scene {
+        edit::commit_scene(app, scene, label, None);
     }
 }

@@ -17,7 +17,7 @@ use crate::study::sweep::{Axis, Design, PointOutcome, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::ViewRange;
 
-pub use crate::tui::pages::explore::gaps::no_value;
+pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 
 /// Curves of a family unless another number is chosen.
@@ -26,7 +26,6 @@ const CURVES: u64 = 5;
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
 
-/// How a sweep is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Picture {
     /// One axis, with a family of curves or without.
@@ -36,7 +35,6 @@ pub enum Picture {
     Surface,
 }
 
-/// What was found.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The grid, filled as far as it is.
@@ -58,10 +56,8 @@ pub enum Spread {
 }
 
 impl Spread {
-    /// All, in order.
     pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
 
-    /// Its word in the setup.
     pub fn word(self) -> &'static str {
         match self {
             Self::Grid => "grid",
@@ -70,7 +66,6 @@ impl Spread {
         }
     }
 
-    /// The design of so many points.
     pub fn design(self, points: u64) -> Design {
         match self {
             Self::Grid => Design::Factorial,
@@ -83,11 +78,9 @@ impl Spread {
 /// How a sweep is shown, how many points it visits, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visits {
-    /// Curves of a family.
     pub curves: u64,
     /// Which points each picture visits: curves, map.
     pub spreads: [Spread; 2],
-    /// Curves or a map.
     pub picture: Picture,
 }
 
@@ -97,39 +90,24 @@ impl Default for Visits {
     }
 }
 
-/// Which contour is drawn over a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Contour {
-    /// Through the point under the cursor: all designs as good as this one.
-    #[default]
-    Cursor,
-    /// None.
-    Off,
-}
-
-/// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Sweeping {
     /// Curves over one axis.
     pub line: Option<Found>,
-    /// A surface over two.
     pub surface: Option<Found>,
     /// The number of the last sweep that was said to take more than a minute.
     pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
-    /// The selected row of the setup.
     pub row: SetupRow,
     /// The point under the cursor, by picture; `None`: the one nearest to the scene.
     pub cursor: [Option<(usize, usize)>; 2],
     /// The part of the variable along that is in view, by picture; `None`: all of it.
     pub zoomed: Option<ViewRange>,
-    /// The output shown, of those computed.
     pub output: usize,
-    /// Values on a logarithmic scale.
     pub log_values: bool,
-    /// The contour.
-    pub contour: Contour,
+    /// A contour runs through the point under the cursor: all designs as good as this one.
+    pub has_contour: bool,
     /// The surface shows what a fitted quadratic leaves over.
     pub residuals: bool,
     /// Curves of a family, and which points are visited.
@@ -148,7 +126,7 @@ impl Default for Sweeping {
             zoomed: None,
             output: 0,
             log_values: false,
-            contour: Contour::Cursor,
+            has_contour: true,
             residuals: false,
             visits: Visits::default(),
         }
@@ -156,7 +134,6 @@ impl Default for Sweeping {
 }
 
 impl Sweeping {
-    /// What was found for a picture.
     pub fn found(&self, picture: Picture) -> Option<&Found> {
         match picture {
             Picture::Line => self.line.as_ref(),
@@ -167,11 +144,6 @@ impl Sweeping {
     /// Which points a picture visits.
     pub fn spread(&self, picture: Picture) -> Spread {
         self.visits.spreads[picture as usize]
-    }
-
-    /// Let a picture visit other points.
-    pub fn set_spread(&mut self, picture: Picture, spread: Spread) {
-        self.visits.spreads[picture as usize] = spread;
     }
 
     /// The place of the output shown among those of a sweep.
@@ -265,7 +237,6 @@ impl App {
         shown.is_some() && shown != wanted.as_ref()
     }
 
-    /// The output shown of a grid, and its place.
     pub fn shown_output(&self, grid: &Grid) -> (usize, &'static Quantity) {
         let outputs = grid.plan().outputs();
         let at = self.pages.explore.output.min(outputs.len().saturating_sub(1));
@@ -366,9 +337,6 @@ impl App {
     }
 
     /// The design under the cursor as a scene, with the values of the axes in words.
-    ///
-    /// # Errors
-    /// Why there is none: nothing computed yet, or what is shown belongs to another scene.
     pub fn sweep_design(&self) -> Result<(Scene, String), String> {
         let picture = self.picture();
         let Some(found) = self.pages.explore.found(picture) else {
@@ -395,7 +363,6 @@ enum Detail {
 }
 
 impl Detail {
-    /// The name of an output.
     fn of(self, output: &Quantity) -> String {
         match (self, output.name) {
             (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
@@ -407,7 +374,6 @@ impl Detail {
     }
 }
 
-/// Give a scene the value of an axis that another scene has.
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
     (axis.number().set)(to, (axis.number().get)(from));
 }

@@ -1,8 +1,6 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, the map of
 //! mass efficiency and the design under its cursor. No drawing.
 
-pub(in crate::tui) mod draw;
-
 use std::error::Error;
 use std::sync::Arc;
 
@@ -10,18 +8,21 @@ use crate::model::library::{Entry, Library};
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
 use crate::report;
+use crate::report::figures::{column_of, efficiency};
 use crate::study::compare::map::{self, Map};
-use crate::study::compare::{self, Hardware, summary::sentences};
+use crate::study::compare::summary::sentences;
+use crate::study::compare::{self, Hardware};
 use crate::study::context::{Context, Progress};
 use crate::study::sweep::Axis;
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
+use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::placed;
-use crate::tui::pages::search::lines::Line;
+use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
+use crate::tui::pages::search::draw::Line;
+use crate::tui::prelude::*;
+use crate::tui::widgets::text::{columns, put, text_role};
 use crate::worker::Finding;
-use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Study};
+use crate::worker::study::{Lane, Reporter, Study};
 
 /// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;
@@ -33,7 +34,6 @@ pub struct EqualMass;
 /// A comparison at equal areal mass with its map, where there is one.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// The candidates.
     pub report: compare::Report,
     /// Mass efficiency over impact velocity and mass ratio.
     pub map: Option<Map>,
@@ -89,9 +89,6 @@ impl App {
     }
 
     /// The scene that is compared: with the absorber chosen.
-    ///
-    /// # Errors
-    /// Why the absorber does not fit.
     pub fn compared_scene(&self) -> Result<Scene, String> {
         let mut scene = (*self.scene).clone();
         if let Some(absorber) = self.absorber() {
@@ -110,12 +107,10 @@ impl App {
             .is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
     }
 
-    /// The comparison there is.
     pub fn comparison(&self) -> Option<&Comparison> {
         self.pages.limit.comparison.as_ref().map(|(_, found)| &**found)
     }
 
-    /// The comparison in lines of so many columns.
     pub fn comparison_lines(&self, width: usize) -> Vec<Line> {
         self.comparison().map_or_else(Vec::new, |found| compared(&found.report, width))
     }
@@ -141,9 +136,6 @@ impl App {
     }
 
     /// The design under the cursor of the map, with the values of its axes in words.
-    ///
-    /// # Errors
-    /// Why there is none.
     pub fn efficiency_design(&self) -> Result<(Scene, String), String> {
         let map = self.comparison().and_then(|found| found.map.as_ref());
         let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
@@ -178,7 +170,7 @@ impl App {
 }
 
 /// The verdict in sentences, then the figures of the candidates beside each other, as many as fit.
-pub(in crate::tui) fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
+pub(crate) fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
     let narrow = width < LABEL + 4 * WIDE_CELL;
     let cell = if narrow { CELL } else { WIDE_CELL };
     let beside = (width.saturating_sub(LABEL) / cell).max(1);
@@ -203,7 +195,7 @@ pub(in crate::tui) fn compared(report: &compare::Report, width: usize) -> Vec<Li
 }
 
 /// What stands before the further lines of a sentence.
-pub(in crate::tui) const GOES_ON: &str = "  ";
+pub(crate) const GOES_ON: &str = "  ";
 /// Columns of a label and of a value, narrow and wide.
 const LABEL: usize = 13;
 const CELL: usize = 9;
@@ -252,4 +244,87 @@ fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
         lines.push(row(label, cells.collect()));
     }
     lines
+}
+
+/// The verdict first, then the figures beside each other; scrolled by j and k.
+pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, COMPARISON);
+    let focused = app.has_focus(COMPARISON);
+    let old = if app.comparison_is_old() { ", of another scene: press r" } else { "" };
+    let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
+    let title = format!("Does moving armour pay?{with}{old}");
+    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+    let height = usize::from(area.height.saturating_sub(2));
+    let more = lines.len() > height;
+    let right = match (more, focused) {
+        (true, true) => "j/k: more",
+        (true, false) => "Tab, j/k: more",
+        (false, _) => "",
+    };
+    let frame = PaneFrame::new(title).right(right).focused(focused);
+    let inner = frame.draw(area, canvas);
+    if lines.is_empty() {
+        nothing(app, inner, canvas);
+    }
+    let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
+    let shown = whole(&lines[first..], height);
+    for (line, (severity, text)) in inner.rows().zip(shown) {
+        canvas.put(line, (0, 0), text, text_role(*severity));
+    }
+}
+
+/// So many lines at most, without the beginning of a sentence whose end has no room.
+fn whole(lines: &[Line], height: usize) -> &[Line] {
+    let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.1.starts_with(GOES_ON));
+    let room = height.min(lines.len());
+    &lines[..(1..=room).rev().find(ends).unwrap_or(room)]
+}
+
+fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let text = match app.jobs.running::<EqualMass>() {
+        Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
+        None => "no results yet: press r",
+    };
+    canvas.put_centred(area, text);
+}
+
+/// The map of mass efficiency with the line of 1, and below it what its colours mean.
+pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, EFFICIENCY_MAP);
+    let focused = app.has_focus(EFFICIENCY_MAP);
+    let found = app.comparison().and_then(|found| found.map.as_ref());
+    let Some((found, map)) = found.and_then(|it| Some((it, efficiency::map(it)?))) else {
+        let frame = PaneFrame::new("Mass efficiency").focused(focused);
+        let inner = frame.draw(area, canvas);
+        let text = match (app.jobs.running::<EqualMass>().is_some(), found) {
+            (true, _) => "computing the map",
+            (false, Some(_)) => "no point has a mass efficiency",
+            (false, None) => "no map: press r",
+        };
+        canvas.put_centred(inner, text);
+        return;
+    };
+    let above = Rect { height: area.height.saturating_sub(1), ..area };
+    let cursor = app.efficiency_cursor();
+    let cursor =
+        cursor.and_then(|(x, y)| Some((column_of(found.x(), x)?, column_of(found.y(), y)?)));
+    let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
+    let map = report::map::Map { title, cursor, focused, ..map };
+    let layout = canvas.draw(&map, above);
+    let mut column = canvas.put(area, (1, above.height), "O line of 1 ", Role::Text);
+    let Some(levels) = &map.levels else { return };
+    for band in 0..levels.bands() {
+        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
+        let from = format!(" {}", significant(levels.band(band).0, 3));
+        // Half a number would be another one.
+        if column + 2 + columns(&from) > area.width {
+            break;
+        }
+        column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
+        column = canvas.put(area, (column, above.height), &from, Role::Text);
+    }
+    canvas.plot(&layout, |x, y| {
+        let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
+        Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))
+    });
 }

@@ -8,21 +8,21 @@ use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
 use crate::report::Remark;
+use crate::report::figures::limit::residual;
 use crate::report::limit::{remarks, velocity};
 use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
-use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
-use crate::tui::chart::ViewRange;
+use crate::tui::chart::{Emphasis, Layout, Scale, ViewRange};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
-use crate::tui::pages::limit::layout::panes;
-use crate::tui::pages::{Progress, StatusPart, part};
+use crate::tui::pages::limit::{RESIDUAL, panes};
+use crate::tui::pages::{Progress, StatusPart, part, progress};
+use crate::tui::prelude::*;
+use crate::tui::widgets::text::text_role;
 use crate::worker::Finding;
-use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Study};
+use crate::worker::study::{Lane, Reporter, Study};
 
 /// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {
@@ -39,7 +39,6 @@ pub const FACTS: u16 = 40;
 /// Columns of a fact's label where it stands before the words.
 pub const LABEL: u16 = 15;
 
-/// Finds the ballistic limit.
 #[derive(Debug, PartialEq)]
 pub struct LimitSearch(pub Effort);
 
@@ -55,10 +54,8 @@ impl Study for LimitSearch {
     }
 }
 
-/// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
-    /// What was found.
     pub report: Option<Arc<Report>>,
     /// V50 and spread are requested, too.
     pub sampled: bool,
@@ -92,17 +89,14 @@ impl Ballistic {
         self.report = Some(report);
     }
 
-    /// What is requested.
     pub fn effort(&self) -> Effort {
         Effort { criterion: Criterion::Passage, sampling: self.sampled.then_some(SAMPLING) }
     }
 
-    /// The shots there are.
     pub fn shots(&self) -> &[Shot] {
         self.report.as_ref().map_or(&[], |report| &report.shots)
     }
 
-    /// The shot the crosshair stands on.
     pub fn shot(&self) -> Option<&Shot> {
         self.shots().get(self.cursor?)
     }
@@ -159,7 +153,6 @@ fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
     lines
 }
 
-/// How a shot ends, in words.
 fn ends(shot: &Shot) -> String {
     match (shot.outcome, shot.residual_m_s) {
         (Outcome::Perforated, Some(left)) => {
@@ -172,7 +165,6 @@ fn ends(shot: &Shot) -> String {
 }
 
 impl App {
-    /// The lines of the facts for a body of this width.
     pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
         let mut facts = self.pages.limit.facts();
         if width >= BESIDE {
@@ -269,20 +261,12 @@ impl App {
         Some((Severity::Note, text))
     }
 
-    /// The parts of the status row in this tab; see [`App::status`].
     pub fn limit_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.limit;
-        let progress = match (self.jobs.running::<LimitSearch>(), &tab.report) {
-            (Some(finding), _) => Progress::Running(format!(
-                "finding the limit{}",
-                finding.counted("of about", " shots")
-            )),
-            (None, None) => Progress::Nothing,
-            (None, Some(_)) if self.limit_is_old() => Progress::Old("scene"),
-            (None, Some(report)) if !report.is_complete => Progress::Cut(String::new()),
-            (None, Some(_)) => Progress::Done("done".to_owned()),
-        };
-        let mut parts = vec![progress.part()];
+        let kept = tab.report.as_ref().map(|report| report.is_complete);
+        let (doing, old) = ("finding the limit", self.limit_is_old());
+        let finding = progress::<LimitSearch>(self, doing, ("of about", " shots"), old, kept);
+        let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
         if let Some(report) = &tab.report {
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(part(Severity::Note, format!("by {}", basis.words())));
@@ -294,5 +278,117 @@ impl App {
             parts.extend(self.validity_part());
         }
         parts
+    }
+}
+
+/// Draw the pane of the residual velocity.
+pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, RESIDUAL);
+    // Until something is found nothing stands above the pane.
+    let room = usize::from(area.width.saturating_sub(2));
+    let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
+    let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
+    canvas.put(area, (1, 0), &head, role);
+    let body = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
+    let lines = app.limit_lines(area.width);
+    if lines.is_empty() {
+        return chart(app, body, canvas);
+    }
+    if let Some((rows, _)) = app.limit_pages() {
+        let Some((page, is_last)) = app.limit_page() else { return chart(app, body, canvas) };
+        let lines = lines.get((page - 1) * rows..).unwrap_or_default();
+        write(lines, if is_last { "Tab: curve" } else { "Tab: more" }, body, canvas);
+        return;
+    }
+    if area.width >= BESIDE {
+        let width = body.width - FACTS;
+        chart(app, Rect { width, ..body }, canvas);
+        let side = Rect { x: body.x + width, width: FACTS, ..body };
+        write(&lines, "", side, canvas);
+        return;
+    }
+    let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
+    let height = height.min(body.height);
+    chart(app, Rect { height: body.height - height, ..body }, canvas);
+    let below = Rect { y: body.y + body.height - height, height, ..body };
+    write(&lines, "", below, canvas);
+}
+
+fn write(lines: &[Fact], hint: &'static str, area: Rect, canvas: &mut Canvas<'_>) {
+    let title = "Fitted laws and scatter";
+    let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
+    let column =
+        if lines.iter().any(|line| !line.0.is_empty() && !line.2.is_empty()) { LABEL } else { 0 };
+    for (row, (label, severity, text)) in (0..inner.height).zip(lines) {
+        let role = text_role(*severity);
+        canvas.put(inner, (0, row), label, Role::Title);
+        canvas.put(inner, (column, row), text, role);
+    }
+}
+
+/// What stands in the chart's place where there is no curve.
+fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
+    let inner = frame.draw(area, canvas);
+    let text = match (app.jobs.running::<LimitSearch>(), &app.pages.limit.report) {
+        (Some(_), _) => "finding the limit",
+        (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
+        (None, Some(_)) => "no shot goes through: there is no curve",
+        (None, None) => "no results yet: press r",
+    };
+    canvas.put_centred(inner, text);
+}
+
+fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.limit;
+    let drawn = tab.report.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
+    let Some((report, mut chart)) = drawn else {
+        nothing(app, area, canvas);
+        return;
+    };
+    let old = app.limit_is_old();
+    for (is_log, axis) in [(tab.log.0, &mut chart.x), (tab.log.1, &mut chart.y)] {
+        if is_log {
+            axis.scale = Scale::Log10;
+        }
+    }
+    for curve in &mut chart.curves {
+        if old {
+            curve.emphasis = Emphasis::Stale;
+        }
+        // The words beside the chart name the laws in full.
+        match (area.width < 56, &*curve.label) {
+            (true, "Recht-Ipson") => curve.label = "R-I".into(),
+            (true, "Lambert-Jonas") => curve.label = "L-J".into(),
+            (_, _) => {}
+        }
+    }
+    chart.title =
+        if old { "Residual velocity, of another scene" } else { "Residual velocity" }.into();
+    chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
+    chart.focused = app.has_focus(RESIDUAL);
+    let layout = canvas.draw(&chart, area);
+    marks(app, report, &layout, canvas);
+    let shots = report.shots.iter();
+    let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));
+    canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
+}
+
+/// A letter for each shot, whatever the characters of curves: what became of it.
+fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
+    for (index, shot) in report.shots.iter().enumerate() {
+        let (letter, colour) = match shot.outcome {
+            Outcome::Perforated => ("o", 3),
+            Outcome::Arrested | Outcome::Separated => ("s", 4),
+            Outcome::Moving => ("m", 4),
+        };
+        let height = shot.residual_m_s.unwrap_or(0.0);
+        let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
+        let role = match (app.pages.limit.cursor == Some(index), app.limit_is_old()) {
+            (true, _) => Role::Crosshair,
+            (false, true) => Role::Dim,
+            (false, false) => Role::Curve(colour),
+        };
+        canvas.put(layout.plot, place, letter, role);
     }
 }

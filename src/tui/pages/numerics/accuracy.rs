@@ -1,13 +1,12 @@
 //! The Accuracy tab: what was measured, what is selected, and its rows and readouts in words. No drawing.
 
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
+pub(crate) mod draw;
 
 use std::error::Error;
 use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
-use crate::model::scene::Scene;
+use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::Engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, percent, seconds};
@@ -16,11 +15,15 @@ use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{self, Effort, Measured, MethodReport, Report};
 use crate::study::context::Context;
 use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::{Curve, Mapping, Scale, ViewRange};
 use crate::tui::pages::{Progress, StatusPart, part};
-use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, Study};
+use crate::tui::prelude::*;
+use crate::tui::update::act::along;
+use crate::tui::update::{edit, jobs};
+use crate::tui::view::plot_columns;
+use crate::worker::study::{Lane, Reporter, Study};
 use crate::worker::{Finding, clock};
 
 /// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
@@ -47,18 +50,14 @@ impl Study for Measurements {
     }
 }
 
-/// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    /// What was measured so far.
     pub report: Option<Arc<Report>>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
-    /// Methods that are not drawn.
     pub hidden: Vec<Method>,
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
-    /// How the chart is looked at.
     pub view: ChartView,
     /// Points of the study asked for last, once known.
     pub points_in_all: usize,
@@ -66,14 +65,11 @@ pub struct Accuracy {
     pub table_page: usize,
 }
 
-/// How the chart is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartView {
     /// The run times in view, s; `None`: all.
     pub times: Option<ViewRange>,
-    /// The axis of run time.
     pub time_scale: Scale,
-    /// The axis of error.
     pub error_scale: Scale,
     /// Lines of the slopes that orders make are drawn.
     pub guides: bool,
@@ -89,7 +85,6 @@ impl Default for ChartView {
 }
 
 impl Accuracy {
-    /// The row of the selected method.
     pub fn selected_row(&self) -> usize {
         let cheapest = || {
             let method = self.report.as_ref()?.cheapest(TARGETS[0])?.method;
@@ -98,7 +93,6 @@ impl Accuracy {
         self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
-    /// The selected method.
     pub fn method(&self) -> Method {
         Method::ALL[self.selected_row()]
     }
@@ -115,18 +109,15 @@ impl Accuracy {
         .max_by(f64::total_cmp)
     }
 
-    /// What was measured of a method.
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
         self.report.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    /// The methods that are drawn.
     fn drawn(&self) -> impl Iterator<Item = &MethodReport> {
         let methods = self.report.iter().flat_map(|report| &report.methods);
         methods.filter(|one| !self.hidden.contains(&one.method))
     }
 
-    /// Their curves.
     pub fn curves(&self) -> Vec<(Method, Curve<'static>)> {
         self.drawn().map(|one| (one.method, curve(one))).collect()
     }
@@ -142,7 +133,6 @@ impl Accuracy {
         })
     }
 
-    /// The run times in view.
     pub fn times(&self) -> Option<ViewRange> {
         self.view.times.map(|times| times.on(self.view.time_scale)).or_else(|| self.all_times())
     }
@@ -202,7 +192,6 @@ impl Accuracy {
             .collect()
     }
 
-    /// The best a method gives within a run time.
     pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Knob, &Measured)> {
         let report = self.of(method)?;
         let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
@@ -247,7 +236,6 @@ impl App {
         Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
     }
 
-    /// The parts of the status row in this tab; see [`App::status`].
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
         let count = tab
@@ -384,4 +372,128 @@ impl App {
 
 fn engineering(value: f64, unit: &'static str, digits: usize) -> String {
     Engineering { value, unit, digits }.to_string()
+}
+
+/// The tab is shown: measure, unless this scene has been or is being measured.
+pub(crate) fn enter(app: &mut App) {
+    let tab = &app.pages.numerics.accuracy;
+    let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
+    if !measured && !app.jobs.is_coming::<Measurements>(&app.scene) {
+        measure(app);
+    }
+}
+
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
+    match action {
+        Action::Run => measure(app),
+        Action::Enter => use_method(app),
+        Action::View => app.pages.numerics.accuracy.table_page += 1,
+        Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
+        Action::ShowHide | Action::Mark => show_or_hide(app),
+        _ => match along(action, 10) {
+            Some(by) => {
+                let columns = plot_columns(app);
+                app.pages.numerics.accuracy.move_cursor(by.into(), columns);
+            }
+            None => return false,
+        },
+    }
+    true
+}
+
+/// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
+fn use_method(app: &mut App) {
+    let method = app.pages.numerics.accuracy.method();
+    if app.accuracy_is_old() || app.pages.numerics.accuracy.report.is_none() {
+        return app.refuse("no results of this scene: press r to measure");
+    }
+    let mut scene = (*app.scene).clone();
+    let what = match method {
+        Method::ThesisPrinted => {
+            scene.contact.model = ContactModel::Appendix;
+            "the listing of the thesis (contact model appendix)".to_owned()
+        }
+        _ if method.is_of_engine() => {
+            let Some(tolerance) = app.pages.numerics.accuracy.tolerance_for(method, TARGETS[0])
+            else {
+                let text = format!("{} does not reach an error of 1e-6 here", method.name());
+                return app.refuse(text);
+            };
+            scene.run.tolerance = tolerance;
+            format!("{}: tolerance {tolerance:.0e} gives 1e-6", method.name())
+        }
+        _ => {
+            let text = format!(
+                "{} is here for comparison: a scene is run by auto, which chooses the method",
+                method.name()
+            );
+            return app.refuse(text);
+        }
+    };
+    if scene == *app.scene {
+        return app.tell(format!("the scene has this already: {what}"));
+    }
+    edit::commit_scene(app, scene, format!("use {what}"), None);
+    app.tell(format!("{what} (u undoes)"));
+}
+
+/// Another way to look at the chart.
+fn look(app: &mut App, action: Action) {
+    let view = &mut app.pages.numerics.accuracy.view;
+    let word = |scale| match scale {
+        Scale::Linear => "linear",
+        Scale::Log10 => "logarithmic",
+    };
+    let text = match action {
+        Action::LogX => {
+            view.time_scale = view.time_scale.toggled();
+            format!("run time: {}", word(view.time_scale))
+        }
+        Action::LogY => {
+            view.error_scale = view.error_scale.toggled();
+            format!("error: {}", word(view.error_scale))
+        }
+        Action::SlopeGuides => {
+            view.guides = !view.guides;
+            let logarithmic = (view.time_scale, view.error_scale) == (Scale::Log10, Scale::Log10);
+            match (view.guides, logarithmic) {
+                (true, true) => "slopes of orders 1, 2, 4 and 8, from the upper left".to_owned(),
+                (true, false) => "slopes of orders show where both axes are logarithmic".to_owned(),
+                (false, _) => "no slopes".to_owned(),
+            }
+        }
+        _ => {
+            view.bars = !view.bars;
+            if view.bars {
+                "bars: from the least of the timings to their median and its deviation".to_owned()
+            } else {
+                "no bars".to_owned()
+            }
+        }
+    };
+    app.tell(text);
+}
+
+fn measure(app: &mut App) {
+    jobs::study(app, Tab::Numerics, Measurements(Effort::FULL));
+}
+
+fn show_or_hide(app: &mut App) {
+    let tab = &mut app.pages.numerics.accuracy;
+    let method = tab.method();
+    if tab.hidden.contains(&method) {
+        tab.hidden.retain(|hidden| *hidden != method);
+    } else {
+        tab.hidden.push(method);
+    }
+}
+
+pub(crate) fn report(app: &mut App, running: &Running, report: Arc<Report>, is_last: bool) {
+    if let Some((_, total)) = running.points {
+        app.pages.numerics.accuracy.points_in_all = total;
+    }
+    if is_last && !report.is_complete {
+        app.tell("Cancelled. Partial results are shown; press r to measure again.");
+    }
+    app.pages.numerics.accuracy.report = Some(report);
 }

@@ -1,26 +1,28 @@
 //! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
 
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
-
 use std::error::Error;
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::model::variables::{VARIABLES, Value};
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, table};
+use crate::report::{self, figures};
 use crate::study::context::Context;
-use crate::study::stability::map::{self, Axis, Map, Method};
+use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
 use crate::study::stability::{self, Row};
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::pages::numerics::STIFF_SCENES;
-use crate::tui::pages::{Progress, StatusPart, part};
-use crate::tui::widgets::table::Sorting;
+use crate::tui::chart::heatmap::role;
+use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
+use crate::tui::pages::{Progress, StatusPart, part, progress};
+use crate::tui::prelude::*;
+use crate::tui::update::act::cursor_moved;
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::RowList;
+use crate::tui::widgets::table::{Grid, Sorting};
+use crate::tui::widgets::text::{NEEDS_SINGLE, columns};
 use crate::worker::Finding;
-use crate::worker::reporter::Reporter;
-use crate::worker::study::{Lane, RowsSoFar, Study};
+use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -30,9 +32,7 @@ const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
 pub struct StabilityMap {
-    /// The method.
     pub method: Method,
-    /// The variable.
     pub axis: Axis,
 }
 
@@ -73,24 +73,17 @@ pub fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
 }
 
-/// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Stability {
-    /// The method of the map.
     pub method: Method,
-    /// Its variable.
     pub axis: Axis,
-    /// The map with the scene it belongs to.
     pub map: Option<(Arc<Scene>, Arc<Map>)>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is sorted.
     pub sorting: Sorting,
-    /// The rows of the battery.
     pub battery: Option<Arc<RowsSoFar<Row>>>,
-    /// The selected row of the battery.
     pub selected: usize,
-    /// The page of its columns.
     pub table_page: usize,
 }
 
@@ -140,19 +133,16 @@ impl Stability {
         self.map = Some((scene, map));
     }
 
-    /// Sort the table by its next column.
     pub fn sort_next(&mut self) {
         self.sorting = self.sorting.next(&keys());
         self.selected = 0;
     }
 
-    /// The rows in the order they are shown in.
     pub fn sorted(&self) -> Vec<&Row> {
         let rows = self.rows();
         self.sorting.order(&table(rows)).into_iter().map(|at| &rows[at]).collect()
     }
 
-    /// The rows of the battery there are.
     pub fn rows(&self) -> &[Row] {
         self.battery.as_ref().map_or(&[], |battery| &battery.rows)
     }
@@ -185,7 +175,6 @@ impl App {
         ))
     }
 
-    /// The selected row of the battery in words.
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
         let row =
             *self.pages.numerics.stability.sorted().get(self.pages.numerics.stability.selected)?;
@@ -198,7 +187,6 @@ impl App {
         })
     }
 
-    /// The parts of the status row in this tab; see [`App::status`].
     pub fn stability_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.stability;
         let mut parts = Vec::new();
@@ -206,33 +194,20 @@ impl App {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
-            let progress = match (self.jobs.running::<StiffScenes>(), &tab.battery) {
-                (Some(running), _) => Some(Progress::Running(format!(
-                    "running the battery{}",
-                    running.counted("of", "")
-                ))),
-                (None, None) => Some(Progress::Nothing),
-                (None, Some(battery)) if !battery.is_complete => Some(Progress::Cut(String::new())),
-                (None, Some(_)) => None,
-            };
-            parts.extend(progress.map(Progress::part));
+            let kept = tab.battery.as_ref().map(|battery| battery.is_complete);
+            let running =
+                progress::<StiffScenes>(self, "running the battery", ("of", ""), false, kept);
+            parts.extend(running.map(Progress::part));
             if tab.battery.is_some() {
                 parts.push(part(severity, holds));
                 parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
         }
-        let progress = match (self.jobs.running::<StabilityMap>(), &tab.map) {
-            (Some(mapping), _) => Some(Progress::Running(format!(
-                "computing the map{}",
-                mapping.counted("of", " rows")
-            ))),
-            _ if self.map_is_old() => Some(Progress::Old("scene")),
-            (None, None) => Some(Progress::Nothing),
-            (None, Some((_, map))) if !map.is_complete() => Some(Progress::Cut(String::new())),
-            (None, Some(_)) => None,
-        };
-        parts.extend(progress.map(Progress::part));
+        let kept = tab.map.as_ref().map(|(_, map)| map.is_complete());
+        let (doing, old) = ("computing the map", self.map_is_old());
+        let mapping = progress::<StabilityMap>(self, doing, ("of", " rows"), old, kept);
+        parts.extend(mapping.map(Progress::part));
         if let Some((_, map)) = &tab.map {
             parts.push(part(
                 Severity::Note,
@@ -245,4 +220,184 @@ impl App {
         }
         parts
     }
+}
+
+const FAR: i16 = 10;
+
+/// What is shown is computed, unless it has been or is being.
+pub(crate) fn enter(app: &mut App) {
+    let tab = &app.pages.numerics.stability;
+    if app.pane() == STIFF_SCENES {
+        let there = tab.battery.as_ref().is_some_and(|battery| battery.is_complete)
+            || app.jobs.running::<StiffScenes>().is_some();
+        if !there {
+            ask_battery(app);
+        }
+        return;
+    }
+    let there = tab.map.as_ref().is_some_and(|(scene, map)| {
+        let is_wanted = map.method == tab.method && map.axis == tab.axis;
+        *scene == app.scene && is_wanted && map.is_complete()
+    });
+    if !there && !app.jobs.is_coming::<StabilityMap>(&app.scene) {
+        ask_map(app);
+    }
+}
+
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
+    if app.pane() == STIFF_SCENES { in_battery(app, action) } else { in_map(app, action) }
+}
+
+fn in_battery(app: &mut App, action: Action) -> bool {
+    match action {
+        Action::Run => ask_battery(app),
+        Action::View => app.pages.numerics.stability.table_page += 1,
+        Action::Sort => app.pages.numerics.stability.sort_next(),
+        _ => return false,
+    }
+    true
+}
+
+fn in_map(app: &mut App, action: Action) -> bool {
+    let tab = &mut app.pages.numerics.stability;
+    match action {
+        Action::Run => ask_map(app),
+        Action::View => {
+            // Three variables, then the same with the other method.
+            (tab.axis, tab.method) = match (tab.axis, tab.method) {
+                (Axis::K, method) => (Axis::N, method),
+                (Axis::N, method) => (Axis::B, method),
+                (Axis::B, Method::Thesis) => (Axis::K, Method::Rk4),
+                (Axis::B, Method::Rk4) => (Axis::K, Method::Thesis),
+            };
+            ask_map(app);
+        }
+        Action::Enter => load(app),
+        _ => match cursor_moved(action, FAR) {
+            Some((columns, rows)) => tab.move_cursor(rows, columns),
+            None => return false,
+        },
+    }
+    true
+}
+
+/// Load the value of the row under the cursor into the scene.
+fn load(app: &mut App) {
+    let tab = &app.pages.numerics.stability;
+    let found = tab.map.as_ref().zip(tab.cursor()).filter(|_| !app.map_is_old());
+    let Some(((_, map), (row, _))) = found else {
+        return app.refuse("no map of this scene: press r to compute it");
+    };
+    let (symbol, value) = (map.axis.symbol(), map.values[row]);
+    let index = VARIABLES.iter().position(|one| one.symbol == symbol).unwrap_or(0);
+    match edit::set(app, index, Value::Number(value), None) {
+        Ok(()) => app.tell(format!("loaded {symbol} = {} (u undoes)", significant(value, 4))),
+        Err(error) => app.refuse(error),
+    }
+}
+
+fn ask_map(app: &mut App) {
+    let Stability { method, axis, .. } = app.pages.numerics.stability;
+    jobs::study(app, Tab::Numerics, StabilityMap { method, axis });
+}
+
+fn ask_battery(app: &mut App) {
+    jobs::study(app, Tab::Numerics, StiffScenes);
+}
+
+pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.numerics.stability;
+    let old = if app.map_is_old() { ", old" } else { "" };
+    let title = match &tab.map {
+        Some((_, map)) => {
+            format!("{}, up: {}{old}", map.method.name(), map.axis.symbol())
+        }
+        None => "Map".to_owned(),
+    };
+    let focused = app.has_focus(STABILITY);
+    let Some((_, found)) = &tab.map else {
+        let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(focused);
+        let inner = pane.draw(area, canvas);
+        let text = match app.jobs.running::<StabilityMap>() {
+            Some(_) => "computing the map",
+            None if app.needs_single_plate() => NEEDS_SINGLE,
+            None => "no results yet: press r",
+        };
+        canvas.put_centred(inner, text);
+        return;
+    };
+    let cursor = tab.cursor().map(|(row, column)| (column, row));
+    let map =
+        report::map::Map { title: title.into(), cursor, focused, ..figures::stability::map(found) };
+    let above = Rect { height: area.height.saturating_sub(1), ..area };
+    let layout = canvas.draw(&map, above);
+    legend(area, canvas);
+    let hint = " Tab: stiff scenes ";
+    let column = above.width.saturating_sub(columns(hint) + 1);
+    canvas.put(above, (column, above.height.saturating_sub(1)), hint, Role::Dim);
+    canvas.plot(&layout, |dt_s, value| {
+        let row = nearest(&found.values, value)?;
+        Some(Target::Cell(STABILITY, (row, nearest(&found.dt_s, dt_s)?)))
+    });
+}
+
+/// What letters and marks mean, in as many words as there is room for.
+fn legend(area: Rect, canvas: &mut Canvas<'_>) {
+    let cells = [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp];
+    let short = ["1 %", "worse", "rings", "blows up"];
+    let marks = ["# analytic limit  + this scene at the thesis's 1e-6 s", "# limit  + 1e-6 s"];
+    let width = |words: [&str; 4], marks| {
+        // A letter and a space before each, and two spaces behind.
+        1 + words.into_iter().map(|text| columns(text) + 4).sum::<u16>() + columns(marks)
+    };
+    let long = cells.map(Cell::words);
+    let choices = [(long, marks[0]), (long, marks[1]), (short, marks[1])];
+    let fits = choices.into_iter().find(|(words, marks)| width(*words, marks) <= area.width);
+    let (words, marks) = fits.unwrap_or(choices[2]);
+    let row = area.height - 1;
+    let mut column = 1;
+    for (cell, text) in cells.into_iter().zip(words) {
+        let letter = cell.letter().to_string();
+        canvas.put(area, (column, row), &letter, role(figures::stability::tone(cell)));
+        column = canvas.put(area, (column + 2, row), text, Role::Text) + 2;
+    }
+    canvas.put(area, (column, row), marks, Role::Text);
+}
+
+pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.numerics.stability;
+    let rows = tab.sorted();
+    let table = table(rows.iter().copied());
+    let keys = keys();
+    let mut cells = table.cells(&keys);
+    tab.sorting.mark(&keys, &mut cells);
+    let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
+    let height = usize::from(area.height.saturating_sub(3));
+    let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
+    let first = list.first(area.height.saturating_sub(3));
+    let title = if area.width < 70 { "Battery" } else { "Battery of stiff and extreme scenes" };
+    let title = if rows.len() > height {
+        let last = (first + height).min(rows.len());
+        format!("{title} {}-{last}/{}", first + 1, rows.len())
+    } else {
+        title.to_owned()
+    };
+    let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
+    let pane = PaneFrame::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
+    let inner = pane.draw(area, canvas);
+    canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
+    if rows.is_empty() {
+        let text = if app.jobs.running::<StiffScenes>().is_some() {
+            "running the first scenes"
+        } else {
+            "r runs it"
+        };
+        canvas.put(inner, (1, 2), text, Role::Dim);
+    }
+    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
+    let target = |row| Some(Target::Row(STIFF_SCENES, row));
+    list.render(canvas, area, target, |canvas, line, index| {
+        let role = if rows[index].shortfall.is_some() { Role::Error } else { Role::Text };
+        canvas.put(line, (0, 0), &grid.line(Some(index)), role);
+    });
 }

@@ -1,40 +1,28 @@
 //! What the charts show: quantities, the time range, the crosshair, and the points of every curve. No drawing.
 
+pub(crate) mod draw;
+
 use std::ops::Range;
-use std::sync::Arc;
 
 use crate::model::run::Run;
 use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
-use crate::tui::pages::run::layout::panes;
-use crate::tui::pages::run::runs::RunView;
+use crate::tui::keymap::Action;
+use crate::tui::pages::run::panes;
+use crate::tui::pages::run::runs::{self, RunView};
+use crate::tui::update::act::along;
 use crate::tui::update::zoom::Across;
-use coarse::Coarse;
-
-pub mod coarse;
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
+use crate::tui::view::plot_columns;
 
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Window {
     /// From first contact to a little after the first arrest (or perforation).
     Contact,
-    /// The whole run.
     Whole,
 }
 
-/// What the vertical axis is fitted to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fit {
-    /// The part of the curves in view.
-    View,
-    /// The whole curves.
-    Everything,
-}
-
-/// The state of the three charts.
 #[derive(Clone, Debug)]
 pub struct Charts {
     /// What each shows, from top to bottom.
@@ -49,16 +37,12 @@ pub struct Charts {
     pub window: Window,
     /// A time range chosen by zooming or panning, s; `None`: all of the window.
     pub zoom_s: Option<ViewRange>,
-    /// What the vertical axes are fitted to.
-    pub fit: Fit,
-    /// The time axis.
+    /// The vertical axes are fitted to the whole curves, not to the part in view.
+    pub fits_whole: bool,
     pub time_scale: Scale,
-    /// The vertical axes.
     pub value_scales: [Scale; 3],
     /// Curves are differences to the first pinned run.
     pub difference: bool,
-    /// What the curves of runs with long series are drawn from.
-    pub coarse: Vec<Coarse>,
 }
 
 impl Default for Charts {
@@ -74,11 +58,10 @@ impl Default for Charts {
             cursor_s: None,
             window: Window::Contact,
             zoom_s: None,
-            fit: Fit::View,
+            fits_whole: false,
             time_scale: Scale::Linear,
             value_scales: [Scale::Linear; 3],
             difference: false,
-            coarse: Vec::new(),
         }
     }
 }
@@ -129,7 +112,6 @@ impl App {
         }
     }
 
-    /// Every visible curve of a quantity.
     pub fn curves(&self, quantity: Quantity) -> Vec<Curve> {
         let reference = self
             .reference_pin()
@@ -138,7 +120,7 @@ impl App {
         self.visible_runs().iter().map(|view| self.curve(view, quantity, reference)).collect()
     }
 
-    /// The points of a run that are in view, and one on either side of it; of a long series no more than a screen can show.
+    /// The points of a run that are in view, and one on either side of it.
     fn curve(&self, view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
         let seen = self.samples_seen(view.run);
         let point = |index: usize| {
@@ -153,22 +135,13 @@ impl App {
             };
             (across, value)
         };
-        // What is extreme in a run need not be so in its difference to another.
-        let coarse = self.charts.coarse.iter().find(|one| one.is_of(view.run));
-        let few = coarse
-            .filter(|_| reference.is_none() && quantity != Quantity::MountForce)
-            .and_then(|coarse| coarse.of_those(quantity, &seen));
-        let points = match few {
-            Some(indices) => indices.iter().copied().map(point).collect(),
-            None => seen.map(point).collect(),
-        };
+        let points = seen.map(point).collect();
         Curve { letter: view.letter, index: view.index, old: view.old, points }
     }
 
-    /// Which samples of a run its curves are drawn from.
     fn samples_seen(&self, run: &Run) -> Range<usize> {
         let all = 0..run.series.len();
-        if self.charts.fit == Fit::Everything {
+        if self.charts.fits_whole {
             return all;
         }
         let (from, to) = self.time_range_s();
@@ -178,15 +151,6 @@ impl App {
         let before = run.series.partition_point(|sample| sample.t_s < from);
         let within = run.series.partition_point(|sample| sample.t_s <= to);
         before.saturating_sub(1)..all.end.min(within + 1)
-    }
-
-    /// A result has landed: from here on its curves cost a frame little, however long its series.
-    pub fn note_run(&mut self, run: &Arc<Run>) {
-        let coarse = &mut self.charts.coarse;
-        coarse.retain(Coarse::is_wanted);
-        if !coarse.iter().any(|one| one.is_of(run)) {
-            coarse.extend(Coarse::of(run));
-        }
     }
 
     /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
@@ -209,7 +173,7 @@ impl App {
     /// The range of values to show, over the curves; a little room is left to the chart itself.
     pub fn value_range(&self, curves: &[Curve], scale: Scale) -> (f64, f64) {
         let (from, to) = self.time_range_s();
-        let seen = |t: f64| self.charts.fit == Fit::Everything || (from..=to).contains(&t);
+        let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for &(t, value) in curves.iter().flat_map(|curve| &curve.points) {
             if seen(t) && value.is_finite() && (scale == Scale::Linear || value > 0.0) {
@@ -290,7 +254,7 @@ impl App {
     }
 
     /// The time axis, of which a part can be chosen.
-    pub(in crate::tui) fn time_across(&mut self) -> Across<'_> {
+    pub(crate) fn time_across(&mut self) -> Across<'_> {
         let range = |(from, to)| ViewRange::new(from, to);
         let view = range(self.time_range_s());
         let home = range(self.on_time_axis(self.window_s()));
@@ -311,4 +275,108 @@ impl App {
         }
         (begin, end)
     }
+}
+
+pub(crate) fn act(app: &mut App, action: Action) -> bool {
+    use Action as A;
+    let selected = app.charts.selected;
+    match action {
+        A::Mark => runs::pin_scene(app),
+        A::EventNext => event(app, true),
+        A::EventPrevious => event(app, false),
+        A::ZoomFit => {
+            app.charts.fits_whole = false;
+            return false;
+        }
+        A::FitVertical => fit(app),
+        A::Window => window(app),
+        A::View => {
+            let mut next = app.charts.quantities[selected].next();
+            while app.charts.quantities.contains(&next) {
+                next = next.next();
+            }
+            app.charts.quantities[selected] = next;
+            if app.charts.second[selected] == Some(next) || next == Quantity::MountForce {
+                app.charts.second[selected] = None;
+            }
+        }
+        A::SecondAxis => second_axis(app),
+        A::LogX => {
+            app.charts.time_scale = app.charts.time_scale.toggled();
+            app.tell(format!("time axis: {}", word(app.charts.time_scale)));
+        }
+        A::LogY => {
+            let scale = &mut app.charts.value_scales[selected];
+            *scale = scale.toggled();
+            let text = format!("value axis: {}", word(*scale));
+            app.tell(text);
+        }
+        A::Difference => difference(app),
+        _ => match along(action, 10) {
+            Some(by) => app.move_cursor(by.into(), plot_columns(app)),
+            None => return false,
+        },
+    }
+    true
+}
+
+fn second_axis(app: &mut App) {
+    let text = match app.next_second() {
+        Some(quantity) => format!(
+            "at the right: {} (w: the next quantity, at last none)",
+            quantity.title().to_lowercase()
+        ),
+        None => "no second axis: w puts a quantity there".to_owned(),
+    };
+    app.tell(text);
+}
+
+fn word(scale: Scale) -> &'static str {
+    match scale {
+        Scale::Linear => "linear",
+        Scale::Log10 => "logarithmic (values of zero or less are not drawn)",
+    }
+}
+
+fn event(app: &mut App, forward: bool) {
+    if app.move_to_event(forward).is_none() {
+        let text = match (&app.shown, forward) {
+            (None, _) => "no run yet",
+            (Some(shown), _) if shown.run.events.is_empty() => "this run has no events",
+            (Some(_), true) => "no later event",
+            (Some(_), false) => "no earlier event",
+        };
+        app.tell(text);
+    }
+}
+
+fn fit(app: &mut App) {
+    app.charts.fits_whole = !app.charts.fits_whole;
+    let to = if app.charts.fits_whole { "the whole run" } else { "what is in view" };
+    app.tell(format!("vertical axes: fitted to {to}"));
+}
+
+fn window(app: &mut App) {
+    app.charts.window = match app.charts.window {
+        Window::Contact => Window::Whole,
+        Window::Whole => Window::Contact,
+    };
+    app.charts.zoom_s = None;
+    app.tell(match app.charts.window {
+        Window::Contact => "time axis: the contact, up to first arrest or perforation",
+        Window::Whole => "time axis: the whole response",
+    });
+}
+
+fn difference(app: &mut App) {
+    let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
+        return app.refuse("no pinned run to compare with: Space pins the current one");
+    };
+    app.charts.difference = !app.charts.difference;
+    let text = if app.charts.difference {
+        format!("curves are differences to {letter}: D shows the values again")
+    } else {
+        "curves are values again".to_owned()
+    };
+    app.tell(text);
 }

@@ -1,13 +1,17 @@
 //! The list of variables: which rows there are, which is selected, and how a value is shown.
 
-pub(in crate::tui) mod draw;
-
-use crate::model::scene::Scene;
+use crate::model::run::envelope;
+use crate::model::scene::{Scene, SpringKind};
 use crate::model::units;
-use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
+use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
 use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::status::clip;
+use crate::tui::dialogs::ask::extent;
+use crate::tui::pages::run;
+use crate::tui::prelude::*;
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::text::columns;
 
-/// The list of variables.
 #[derive(Clone, Debug, Default)]
 pub struct Editor {
     /// Selected variable, by index into the table.
@@ -18,10 +22,8 @@ pub struct Editor {
     pub stepped: Option<(usize, i32)>,
 }
 
-/// One row of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Row {
-    /// A group's heading.
     Heading(Group),
     /// A variable, by index into the table.
     Variable(usize),
@@ -61,7 +63,6 @@ impl Editor {
             .collect()
     }
 
-    /// The selected variable.
     pub fn variable(&self) -> &'static Variable {
         &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
     }
@@ -99,4 +100,212 @@ pub fn shown_number(number: f64, width: usize) -> String {
         .map(|digits| units::significant(number, digits))
         .find(|text| text.len() <= width)
         .unwrap_or_else(|| format!("{number:.0e}"))
+}
+
+/// Columns within a row: cursor, `*`, symbol, value, flag, unit.
+const SYMBOL: u16 = 2;
+const VALUE: u16 = 12;
+const VALUE_WIDTH: u16 = 8;
+/// Columns of a unit after the flag.
+const UNIT_WIDTH: u16 = 8;
+/// From this width on the meaning stands beside the symbol.
+const WITH_MEANING: u16 = 44;
+
+/// Where the parts of a row stand in a list of this width.
+#[derive(Clone, Copy)]
+struct Columns {
+    /// Columns for the meaning, after the symbol.
+    meaning: u16,
+    value: u16,
+    flag: u16,
+    unit: u16,
+}
+
+impl Columns {
+    fn of(width: u16) -> Self {
+        let meaning =
+            if width < WITH_MEANING { 0 } else { width - VALUE - VALUE_WIDTH - UNIT_WIDTH - 1 };
+        let value = VALUE + meaning;
+        let flag = value + VALUE_WIDTH;
+        Self { meaning, value, flag, unit: flag + 1 }
+    }
+}
+
+pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let rows = app.editor.rows(&app.scene);
+    let height = usize::from(area.height.saturating_sub(3));
+    let first = app.editor.first_row(&app.scene, height);
+    let pane =
+        PaneFrame::new(title(app)).right(counter(app, &rows, first, height)).focused(focused);
+    let inner = pane.draw(area, canvas);
+    if inner.height < 2 {
+        return;
+    }
+    let list = Rect { height: inner.height - 1, ..inner };
+    canvas.pane(area, run::VARIABLES);
+    canvas.rows(list, (first, rows.len()), |row| {
+        let above = rows[..row].iter().filter(|row| matches!(row, Row::Variable(_)));
+        matches!(rows[row], Row::Variable(_)).then(|| Target::Row(run::VARIABLES, above.count()))
+    });
+    let breaches = envelope::of_scene(&app.scene);
+    let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
+    for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
+        match row {
+            Row::Heading(group) => {
+                canvas.put(list, (0, at), group.title(), Role::Title);
+            }
+            Row::Variable(index) => {
+                variable(app, (*index, &outside), (list, at), canvas);
+            }
+        }
+    }
+    if rows.is_empty() {
+        canvas.put(list, (1, 0), "no variable matches", Role::Dim);
+    }
+    let foot = foot(app, usize::from(inner.width));
+    canvas.put(inner, (0, inner.height - 1), &foot, Role::Dim);
+}
+
+fn title(app: &App) -> String {
+    if app.editor.filter.is_empty() {
+        "Variables".to_owned()
+    } else {
+        format!("Variables /{}", app.editor.filter)
+    }
+}
+
+/// Which of the variables are in sight, where not all are.
+fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
+    let all = VARIABLES.iter().filter(|variable| is_offered(variable, &app.scene)).count();
+    let number = |rows: &[Row]| rows.iter().filter(|row| matches!(row, Row::Variable(_))).count();
+    let end = (first + height).min(rows.len());
+    if rows.len() <= height && number(rows) == all {
+        return String::new();
+    }
+    let above = number(&rows[..first.min(rows.len())]);
+    let seen = number(&rows[first.min(rows.len())..end]);
+    if seen == 0 {
+        return format!("0/{all}");
+    }
+    format!("{}-{}/{}", above + 1, above + seen, number(rows))
+}
+
+fn variable(
+    app: &App,
+    (index, outside): (usize, &[&str]),
+    (list, row): (Rect, u16),
+    canvas: &mut Canvas<'_>,
+) {
+    let variable = &VARIABLES[index];
+    let selected = app.editor.selected == index;
+    let used = variables::is_used(variable, &app.scene);
+    let is_outside =
+        variable.range_warning(&app.scene).is_some() || outside.contains(&variable.symbol);
+    let warned = used && is_outside;
+    let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
+    let role = if used { Role::Text } else { Role::Dim };
+    let field = app.field.as_ref().filter(|_| selected && app.pane() == run::VARIABLES);
+
+    if differs {
+        canvas.put(list, (1, row), "*", Role::Note);
+    }
+    let columns_of = Columns::of(list.width);
+    canvas.put(list, (SYMBOL, row), variable.symbol, role);
+    if columns_of.meaning > 0 {
+        let text = clip(variable.label, usize::from(columns_of.meaning - 1));
+        canvas.put(list, (VALUE, row), &text, Role::Dim);
+    }
+    if let Some(field) = field {
+        open_field(variable, field, (list, row), canvas);
+    } else {
+        let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
+        let Columns { value, flag, unit, .. } = columns_of;
+        let start = flag.saturating_sub(columns(&text)).max(value);
+        let end = canvas.put(list, (start, row), &text, role);
+        if matches!(variable.value(&app.scene), Value::Number(_)) && end <= flag {
+            canvas.put(list, (unit, row), variable.unit().trim_matches('-'), Role::Dim);
+        }
+    }
+    if warned {
+        canvas.put(list, (columns_of.flag, row), "!", Role::Warning);
+    }
+    if selected {
+        canvas.put(list, (0, row), ">", Role::Title);
+        if field.is_none() {
+            canvas.paint_row(list, row);
+        }
+    }
+}
+
+/// `[ 1.25_  ]`, wider where the text needs it.
+fn open_field(
+    variable: &Variable,
+    field: &Field,
+    (list, row): (Rect, u16),
+    canvas: &mut Canvas<'_>,
+) {
+    let long = columns(field.value()) >= VALUE_WIDTH;
+    let Columns { value, unit, .. } = Columns::of(list.width);
+    let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
+    field.draw_boxed(canvas, Rect { y: list.y + row, height: 1, ..list }, value, room);
+    if !long {
+        canvas.put(list, (unit + 1, row), variable.unit().trim_matches('-'), Role::Dim);
+    }
+}
+
+/// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.
+fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
+    let Kind::Number(number) = &variable.kind else {
+        return None;
+    };
+    let (low, high) = number.thesis_range?;
+    let value = (number.get)(&app.scene)?;
+    let cells = width.checked_sub(2).filter(|cells| *cells > 2)?;
+    let mut bar: Vec<char> = vec!['-'; cells];
+    if value < low {
+        bar[0] = '<';
+    } else if value > high {
+        bar[cells - 1] = '>';
+    } else {
+        // The place among the cells by comparison, not by conversion: few cells, no rounding to argue about.
+        let share = (value - low) / (high - low);
+        let at = (1..cells).filter(|cell| share * cells as f64 >= *cell as f64).count();
+        bar[at] = '|';
+    }
+    Some(format!("[{}]", bar.into_iter().collect::<String>()))
+}
+
+/// The points of the spring whose kind this is, where it is a table.
+fn measured<'a>(variable: &Variable, app: &'a App) -> Option<&'a [[f64; 2]]> {
+    let spring = match variable.key {
+        "mechanism.spring.kind" => &app.scene.mechanism.spring,
+        "mechanism.second.kind" => &app.scene.mechanism.second,
+        _ => return None,
+    };
+    (spring.kind == SpringKind::Table).then_some(&spring.table.points)
+}
+
+/// Below the list: the selected variable's range of Table 9.2 with its bar, or what it may be.
+fn foot(app: &App, width: usize) -> String {
+    let variable = app.editor.variable();
+    if let Kind::Number(number) = &variable.kind
+        && let Some((low, high)) = number.thesis_range
+    {
+        let (low, high) = (units::shortest(low), units::shortest(high));
+        let table = if width > 34 { "Table 9.2" } else { "T9.2" };
+        let rest = low.len() + high.len() + table.len() + 4;
+        let bar = range_bar(variable, app, width.saturating_sub(rest).min(40));
+        if let Some(bar) = bar {
+            return format!("{low} {bar} {high} {table}");
+        }
+    }
+    if let Some(points) = measured(variable, app) {
+        return clip(&format!("{}: Enter", extent(points)), width);
+    }
+    let allowed = variable.allowed();
+    let words = variable.words().len();
+    if words > 2 && usize::from(columns(&allowed)) > width {
+        return clip(&format!("one of {words} words: Enter lists them"), width);
+    }
+    clip(&allowed, width)
 }

@@ -1,15 +1,12 @@
 //! A small drawing of projectile, plate, spring, damper and stop at the cursor's time: it moves with the crosshair.
 
-use ratatui::layout::Rect;
-
 use crate::model::run::Run;
 use crate::model::scene::Mount;
 use crate::report::series::Quantity;
-use crate::tui::app::App;
+use crate::tui::pages::log::{energy_lines, event_lines};
+use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::runs::engineering;
-use crate::tui::theme::{PaneFrame, Role};
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::put;
+use crate::tui::prelude::*;
 
 /// The projectile, its nose at the right; the plate.
 const PROJECTILE: &str = "===)";
@@ -19,9 +16,9 @@ const LEFT: u16 = 8;
 const SPRING: u16 = 10;
 
 /// Draw it in a frame that says when, how deep and how far.
-pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some(shown) = &app.shown else {
-        PaneFrame::new("Mechanism").render(area, canvas, app.theme);
+        PaneFrame::new("Mechanism").draw(area, canvas);
         return;
     };
     let run = &shown.run;
@@ -30,40 +27,39 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let at = |quantity: Quantity| quantity.at(run, t_s).unwrap_or(0.0);
     let (depth_m, plate_m) = (at(Quantity::Penetration), at(Quantity::PlateDisplacement));
     let right = format!("p {}  x {}", engineering(depth_m, "m"), engineering(plate_m, "m"));
-    let inner = PaneFrame::new(title).right(right).render(area, canvas, app.theme);
+    let inner = PaneFrame::new(title).right(right).draw(area, canvas);
     let mount = inner.width.saturating_sub(2);
     let room = mount.saturating_sub(LEFT + columns(PLATE) + SPRING);
     if room < 2 || inner.height < 2 {
         return;
     }
     let plate = LEFT + cells(share(app, run, plate_m), room.min(inner.width / 3));
-    let style = |role| app.theme.style(role);
     let face = plate + columns(PLATE);
     let rows = inner.height.min(3);
     for row in 0..rows {
-        put(canvas, inner, (mount, row), "|", style(Role::Text));
-        put(canvas, inner, (plate, row), PLATE, style(Role::Curve(1)));
+        canvas.put(inner, (mount, row), "|", Role::Text);
+        canvas.put(inner, (plate, row), PLATE, Role::Curve(1));
     }
     let scene = &run.scene;
     let held = scene.plate.mount == Mount::Sprung;
     let gap = usize::from(mount.saturating_sub(face));
     let spring = if held { "/\\".repeat(gap.div_ceil(2)) } else { "=".repeat(gap) };
     let spring: String = spring.chars().take(gap).collect();
-    put(canvas, inner, (face, 0), &spring, style(Role::Text));
+    canvas.put(inner, (face, 0), &spring, Role::Text);
     if held && !scene.mechanism.damper.is_absent() && rows > 1 {
         let piston = format!("{:-^gap$}", "[=]");
-        put(canvas, inner, (face, 1), &piston, style(Role::Text));
+        canvas.put(inner, (face, 1), &piston, Role::Text);
     }
     if let (true, Some(stop_m)) = (held, scene.mechanism.stop.position_m) {
         let at = LEFT + columns(PLATE) + cells(share(app, run, stop_m), room.min(inner.width / 3));
-        put(canvas, inner, (at.min(mount - 1), rows - 1), "]", style(Role::Warning));
+        canvas.put(inner, (at.min(mount - 1), rows - 1), "]", Role::Warning);
     }
     // The nose by its depth in the plate: at the front face when it is not in, beyond the rear face after perforation.
     let thickness = scene.target.thickness_m;
     let depth = if thickness > 0.0 { (depth_m / thickness).clamp(0.0, 1.5) } else { 0.0 };
     let nose = plate + cells(depth, columns(PLATE));
     let start = nose.saturating_sub(columns(PROJECTILE));
-    put(canvas, inner, (start, rows / 2), PROJECTILE, style(Role::Title));
+    canvas.put(inner, (start, rows / 2), PROJECTILE, Role::Title);
 }
 
 fn columns(text: &str) -> u16 {
@@ -87,4 +83,34 @@ fn share(app: &App, run: &Run, plate_m: f64) -> f64 {
 fn cells(fraction: f64, of: u16) -> u16 {
     let wanted = fraction * f64::from(of);
     (0..=2 * of).find(|cell| f64::from(*cell) + 0.5 > wanted).unwrap_or(2 * of)
+}
+
+pub(crate) fn events(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let inner = PaneFrame::new("Events").right("n N").draw(area, canvas);
+    let Some(shown) = &app.shown else { return };
+    let lines = event_lines(&shown.run);
+    if lines.is_empty() {
+        canvas.put(inner, (1, 0), "none", Role::Dim);
+    }
+    for (row, (line, event)) in (0..inner.height).zip(lines.iter().zip(&shown.run.events)) {
+        canvas.put(inner, (1, row), line, Role::Text);
+        if app.charts.cursor_s.is_some_and(|t_s| t_s.to_bits() == event.t_s.to_bits()) {
+            canvas.paint_row(inner, row);
+        }
+    }
+    let chart = app.charts.selected;
+    canvas.rows(inner, (0, lines.len()), |event| {
+        let value = shown.run.events.get(event)?.t_s;
+        Some(Target::Value { pane: CHARTS, chart, value })
+    });
+}
+
+pub(crate) fn ledger(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let inner = PaneFrame::new("Energy").draw(area, canvas);
+    let Some(shown) = &app.shown else {
+        return;
+    };
+    for (row, line) in (0..inner.height).zip(energy_lines(&shown.run.ledger)) {
+        canvas.put(inner, (1, row), &line, Role::Text);
+    }
 }

@@ -1,27 +1,30 @@
 //! The result on the screen, the pinned ones, and what the worker has been asked.
 
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
-
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
-use crate::model::variables::VARIABLES;
-use crate::report::run::{Compared, comparison};
+use crate::model::variables::{self, VARIABLES};
+use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
-use crate::tui::app::App;
+use crate::study::models::by_every_model;
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::chart::MARKERS;
+use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::summary::results;
+use crate::tui::prelude::*;
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::text::columns;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
 
-/// The result on the screen.
 #[derive(Clone, Debug)]
 pub struct Shown {
-    /// The run.
     pub run: Arc<Run>,
     /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
     pub took: Option<Duration>,
@@ -30,30 +33,22 @@ pub struct Shown {
 /// A frozen scene with its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pin {
-    /// A to H.
     pub letter: char,
     /// A few words: the preset, or what differs from it.
     pub name: String,
-    /// Its scene.
     pub scene: Arc<Scene>,
-    /// Its result, once there is one.
     pub run: Option<Arc<Run>>,
-    /// Whether it is drawn.
     pub visible: bool,
-    /// The job that computes it.
     pub job: Option<u64>,
 }
 
-/// A run to draw.
 #[derive(Clone, Copy, Debug)]
 pub struct RunView<'a> {
     /// The pin's letter; `None` for the current run.
     pub letter: Option<char>,
     /// Row in the table of runs; 0 is the current run.
     pub index: usize,
-    /// Its name.
     pub name: &'a str,
-    /// The run.
     pub run: &'a Run,
     /// It belongs to an older scene than the one on the screen.
     pub old: bool,
@@ -61,7 +56,7 @@ pub struct RunView<'a> {
 
 impl App {
     /// The current run and the pinned ones beside each other.
-    pub(in crate::tui) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
+    pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
         let now = self.shown.as_ref().map(|shown| &*shown.run);
         let now = Compared { name: self.name_of(&self.scene), run: now };
         let pins = self.pins.iter();
@@ -96,4 +91,289 @@ pub fn millimetres(value: Option<f64>) -> String {
 /// A value with prefix and unit, four figures: `19.26 kN`.
 pub fn engineering(value: f64, unit: &'static str) -> String {
     Engineering { value, unit, digits: 4 }.to_string()
+}
+
+/// Columns of marker, letter and a blank before the name.
+const LEAD: u16 = 5;
+
+pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, RUNS);
+    let right = match (app.pins.is_empty(), focused) {
+        (true, _) => "Space pins",
+        (false, true) => "Enter load  Space unpin",
+        (false, false) => "",
+    };
+    let inner = PaneFrame::new("Runs").right(right).focused(focused).draw(area, canvas);
+    let table = app.compared_runs();
+    let mut cells = table.cells(&table.keys());
+    app.runs_sorted.mark(&table.keys(), &mut cells);
+    let grid = Grid::shortened(cells, inner.width.saturating_sub(LEAD));
+    canvas.put(inner, (LEAD, 0), &grid.line(None), Role::Dim);
+    let mut row = 1;
+    for index in app.runs_sorted.order(&table) {
+        let compared = &table.rows[index];
+        let pin = index.checked_sub(1).map(|at| &app.pins[at]);
+        let visible = pin.map_or(app.current_visible, |pin| pin.visible);
+        let letter = pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string());
+        let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
+        let role = |role| if visible { role } else { Role::Dim };
+        canvas.put(inner, (0, row), &format!("{marker}{letter}"), role(Role::Curve(index)));
+        let line = grid.line(Some(index));
+        canvas.put(inner, (LEAD, row), &line, role(Role::Text));
+        let words = compared.run.and_then(no_depth);
+        if let Some((words, at)) = words.and_then(|words| Some((words, line.rfind(words)?))) {
+            let at = LEAD + columns(&line[..at]);
+            canvas.put(inner, (at, row), words, role(Role::Warning));
+        }
+        if focused && index == app.selected_run {
+            canvas.paint_row(inner, row);
+        }
+        row += 1;
+    }
+    below(app, inner, row, canvas);
+    let count = app.pins.len() + 1;
+    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
+    canvas.rows(area, (0, count), |run| Some(Target::Row(RUNS, run)));
+}
+
+/// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
+/// where there is room, the results of the selected run in words.
+fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
+    let width = usize::from(inner.width);
+    let mut lines: Vec<(String, Role)> = match app.pins.get(app.selected_run.saturating_sub(1)) {
+        Some(pin) => difference(app, pin, width),
+        None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
+    };
+    let run = match app.selected_run.checked_sub(1) {
+        None => app.shown.as_ref().map(|shown| &shown.run),
+        Some(at) => app.pins.get(at).and_then(|pin| pin.run.as_ref()),
+    };
+    let details: Vec<String> = run.map_or_else(Vec::new, |run| results(run));
+    let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
+    if !details.is_empty() && free > details.len() + 1 {
+        lines.push((String::new(), Role::Text));
+        let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
+            None => "now".to_owned(),
+            Some(pin) => format!("{} {}", pin.letter, pin.name),
+        };
+        lines.push((clip(&format!("{whose}:"), width), Role::Title));
+        lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
+    }
+    canvas.put_lines(inner, row, lines);
+}
+
+/// What the current run gained on a pin, and what was changed for it.
+fn difference(app: &App, pin: &Pin, width: usize) -> Vec<(String, Role)> {
+    let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
+    let pair = app.shown.as_ref().zip(pin.run.as_ref());
+    let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
+    let difference = difference.map_or_else(
+        || "no first arrest to compare".to_owned(),
+        |(now, then)| {
+            let percent = 100.0 * (now - then) / then;
+            format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3)
+        },
+    );
+    let mut lines = vec![(format!("now - {}: {difference}", pin.letter), Role::Title)];
+    let words: Vec<String> = App::differing(&pin.scene, &app.scene)
+        .into_iter()
+        .map(|index| {
+            let variable = &VARIABLES[index];
+            let (then, now) = (variable.show(&pin.scene), variable.show(&app.scene));
+            format!("{} {then} -> {now}", variable.symbol)
+        })
+        .collect();
+    let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
+    lines.extend(wrap(&text, width).into_iter().map(|line| (line, Role::Text)));
+    lines
+}
+
+/// Pin the scene, or unpin it where it is pinned already.
+pub(crate) fn pin_scene(app: &mut App) {
+    if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
+        return unpinned(app, pin);
+    }
+    let name = app.name_of(&app.scene);
+    let scene = Arc::clone(&app.scene);
+    pin(app, name, scene);
+}
+
+/// Pin the design under a cursor, or say why there is none.
+pub(crate) fn pin_design(app: &mut App, design: Result<(Scene, String), String>) {
+    match design {
+        Ok((scene, label)) => pin(app, label, Arc::new(scene)),
+        Err(why) => app.refuse(why),
+    }
+}
+
+/// Freeze a scene under the next free letter; its result is the one on the screen, or is computed.
+pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
+    if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *scene) {
+        let text = format!("this scene is pinned already, as {}", pin.letter);
+        return app.tell(text);
+    }
+    let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
+    let Some(letter) = LETTERS.into_iter().find(free) else {
+        return app
+            .refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
+    };
+    let run = app
+        .shown
+        .as_ref()
+        .filter(|shown| *shown.run.scene == *scene)
+        .map(|shown| Arc::clone(&shown.run));
+    app.tell(format!("pinned as {letter}: {name}"));
+    insert(app, Pin { letter, name, scene, run, visible: true, job: None });
+}
+
+/// Pin the scene by every interaction model but its own; take them away when all are there.
+pub(crate) fn models(app: &mut App) {
+    let own = app.scene.contact.model;
+    let mut refused = None;
+    let mut wanted: Vec<(&str, Arc<Scene>)> = Vec::new();
+    for (name, scene) in by_every_model(&app.scene) {
+        match variables::validate(&scene) {
+            Ok(()) if scene.contact.model != own => wanted.push((name, Arc::new(scene))),
+            Ok(()) => {}
+            Err(reason) => refused = Some(reason.to_string()),
+        }
+    }
+    if let (true, Some(reason)) = (wanted.is_empty(), &refused) {
+        return app.refuse(reason.clone());
+    }
+    let is_pinned = |app: &App, scene: &Scene| app.pins.iter().any(|pin| *pin.scene == *scene);
+    let missing: Vec<_> =
+        wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
+    if missing.is_empty() {
+        app.pins.retain(|pin| wanted.iter().all(|(_, scene)| *pin.scene != **scene));
+        app.selected_run = app.selected_run.min(app.pins.len());
+        app.charts.difference &= !app.pins.is_empty();
+        app.tell("the other interaction models are unpinned");
+        app.request(Effect::SaveSession);
+        return;
+    }
+    let room = LETTERS.len() - app.pins.len();
+    if missing.len() > room {
+        let text = format!(
+            "{} models need a pin each, and {room} of the eight pins are free: Space on one in the pane Runs unpins it",
+            missing.len()
+        );
+        return app.refuse(text);
+    }
+    for (name, scene) in missing {
+        pin(app, name.to_owned(), scene);
+    }
+    let rest =
+        if refused.is_some() { "; models that cannot run this scene are not drawn" } else { "" };
+    app.tell(format!(
+        "{} and the other models side by side (the same again takes them away){rest}",
+        own.word()
+    ));
+}
+
+fn selected(app: &mut App) -> Option<usize> {
+    let found = app.selected_run.checked_sub(1).filter(|at| *at < app.pins.len());
+    if found.is_none() {
+        app.tell(if app.pins.is_empty() {
+            "no run is pinned yet: Space pins the current one"
+        } else {
+            "select a pinned run first (j, k): the first row is the current run"
+        });
+    }
+    found
+}
+
+pub(crate) fn unpin(app: &mut App) {
+    let Some(at) = selected(app) else {
+        return;
+    };
+    let pin = app.pins[at].clone();
+    unpinned(app, pin);
+}
+
+fn unpinned(app: &mut App, pin: Pin) {
+    take_away(app, &pin);
+    app.tell(format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
+    edit::note_unpinned(app, pin);
+}
+
+pub(crate) fn take_away(app: &mut App, gone: &Pin) {
+    // By its scene, not by its letter: that may have become another one's since.
+    app.pins.retain(|pin| *pin.scene != *gone.scene);
+    app.selected_run = app.selected_run.min(app.pins.len());
+    if app.pins.is_empty() {
+        app.charts.difference = false;
+    }
+    app.request(Effect::SaveSession);
+}
+
+/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
+pub(crate) fn put_back(app: &mut App, pin: Pin) {
+    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
+        return;
+    }
+    let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
+    let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
+        return app.refuse("all eight pins A to H are taken: nothing was put back");
+    };
+    // A job under way when it was taken away has reported to nobody.
+    insert(app, Pin { letter, job: None, ..pin });
+}
+
+/// Among the pins, in the order of their letters.
+fn insert(app: &mut App, pin: Pin) {
+    let at = app.pins.partition_point(|other| other.letter < pin.letter);
+    app.pins.insert(at, pin);
+    jobs::submit_pins(app);
+    app.request(Effect::SaveSession);
+}
+
+pub(crate) fn load(app: &mut App) {
+    let Some(at) = selected(app) else {
+        return;
+    };
+    let pin = &app.pins[at];
+    if *pin.scene == *app.scene {
+        return app.tell("the current scene is this one already");
+    }
+    let label = format!("load {}: {}", pin.letter, pin.name);
+    let scene = (*pin.scene).clone();
+    app.tell(format!("{label} (u undoes)"));
+    edit::commit_scene(app, scene, label, None);
+}
+
+pub(crate) fn show_or_hide(app: &mut App) {
+    match app.selected_run.checked_sub(1) {
+        None => app.current_visible = !app.current_visible,
+        Some(at) => {
+            if let Some(pin) = app.pins.get_mut(at) {
+                pin.visible = !pin.visible;
+            }
+        }
+    }
+}
+
+pub(crate) fn copy(app: &mut App) {
+    let Some(shown) = &app.shown else {
+        return app.refuse("nothing to copy yet: r runs the scene");
+    };
+    let run = &shown.run;
+    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
+    let name = app.name_of(&run.scene);
+    let lines = [
+        format!("scene\t{name}"),
+        format!("outcome\t{}", run.outcome),
+        format!(
+            "first_arrest_penetration_m\t{}",
+            number(run.first_arrest.map(|arrest| arrest.penetration_m))
+        ),
+        format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
+        format!("final_penetration_m\t{}", number(run.final_penetration_m)),
+        format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
+        format!("peak_contact_force_n\t{}", number(run.peak_contact_force_n)),
+        format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
+        format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
+        format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),
+    ];
+    app.request(Effect::Copy(lines.join("\n") + "\n"));
 }

@@ -4,17 +4,14 @@ use crate::model::units::Quantity;
 use crate::model::variables::{Number, Step};
 use crate::tui::pages::run::editor::shown_number;
 
-/// One press of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Press {
     /// To the next value; else to the one before.
     pub up: bool,
-    /// How far.
     pub size: Size,
 }
 
 impl Press {
-    /// To the next value.
     pub const NEXT: Self = Self { up: true, size: Size::Plain };
 
     /// The number of values a choice goes on by.
@@ -23,7 +20,6 @@ impl Press {
     }
 }
 
-/// How far one press goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// A tenth of a step.
@@ -35,7 +31,6 @@ pub enum Size {
 }
 
 impl Size {
-    /// What it is of a plain step.
     pub fn factor(self) -> f64 {
         match self {
             Self::Fine => 0.1,

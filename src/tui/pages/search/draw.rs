@@ -1,31 +1,29 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
-use ratatui::layout::Rect;
-
 use crate::report::figures::axis_of;
+use crate::report::front::{designs, standing};
+use crate::report::monte_carlo::{perforation, table};
+use crate::report::sensitivity::{indices, tornado};
+use crate::report::table::Cells;
+use crate::report::{self, Remark};
 use crate::study::quantities::Quantity;
-use crate::study::search::front::{Candidate, Design};
+use crate::study::search::front::{Candidate, Design, Front, Task};
 use crate::study::search::seek;
-use crate::study::sweep::PointOutcome;
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::app::status::clip;
-use crate::tui::chart::{Axis, Chart, Curve, Draw, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
-use crate::tui::message::Target;
-use crate::tui::pages::search::lines::LETTERS;
-use crate::tui::pages::search::request::{Answer, Request};
+use crate::study::sweep::{self, PointOutcome};
+use crate::study::{monte_carlo, sensitivity};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Page, Searching};
+use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
-use crate::tui::theme::{PaneFrame, Role};
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, first_row, paint_row, put, put_centred, text_role};
+use crate::tui::prelude::*;
+use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::text::{columns, first_row, text_role};
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
-/// Draw setup and findings.
-pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
     canvas.pane(right, RESULTS);
     app.search_form().render(app, SETUP, left, canvas);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
@@ -58,7 +56,7 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
 fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let hint = if app.pane() == SETUP { " Tab " } else { " z: in words " };
     let column = area.width.saturating_sub(columns(hint) + 1);
-    put(canvas, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
+    canvas.put(area, (column, area.height - 1), hint, Role::Dim);
 }
 
 /// What stands where nothing has been found yet.
@@ -66,13 +64,13 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = app.pages.search.page.title();
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { "Tab: setup" } else { "" };
-    let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
+    let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let text = match (app.jobs.running::<Request>(), &app.pages.search.problem) {
         (Some(_), _) => "searching",
         (None, Some(_)) => "see the message below",
         (None, None) => "No results yet. Press r to search.",
     };
-    put_centred(canvas, inner, text, app.theme.style(Role::Dim));
+    canvas.put_centred(inner, text);
 }
 
 fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
@@ -85,7 +83,7 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
-    let inner = PaneFrame::new(title).right(hint).focused(focused).render(area, canvas, app.theme);
+    let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
     let is_table = app.pages.search.page == Page::Front && has_choices;
     let (head, lines) =
@@ -98,22 +96,16 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
         (true, false) => app.pages.search.scrolled().min(lines.len().saturating_sub(height)),
     };
     if let Some((_, text)) = head.first() {
-        put(
-            canvas,
-            inner,
-            (0, 0),
-            &clip(text, usize::from(inner.width)),
-            app.theme.style(Role::Title),
-        );
+        canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
     let top = u16::try_from(head.len()).unwrap_or(0);
     let inner = Rect { y: inner.y + top, height: inner.height.saturating_sub(top), ..inner };
     for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = text_role(*severity);
         let text = clip(text, usize::from(inner.width));
-        put(canvas, inner, (0, row), &text, app.theme.style(role));
+        canvas.put(inner, (0, row), &text, role);
         if has_choices && first + usize::from(row) == selected {
-            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
+            canvas.paint_row(inner, row);
         }
     }
 }
@@ -159,7 +151,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         crosshair: selected.map(|found| found.place.at),
         ..Chart::new(report.measure.title(), x, y, vec![curve])
     };
-    let layout = chart.render(area, canvas, app.theme);
+    let layout = canvas.draw(&chart, area);
     for (x, value) in &report.scan {
         let outcome = report.gaps.iter().find(|gap| {
             let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
@@ -169,13 +161,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
             outcome.map(|gap| gap.outcome).filter(|_| value.is_none());
         let Some((outcome, cell)) = outcome.zip(layout.x.cell(*x)) else { continue };
         let foot = (cell, layout.plot.height.saturating_sub(1));
-        put(
-            canvas,
-            layout.plot,
-            foot,
-            &outcome.letter().to_string(),
-            app.theme.style(Role::Warning),
-        );
+        canvas.put(layout.plot, foot, &outcome.letter().to_string(), Role::Warning);
     }
 }
 
@@ -222,35 +208,28 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
-    let layout = chart.render(area, canvas, app.theme);
+    let layout = canvas.draw(&chart, area);
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
     for design in &designs {
-        mark(app, place(&design.measures), "o", Role::Curve(1), &layout, canvas);
+        mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
     for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
         let candidate: &Candidate = candidate;
         let letter = letter.to_string();
-        mark(app, place(&candidate.measures), &letter, Role::Curve(3), &layout, canvas);
+        mark(place(&candidate.measures), &letter, Role::Curve(3), &layout, canvas);
     }
     if let Some(design) = designs.get(tab.selected()) {
         let design: &Design = design;
-        mark(app, place(&design.measures), "X", Role::Crosshair, &layout, canvas);
+        mark(place(&design.measures), "X", Role::Crosshair, &layout, canvas);
     }
     canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
         Target::Row(RESULTS, at)
     });
 }
 
-fn mark(
-    app: &App,
-    at: Option<(f64, f64)>,
-    text: &str,
-    role: Role,
-    layout: &Layout,
-    canvas: &mut Canvas<'_>,
-) {
+fn mark(at: Option<(f64, f64)>, text: &str, role: Role, layout: &Layout, canvas: &mut Canvas<'_>) {
     if let Some(place) = at.and_then(|(across, up)| layout.place(across, up)) {
-        put(canvas, layout.plot, place, text, app.theme.style(role));
+        canvas.put(layout.plot, place, text, role);
     }
 }
 
@@ -289,5 +268,192 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
             .collect(),
         ..Chart::new("samples a bin", x, y, vec![Curve::new('*', "", &steps)])
     };
-    chart.render(area, canvas, app.theme);
+    canvas.draw(&chart, area);
+}
+
+pub(crate) type Line = (Severity, String);
+
+/// Letters of the scene and the designs of the thesis on a front.
+pub(crate) const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
+
+fn note(text: String) -> Line {
+    (Severity::Note, text)
+}
+
+impl App {
+    /// The lines of the page shown; with what is drawn beside them left out.
+    pub fn search_lines(&self, width: usize) -> Vec<Line> {
+        let Some(found) = self.pages.search.shown() else { return Vec::new() };
+        match (&*found.answer, &found.request) {
+            (Answer::Seek(report), _) => {
+                wrapped(sought_lines(report, self.pages.search.selected()), width)
+            }
+            (Answer::Front(front), Request::Front(task)) => {
+                let mut lines = self.designs_table(front, task, width);
+                lines.extend(wrapped(candidates(front, task, width), width));
+                lines
+            }
+            (Answer::Front(_), _) => Vec::new(),
+            (Answer::Sensitivity(report), _) if is_empty(report) => {
+                wrapped(matters(report, width), width)
+            }
+            (Answer::Sensitivity(report), _) => matters(report, width),
+            (Answer::MonteCarlo(report), _) => {
+                sampled(report, self.pages.search.setup.output, width)
+            }
+        }
+    }
+
+    /// The measure that the Monte Carlo page draws, with its values.
+    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
+        let found = self.pages.search.found[Page::MonteCarlo as usize].as_ref();
+        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
+            return None;
+        };
+        let name = self.pages.search.setup.output;
+        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
+        Some((report, summary))
+    }
+}
+
+impl App {
+    /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
+    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<Line> {
+        let tab = &self.pages.search;
+        let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
+        let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
+        let axes = task.axes.iter().map(sweep::Axis::symbol);
+        let keys: Vec<&str> =
+            objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
+        let order = tab.order();
+        let knee = tab.knee();
+        let name =
+            |at: usize| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
+        let names = (0..order.len()).map(name).collect();
+        let mut columns = designs(task, front, order.into_iter()).cells(&keys);
+        if let Some(sorted) =
+            keys.iter().position(|key| Some(key) == measures.get(tab.sorted(task)))
+        {
+            columns[sorted].head.insert(0, '*');
+        }
+        columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
+        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+        let rows = columns[0].cells.len();
+        let grid = Grid::of(columns, room, 0);
+        let mut lines = vec![note(format!("  {}", grid.line(None)))];
+        for at in 0..rows {
+            let mark = if at == tab.selected() { ">" } else { " " };
+            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
+        }
+        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
+        lines
+    }
+}
+
+/// Sentences over as many lines as they need.
+pub(crate) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
+    let split = |(severity, text): Line| {
+        let lines = if text.chars().count() <= width { vec![text] } else { wrap(&text, width) };
+        lines.into_iter().map(move |line| (severity, line))
+    };
+    lines.into_iter().flat_map(split).collect()
+}
+
+fn sought_lines(report: &seek::Report, selected: usize) -> Vec<Line> {
+    let solutions = report.solutions.iter().enumerate().map(|(index, found)| {
+        let mark = if index == selected { ">" } else { " " };
+        note(format!("{mark} {}", report::seek::solution(report, found)))
+    });
+    solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
+}
+
+/// Words about a result as a line.
+fn line(remark: Remark) -> Line {
+    (if remark.is_caution { Severity::Warning } else { Severity::Note }, remark.text)
+}
+
+fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
+    if front.candidates.is_empty() {
+        return vec![note(format!("generation {}: the front so far", front.generations))];
+    }
+    let mut lines = Vec::new();
+    for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
+        let (severity, words) = line(standing(candidate, task));
+        let name = format!("{letter} {:18}", candidate.name);
+        let measures = task.measures();
+        let value = |at: usize| {
+            let found = candidate.measures.get(at).copied().flatten();
+            format!("{} {}", brief(measures[at]), shown(measures[at], found))
+        };
+        let found: Vec<String> = task.shown().into_iter().map(value).collect();
+        let values = found.join(", ");
+        let long = format!("{name} {words}; {values}");
+        let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
+        lines.push((severity, text));
+    }
+    lines
+}
+
+fn shown(column: &Quantity, value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| column.show(value, 3))
+}
+
+/// Whether neither the scene nor any end of a variable has the result.
+fn is_empty(report: &sensitivity::Report) -> bool {
+    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
+}
+
+fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
+    let output = report.output;
+    let own = shown(output, report.own);
+    let mut lines =
+        vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
+    lines.push(note("one at a time, low to high end".to_owned()));
+    if is_empty(report) {
+        let text = "nothing to compare: no run of these has this result; Tab, then Of: another one";
+        return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
+    }
+    let keys = ["variable", "output_at_low", "output_at_high"];
+    let bar = width.saturating_sub(34).clamp(4, 40);
+    lines.extend(table_lines(tornado(report, &keys, bar), width));
+    lines.push(note(String::new()));
+    let keys = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
+    lines.extend(table_lines(indices(report).cells(&keys), width));
+    if let Some(sobol) = &report.sobol {
+        let left = sobol.rows - sobol.used;
+        if left > 0 {
+            let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
+            lines.push((Severity::Warning, text));
+        }
+    }
+    lines
+}
+
+fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
+    let mut lines = Vec::new();
+    lines.extend(perforation(report).map(note));
+    let again: usize = report.redrawn.iter().sum();
+    let again =
+        if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };
+    lines.push(note(format!("{}{again}", report.outcomes)));
+    let mut table = table("", report);
+    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    let selected = table.rows.iter().position(|summary| summary.measure.name == output);
+    let cells = table.cells(&["output", "q05", "q50", "q95", "nominal"]);
+    let mut rows: Vec<Line> = table_lines(cells, width).collect();
+    if let Some((_, row)) = selected.and_then(|at| rows.get_mut(at + 1)) {
+        row.replace_range(..1, ">");
+    }
+    lines.extend(rows);
+    lines
+}
+
+/// A table in so many columns: its headings, and its rows.
+fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = Line> {
+    let rows = cells.first().map_or(0, |column| column.cells.len());
+    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+    let grid = Grid::shortened(cells, room);
+    std::iter::once(None)
+        .chain((0..rows).map(Some))
+        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
 }

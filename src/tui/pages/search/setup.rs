@@ -1,7 +1,7 @@
 //! What is looked for, as a list of rows that can be stepped and typed into. No drawing.
 
 use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, significant};
+use crate::model::units::{self, Bare, significant};
 use crate::model::variables::{self, Group, Value};
 use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
@@ -9,15 +9,13 @@ use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
 use crate::study::search::nsga;
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
 use crate::study::sensitivity;
-use crate::study::sweep::{Axis, COUNTS};
+use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::app::App;
-use crate::tui::pages::search::bounds::{Bound, bound_line};
-use crate::tui::pages::search::request::Request;
-use crate::tui::pages::search::state::Page;
-use crate::tui::widgets::axis::{Part, over};
+use crate::tui::pages::search::state::{Page, Request};
+use crate::tui::theme::Role;
+use crate::tui::widgets::axis::{Part, meaning, over};
 use crate::tui::widgets::form::{Form, Line, quantity_meaning};
 
-/// What is looked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
     /// Goal seek: the variable, and the points of its scan.
@@ -40,7 +38,6 @@ pub struct Setup {
     pub output: &'static str,
     /// Relative deviation of every input, percent.
     pub percent: f64,
-    /// Samples.
     pub samples: usize,
 }
 
@@ -69,39 +66,28 @@ impl Default for Setup {
     }
 }
 
-/// One row of the setup.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Row {
-    /// A heading.
     Heading(&'static str),
     /// Goal seek: a part of its variable's axis.
     Axis(Part),
-    /// The result that has a goal.
     Result,
     /// The goal: what a person changes first.
     #[default]
     Goal,
-    /// A variable with its bounds.
     Bound(usize),
-    /// An objective.
     Objective(usize),
-    /// The greatest stroke.
     Stroke,
-    /// Whether designs have to be feasible.
     Feasible,
     /// Points of a generation.
     Population,
-    /// Generations.
     Generations,
-    /// The measure across.
     Across,
-    /// The measure up.
     Up,
     /// The result of sensitivity and scatter.
     Output,
     /// Relative deviation of the inputs.
     Percent,
-    /// Samples.
     Samples,
 }
 
@@ -140,7 +126,7 @@ impl App {
     }
 
     /// The rows of the setup, headings included.
-    pub(in crate::tui) fn search_rows(&self) -> Vec<Row> {
+    pub(crate) fn search_rows(&self) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
         let mut rows = Vec::new();
         match self.pages.search.page {
@@ -173,27 +159,26 @@ impl App {
     }
 
     /// The rows that can be selected.
-    pub(in crate::tui) fn search_choices(&self) -> Vec<Row> {
+    pub(crate) fn search_choices(&self) -> Vec<Row> {
         let mut rows = self.search_rows();
         rows.retain(|row| !matches!(row, Row::Heading(_)));
         rows
     }
 
     /// The selected row; where the selection is not there any more, what a person changes first: the goal, else the first row.
-    pub(in crate::tui) fn search_row(&self) -> Row {
+    pub(crate) fn search_row(&self) -> Row {
         let (rows, row) = (self.search_choices(), self.pages.search.row);
         let there = [row, Row::Goal].into_iter().find(|row| rows.contains(row));
         there.or_else(|| rows.first().copied()).unwrap_or_default()
     }
 
-    /// The setup as a form.
-    pub(in crate::tui) fn search_form(&self) -> Form {
+    pub(crate) fn search_form(&self) -> Form {
         let bounds = self.search_bounds();
         Form::new(&self.search_rows(), self.search_row(), |row| self.search_line(row, &bounds))
     }
 
     /// A row of the setup, with these variables to vary.
-    pub(in crate::tui) fn search_line(&self, row: Row, bounds: &[Bound]) -> Line {
+    pub(crate) fn search_line(&self, row: Row, bounds: &[Bound]) -> Line {
         let setup = &self.pages.search.setup;
         match row {
             Row::Heading(heading) => Line::heading(heading),
@@ -245,14 +230,11 @@ impl App {
     }
 
     /// The places of the objectives that count.
-    pub(in crate::tui) fn chosen_objectives(&self) -> Vec<usize> {
+    pub(crate) fn chosen_objectives(&self) -> Vec<usize> {
         (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
     /// What a page asks for.
-    ///
-    /// # Errors
-    /// Why it cannot be looked for.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.pages.search.setup;
         let axes = || {
@@ -311,4 +293,50 @@ impl App {
             effort: nsga::Effort { population, generations, seed: 1 },
         })
     }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// The variable, and its bounds as the ends of an axis.
+    pub axis: Axis,
+    /// It is varied; otherwise held.
+    pub on: bool,
+}
+
+/// Its row in a form: `0.8..7` or `1e3..7.5e6:log`.
+pub(crate) fn bound_line(bound: &Bound) -> Line {
+    let (low, high) = bound.axis.ends();
+    let log = if bound.axis.spacing() == Spacing::Log { ":log" } else { "" };
+    let range = format!("{}..{}{log}", significant(low, 5), significant(high, 5));
+    let shown = if bound.on { range.clone() } else { "held".to_owned() };
+    let meaning = meaning(bound.axis.variable());
+    Line {
+        text: Some(range),
+        takes_unit: true,
+        role: if bound.on { Role::Text } else { Role::Dim },
+        ..Line::word(bound.axis.symbol(), shown)
+    }
+    .means(format!("{meaning} (Enter: LO..HI, LO..HI:log; h/l held or varied)"))
+}
+
+/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.
+pub(crate) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
+    if let "on" | "off" = text {
+        return Ok(Bound { on: text == "on", ..old.clone() });
+    }
+    let (range, spacing) = match text.strip_suffix(":log") {
+        Some(range) => (range, Spacing::Log),
+        None => (text, Spacing::Linear),
+    };
+    let (low, high) = range.split_once("..").ok_or("write LO..HI, LO..HI:log or off: 0.8..7")?;
+    let quantity = old.axis.number().quantity;
+    let read = |text: &str| {
+        units::parse(text, quantity, Bare::Stored).map_err(|problem| problem.to_string())
+    };
+    let ends = (read(low)?, read(high)?);
+    if let Some(problem) = units::one_bare_end(low, high, quantity) {
+        return Err(problem);
+    }
+    let axis = Axis::new(old.axis.symbol(), ends, old.axis.count(), spacing);
+    Ok(Bound { axis: axis.map_err(|error| error.to_string())?, on: true })
 }

@@ -1,26 +1,31 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
+use std::error::Error;
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::numerics::statistics::ascending;
 use crate::report;
-use crate::study::monte_carlo::Summary;
-use crate::study::search::front::{Design, Front, Task};
+use crate::study::context::Context;
+use crate::study::monte_carlo::{self, Summary};
+use crate::study::search::front::{self, Design, Front, Task};
+use crate::study::search::seek::{self, Goal};
+use crate::study::sensitivity;
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::ViewRange;
 use crate::tui::pages::explore::state::{copy_value, placed};
-use crate::tui::pages::search::request::{Answer, Request};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::{Progress, StatusPart, part};
+use crate::worker::Finding;
+use crate::worker::study::{Lane, Reporter, Study};
 
-pub use crate::tui::pages::search::bounds::Bound;
+pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
 
-/// A page of the tab.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
     /// Which values of a variable give a wanted result.
@@ -38,54 +43,33 @@ pub enum Page {
 const LEAST_WORDS: u16 = 6;
 
 impl Page {
-    /// All pages, in order.
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
-    /// What it answers, in two or three words.
+    /// What they answer, in two or three words.
+    pub(crate) const TITLES: [&str; 4] =
+        ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
+
     pub fn title(self) -> &'static str {
-        match self {
-            Self::Seek => "Goal seek",
-            Self::Front => "Pareto front",
-            Self::Sensitivity => "Sensitivity",
-            Self::MonteCarlo => "Monte Carlo",
-        }
+        Self::TITLES[self as usize]
     }
 
     /// The file proposed for an export.
     pub fn file(self) -> &'static str {
-        match self {
-            Self::Seek => "seek.csv",
-            Self::Front => "front.csv",
-            Self::Sensitivity => "sensitivity.csv",
-            Self::MonteCarlo => "montecarlo.csv",
-        }
-    }
-
-    /// Its place among the pages, from 0.
-    pub fn index(self) -> usize {
-        Self::ALL.iter().position(|page| *page == self).unwrap_or(0)
+        ["seek.csv", "front.csv", "sensitivity.csv", "montecarlo.csv"][self as usize]
     }
 }
 
-/// What was found.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Of which scene.
     pub scene: Arc<Scene>,
-    /// What was asked.
     pub request: Request,
-    /// The answer, as far as it is.
     pub answer: Arc<Answer>,
 }
 
-/// The state of the tab.
 #[derive(Clone, Debug, Default)]
 pub struct Searching {
-    /// The page shown.
     pub page: Page,
-    /// The selected row of the setup.
     pub row: Row,
-    /// What is looked for.
     pub setup: Setup,
     /// What was found, page by page.
     pub found: [Option<Found>; 4],
@@ -102,14 +86,14 @@ pub struct Searching {
 }
 
 impl Searching {
-    /// What was found on the page shown.
     pub fn shown(&self) -> Option<&Found> {
-        self.found[self.page.index()].as_ref()
+        self.found[self.page as usize].as_ref()
     }
 
-    /// The front shown, with what was asked.
     pub fn front(&self) -> Option<(&Front, &Task)> {
-        match self.found[Page::Front.index()].as_ref().map(|found| (&*found.answer, &found.request))
+        match self.found[Page::Front as usize]
+            .as_ref()
+            .map(|found| (&*found.answer, &found.request))
         {
             Some((Answer::Front(front), Request::Front(task))) => Some((front, task)),
             Some(_) | None => None,
@@ -183,17 +167,16 @@ impl Searching {
 
     /// The first line shown of a page without designs to choose from.
     pub fn scrolled(&self) -> usize {
-        self.cursor[self.page.index()].unwrap_or(0)
+        self.cursor[self.page as usize].unwrap_or(0)
     }
 
-    /// Select one of them.
     pub fn select(&mut self, at: usize) {
-        self.cursor[self.page.index()] = Some(at);
+        self.cursor[self.page as usize] = Some(at);
     }
 
     /// The selected one of them: of a front its knee, until another one is selected.
     pub fn selected(&self) -> usize {
-        let chosen = self.cursor[self.page.index()];
+        let chosen = self.cursor[self.page as usize];
         let first = || if self.page == Page::Front { self.knee().unwrap_or(0) } else { 0 };
         chosen.unwrap_or_else(first).min(self.choices().saturating_sub(1))
     }
@@ -259,9 +242,6 @@ impl App {
     }
 
     /// The design under the cursor as a scene, and what it is.
-    ///
-    /// # Errors
-    /// Why there is none to load.
     pub fn search_design(&self) -> Result<(Scene, String), String> {
         let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
@@ -291,7 +271,6 @@ impl App {
         }
     }
 
-    /// What is selected, in words.
     pub fn search_readout(&self) -> Option<String> {
         let tab = &self.pages.search;
         if let Some(problem) = &tab.problem {
@@ -332,7 +311,6 @@ impl App {
         }
     }
 
-    /// The parts of the status row in this tab; see [`App::status`].
     pub fn search_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.search;
         let running = self.jobs.study::<Request>();
@@ -388,7 +366,6 @@ impl Found {
         }
     }
 
-    /// Whether nothing is missing in it.
     pub fn is_complete(&self) -> bool {
         completeness(&self.answer).0
     }
@@ -406,5 +383,73 @@ fn completeness(answer: &Answer) -> (bool, Option<String>) {
         Answer::MonteCarlo(report) => {
             (report.is_complete, Some(format!("{} samples", report.samples)))
         }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// Which values of a variable give a wanted result.
+    Seek(Goal),
+    /// The designs that nothing beats.
+    Front(Task),
+    /// Which variables matter to a result.
+    Sensitivity {
+        /// The variables and their bounds.
+        axes: Vec<Axis>,
+        output: String,
+        effort: sensitivity::Effort,
+    },
+    /// How results scatter when inputs do.
+    MonteCarlo(monte_carlo::Task),
+}
+
+impl Request {
+    pub fn page(&self) -> Page {
+        match self {
+            Self::Seek(_) => Page::Seek,
+            Self::Front(_) => Page::Front,
+            Self::Sensitivity { .. } => Page::Sensitivity,
+            Self::MonteCarlo(_) => Page::MonteCarlo,
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+pub enum Answer {
+    Seek(seek::Report),
+    Front(Box<Front>),
+    Sensitivity(sensitivity::Report),
+    MonteCarlo(monte_carlo::Report),
+}
+
+impl Study for Request {
+    fn lane(&self) -> Lane {
+        Lane::Searches
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let (threads, plain) = (reporter.threads(), &mut reporter.progress());
+        let answer = match self {
+            Self::Seek(goal) => {
+                Answer::Seek(seek::seek(scene, goal, &mut Context::new(threads, plain))?)
+            }
+            Self::Front(task) => {
+                let watch =
+                    &mut reporter.watch(|front: &Front| Answer::Front(Box::new(front.clone())));
+                let fronts = front::optimise(scene, task, &mut Context::new(threads, watch))?;
+                let front = fronts.into_iter().next().ok_or("no interface law was given")?;
+                Answer::Front(Box::new(front))
+            }
+            Self::Sensitivity { axes, output, effort } => {
+                let context = &mut Context::new(threads, plain);
+                let report = sensitivity::study(scene, axes.clone(), output, *effort, context)?;
+                Answer::Sensitivity(report)
+            }
+            Self::MonteCarlo(task) => {
+                let context = &mut Context::new(threads, plain);
+                Answer::MonteCarlo(monte_carlo::sample(scene, task, context)?)
+            }
+        };
+        Ok(Finding::new(answer))
     }
 }

@@ -1,23 +1,18 @@
 //! The Accuracy tab: error against run time as a chart with a letter for each method, their table, and what it means here.
 
-use ratatui::layout::Rect;
-
 use crate::report::accuracy::{self, TARGETS};
 use crate::report::figures::accuracy::axes;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
-use crate::tui::app::App;
 use crate::tui::app::layout::{WIDE, split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::chart::{Chart, Curve, Draw, Emphasis, Legend, Mark, Scale, ViewRange};
-use crate::tui::message::Target;
+use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
-use crate::tui::theme::{PaneFrame, Role};
-use crate::tui::widgets::Canvas;
-use crate::tui::widgets::list::List;
+use crate::tui::prelude::*;
+use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, put, put_centred, text_role};
+use crate::tui::widgets::text::{NEEDS_SINGLE, text_role};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -34,17 +29,14 @@ const KEYS: [&str; 7] = [
 
 /// The colour of slope guides: that of no method.
 const GUIDE_COLOUR: usize = 9;
-/// Points of a slope guide.
 const GUIDE_POINTS: usize = 90;
 
-/// The panes of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct AccuracyPanes {
     /// Error against run time.
     chart: Rect,
     /// The methods, and what is to be said of the selected one.
     methods: Rect,
-    /// What some accuracies cost here.
     answers: Rect,
 }
 
@@ -65,8 +57,7 @@ fn panes(body: Rect, alone: bool) -> AccuracyPanes {
     AccuracyPanes { chart, methods, answers }
 }
 
-/// Draw the page.
-pub(in crate::tui) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let panes = panes(body, app.is_full());
     chart(app, panes.chart, canvas);
     methods(app, panes.methods, canvas);
@@ -76,7 +67,7 @@ pub(in crate::tui) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         // The cost with nothing left out goes before it is cut in two.
         let brief = line.split(';').next().filter(|_| line.chars().count() > room);
         let line = clip(brief.unwrap_or(&line), room);
-        put(canvas, answers, (1, row), &line, app.theme.style(Role::Title));
+        canvas.put(answers, (1, row), &line, Role::Title);
     }
 }
 
@@ -85,7 +76,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let curves = tab.curves();
     let title = "Relative error";
     let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
-        let inner = PaneFrame::new(title).render(area, canvas, app.theme);
+        let inner = PaneFrame::new(title).draw(area, canvas);
         let text = match (app.jobs.running::<Measurements>(), &tab.report) {
             (Some(_), _) => "measuring the first points",
             (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
@@ -93,7 +84,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
             (None, None) => "not measured yet: r measures",
         };
-        put_centred(canvas, inner, text, app.theme.style(Role::Dim));
+        canvas.put_centred(inner, text);
         return;
     };
     let old = app.accuracy_is_old();
@@ -129,12 +120,11 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         focused: app.dialog.is_none(),
         ..Chart::new(title, x, y, slopes.chain(spreads).chain(drawn).collect())
     };
-    let layout = chart.render(area, canvas, app.theme);
+    let layout = canvas.draw(&chart, area);
     canvas.plot_columns = Some(layout.plot.width);
     canvas.plot(&layout, |value, _| Some(Target::Value { pane: ACCURACY, chart: 0, value }));
 }
 
-/// Points of a line.
 type Line = Vec<(f64, f64)>;
 
 /// Dashed lines of the slopes that orders make, from the upper left corner, each drawn with its order.
@@ -167,23 +157,23 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let cells = accuracy::methods(methods).cells(&KEYS);
     let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), tab.table_page);
     let hint = grid.hint().unwrap_or_else(|| "V hides".to_owned());
-    let inner = PaneFrame::new("Methods").right(hint).render(area, canvas, app.theme);
-    put(canvas, inner, (LETTER, 0), &grid.line(None), app.theme.style(Role::Dim));
+    let inner = PaneFrame::new("Methods").right(hint).draw(area, canvas);
+    canvas.put(inner, (LETTER, 0), &grid.line(None), Role::Dim);
     let count = Method::ALL.len();
     let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
     let list = Rect { y: inner.y + 1, height, ..inner };
-    let rows = List { count, selected: tab.selected_row(), painted: app.dialog.is_none() };
+    let rows = RowList { count, selected: tab.selected_row(), painted: app.dialog.is_none() };
     let target = |method| Some(Target::Row(ACCURACY, method));
-    rows.render(canvas, list, app.theme, target, |canvas, row, index| {
+    rows.render(canvas, list, target, |canvas, row, index| {
         let method = Method::ALL[index];
         let hidden = tab.hidden.contains(&method);
         let role = if hidden { Role::Dim } else { Role::Curve(index) };
         let letter = if hidden { ' ' } else { method.letter() };
-        put(canvas, row, (0, 0), &letter.to_string(), app.theme.style(role));
-        let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
+        canvas.put(row, (0, 0), &letter.to_string(), role);
+        let role = if hidden { Role::Dim } else { Role::Text };
         let at = methods.iter().position(|report| report.method == method);
         let text = at.map_or_else(|| method.name().to_owned(), |at| grid.line(Some(at)));
-        put(canvas, row, (LETTER, 0), &text, style);
+        canvas.put(row, (LETTER, 0), &text, role);
     });
     details(app, inner, canvas);
 }
@@ -200,6 +190,6 @@ fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
     let blank = usize::from(lines.len() < room);
     for (index, (role, line)) in lines.iter().enumerate().take(room) {
         let row = u16::try_from(from + blank + index).unwrap_or(u16::MAX);
-        put(canvas, inner, (0, row), line, app.theme.style(*role));
+        canvas.put(inner, (0, row), line, *role);
     }
 }

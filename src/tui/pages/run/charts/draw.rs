@@ -9,8 +9,8 @@ use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Draw, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side,
-    Unit, ViewRange, align_gutters,
+    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side, Unit,
+    ViewRange, align_gutters,
 };
 use crate::tui::message::Target;
 use crate::tui::pages::run::CHARTS;
@@ -18,7 +18,6 @@ use crate::tui::pages::run::charts::{Curve as Data, Window};
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{put_centred, put_line};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
@@ -27,11 +26,9 @@ const SECOND: char = '~';
 const SECOND_COLOUR: usize = 9;
 /// Where the readouts of further runs have no room.
 const MORE: &str = "  ..";
-/// Most event lines in one chart.
 const EVENT_LINES: usize = 24;
 
-/// Draw the charts, one an area.
-pub(in crate::tui) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
+pub(crate) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     match areas {
         [] => {}
         [area] => single(app, *area, focused, canvas),
@@ -49,7 +46,7 @@ fn hits(app: &App, chart: usize, area: Rect, layout: &chart::Layout, canvas: &mu
 }
 
 fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new("").focused(focused).render(area, canvas, app.theme);
+    let inner = PaneFrame::new("").focused(focused).draw(area, canvas);
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
     let second = app.second_curve(app.charts.selected);
@@ -57,7 +54,7 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
-    let layout = chart.render(upper, canvas, app.theme);
+    let layout = canvas.draw(&chart, upper);
     hits(app, app.charts.selected, area, &layout, canvas);
     nothing_yet(app, upper, canvas);
     if below > 0 {
@@ -86,7 +83,7 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     }
     align_gutters(&mut charts, areas);
     for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
-        let layout = chart.render(*area, canvas, app.theme);
+        let layout = canvas.draw(chart, *area);
         hits(app, index, *area, &layout, canvas);
         nothing_yet(app, *area, canvas);
     }
@@ -102,7 +99,7 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (None, Some(_)) => "running the first time",
         (None, None) => "no run yet: r runs the scene",
     };
-    put_centred(canvas, area, text, app.theme.style(Role::Dim));
+    canvas.put_centred(area, text);
 }
 
 /// A chart of these curves, with a second axis for the quantity and curve that have one.
@@ -239,7 +236,7 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
         Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
     };
-    put_line(canvas, area, 0, &first);
+    canvas.put_line(area, 0, &first);
     if views.is_empty() {
         return;
     }
@@ -248,7 +245,7 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             .first_arrest
             .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
     });
-    put_line(canvas, area, 1, &arrest);
+    canvas.put_line(area, 1, &arrest);
 }
 
 /// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.
