@@ -153,7 +153,10 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
         let value: Option<f64> = value.trim().trim_end_matches('%').trim().parse().ok();
         let value = value.filter(|value| (0.0..=100.0).contains(value));
         let ([at], Some(value)) = (hits.as_slice(), value) else {
-            return Err(CliError::Weight { argument: text.clone(), criteria: CRITERIA.join(", ") });
+            return Err(CliError::Option(format!(
+                "--weight {text}: write CRITERION=PERCENT with 0 to 100, for example --weight analysis=0; the criteria are {}",
+                CRITERIA.join(", ")
+            )));
         };
         weights[*at] = value;
     }

@@ -7,7 +7,6 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
-use crate::study::monte_carlo::MonteCarloError;
 use crate::study::sweep::SweepError;
 use crate::tui::TuiError;
 
@@ -25,56 +24,9 @@ pub enum CliError {
         /// The file.
         path: String,
     },
-    /// `--set` without a `=`.
-    #[error("--set {argument}: write NAME=VALUE, for example --set gamma=2")]
-    NotAnAssignment {
-        /// What was written.
-        argument: String,
-    },
-    /// `--set` with a name or a value that is refused.
-    #[error("--set {argument}: {source}")]
-    Set {
-        /// What was written.
-        argument: String,
-        /// Why it is refused.
-        source: Box<VariableError>,
-    },
-    /// `--over` that cannot be read.
-    #[error("--over {argument}: {problem}")]
-    Over {
-        /// What was written.
-        argument: String,
-        /// What is wrong, and what to write.
-        problem: String,
-    },
-    /// The sweep is refused before it begins.
-    #[error(transparent)]
-    Sweep(#[from] SweepError),
-    /// The scatter is refused before it begins.
-    #[error(transparent)]
-    MonteCarlo(#[from] MonteCarloError),
-    /// A sweep of a scene that has none, without `--over`.
-    #[error("{scene} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101")]
-    NothingToSweep {
-        /// The scene.
-        scene: String,
-    },
-    /// An option that needs another.
+    /// The command line, or the scene as a whole, makes no sense.
     #[error("{0}")]
     Option(String),
-    /// A weight of the screening matrix that is none.
-    #[error(
-        "--weight {argument}: write CRITERION=PERCENT with 0 to 100, for example --weight analysis=0; the criteria are {criteria}"
-    )]
-    Weight {
-        /// What was written.
-        argument: String,
-        /// The names that exist.
-        criteria: String,
-    },
-    /// The scene as a whole makes no sense.
-    #[error(transparent)]
-    Scene(Box<VariableError>),
     /// Standard output cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
@@ -85,7 +37,13 @@ pub enum CliError {
 
 impl From<VariableError> for CliError {
     fn from(error: VariableError) -> Self {
-        Self::Scene(Box::new(error))
+        Self::Option(error.to_string())
+    }
+}
+
+impl From<SweepError> for CliError {
+    fn from(error: SweepError) -> Self {
+        Self::Option(error.to_string())
     }
 }
 
@@ -100,17 +58,7 @@ impl CliError {
             | Self::File(FileError::Write { .. } | FileError::Csv(_) | FileError::NoHome) => {
                 ExitCode::FAILURE
             }
-            Self::File(_)
-            | Self::Exists { .. }
-            | Self::NotAnAssignment { .. }
-            | Self::Weight { .. }
-            | Self::Set { .. }
-            | Self::Over { .. }
-            | Self::Sweep(_)
-            | Self::MonteCarlo(_)
-            | Self::NothingToSweep { .. }
-            | Self::Option(_)
-            | Self::Scene(_) => ExitCode::from(2),
+            Self::File(_) | Self::Exists { .. } | Self::Option(_) => ExitCode::from(2),
         }
     }
 

@@ -167,18 +167,17 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     let old = scene.mechanism.clone();
     let mut curves = [false; 2];
     for argument in set {
+        let refuse = |why: &str| CliError::Option(format!("--set {argument}: {why}"));
         let (name, value) = argument
             .split_once('=')
-            .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
+            .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
         if let Some(second) = is_curve(name.trim()) {
             take_curve(scene, second, value.trim())?;
             curves[usize::from(second)] = true;
             continue;
         }
-        variables::set_by_name(scene, name, value, Bare::Si).map_err(|source| CliError::Set {
-            argument: argument.clone(),
-            source: Box::new(source),
-        })?;
+        let set = variables::set_by_name(scene, name, value, Bare::Si);
+        set.map_err(|problem| refuse(&problem.to_string()))?;
     }
     let new = &scene.mechanism;
     let pairs = [(&old.spring, &new.spring), (&old.second, &new.second)];

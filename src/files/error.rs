@@ -28,35 +28,9 @@ pub enum FileError {
         /// What the system said.
         source: io::Error,
     },
-    /// The file is far larger than any scene.
-    #[error("`{}` has more than {limit} bytes, which no scene has: is this the right file?", shown(.path))]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// What is accepted.
-        limit: u64,
-    },
-    /// The file is a device or a pipe where only an ordinary file will do: it may never end, or never begin.
-    #[error("`{}` is a device or a pipe, for which there would be no end of waiting: name an ordinary file", shown(.path))]
-    Special {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The file is no table of displacement and force: which, where, and the cure.
+    /// The file, its name or its place cannot be used: which, why, and the cure.
     #[error("{0}")]
-    Curve(String),
-    /// Parts of a sweep that are no whole: which, why, and the cure.
-    #[error("{0}")]
-    Parts(String),
-    /// The file is no table of shots: which, where, and the cure.
-    #[error("{0}")]
-    Shots(String),
-    /// The file is not text.
-    #[error("`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8", shown(.path))]
-    NotText {
-        /// The file.
-        path: PathBuf,
-    },
+    Refused(String),
     /// The file is not a scene.
     #[error("{0}")]
     Scene(SceneErrors),
@@ -68,27 +42,9 @@ pub enum FileError {
         /// The nearest names, or what to write.
         hint: String,
     },
-    /// No library has this entry.
-    #[error("`{}` is no {library}: {hint}", clean::line(.name))]
-    UnknownEntry {
-        /// What kind of entry was wanted.
-        library: &'static str,
-        /// What was written.
-        name: String,
-        /// The nearest names, or all.
-        hint: String,
-    },
     /// The file is there already and was left alone.
     #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
-    /// A preset cannot have this name.
-    #[error("`{}` cannot be the name: {problem}", clean::line(.name))]
-    Name {
-        /// What was written.
-        name: String,
-        /// What is wrong, and what is allowed.
-        problem: String,
-    },
     /// A preset is to be replaced whose file is no readable scene; what is in it would be lost.
     #[error("`{}` was left alone, since it is no readable scene: mend it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {
@@ -97,17 +53,6 @@ pub enum FileError {
         /// What is wrong with it.
         problem: SceneErrors,
     },
-    /// The target of an export cannot be used.
-    #[error("`{}` cannot be the target: {problem}", shown(.path))]
-    Target {
-        /// The file.
-        path: PathBuf,
-        /// Why not, and what to do.
-        problem: String,
-    },
-    /// There is no such column.
-    #[error(transparent)]
-    Column(#[from] NoColumn),
     /// A table cannot be put into CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[from] csv::Error),
@@ -126,10 +71,34 @@ impl FileError {
     pub fn write(path: &Path, source: io::Error) -> Self {
         Self::Write { path: path.to_owned(), source }
     }
+
+    /// A device or a pipe where only an ordinary file will do: it may never end, or never begin.
+    pub(super) fn special(path: &Path) -> Self {
+        Self::Refused(format!(
+            "`{}` is a device or a pipe, for which there would be no end of waiting: name an ordinary file",
+            shown(path)
+        ))
+    }
+
+    /// A name that a preset or an entry cannot have.
+    pub(super) fn name(name: &str, problem: &str) -> Self {
+        Self::Refused(format!("`{}` cannot be the name: {problem}", clean::line(name)))
+    }
+
+    /// A file that cannot be written to.
+    pub(super) fn target(path: &Path, problem: &str) -> Self {
+        Self::Refused(format!("`{}` cannot be the target: {problem}", shown(path)))
+    }
+}
+
+impl From<NoColumn> for FileError {
+    fn from(error: NoColumn) -> Self {
+        Self::Refused(error.to_string())
+    }
 }
 
 /// A path for a line of text: what would break or command that line is replaced.
-fn shown(path: &Path) -> String {
+pub(super) fn shown(path: &Path) -> String {
     clean::line(&path.to_string_lossy()).into_owned()
 }
 

@@ -197,7 +197,7 @@ impl RunTable {
     /// The table as it goes into the file.
     ///
     /// # Errors
-    /// [`FileError::Column`] when a wanted column does not exist.
+    /// [`FileError::Refused`] when a wanted column does not exist.
     pub fn text(&self, meta: Meta) -> Result<String, FileError> {
         let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
         let comments = match meta {
@@ -307,26 +307,22 @@ fn partial_path(csv: &Path) -> PathBuf {
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
 ///
 /// # Errors
-/// [`FileError::Target`] when the CSV's name or what lies beside it forbids one.
+/// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
-    let refuse = |problem: &str| {
-        Err(FileError::Target { path: csv.to_owned(), problem: problem.to_owned() })
-    };
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
-        return refuse("it ends like a scene file; name a CSV file, for example run.csv");
+        let problem = "it ends like a scene file; name a CSV file, for example run.csv";
+        return Err(FileError::target(csv, problem));
     }
     match fs::metadata(sidecar) {
         Err(_) => return Ok(()),
         Ok(found) if found.is_file() && begins_with_mark(sidecar) => return Ok(()),
         Ok(_) => {}
     }
-    Err(FileError::Target {
-        path: csv.to_owned(),
-        problem: format!(
-            "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name",
-            sidecar.display()
-        ),
-    })
+    let problem = format!(
+        "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name",
+        sidecar.display()
+    );
+    Err(FileError::target(csv, &problem))
 }
 
 /// No more of the file is read: it may be anything, of any size.

@@ -42,7 +42,7 @@ impl Whole {
     /// Check the parts.
     ///
     /// # Errors
-    /// [`FileError::Parts`] when they are not the parts of one sweep, each once; [`FileError`] when one cannot be read.
+    /// [`FileError::Refused`] when they are not the parts of one sweep, each once; [`FileError`] when one cannot be read.
     pub fn of(paths: &[PathBuf]) -> Result<Self, FileError> {
         let mut found = paths.iter().map(|path| found(path)).collect::<Result<Vec<_>, _>>()?;
         found.sort_by_key(|one| one.part.shard.place());
@@ -107,7 +107,7 @@ impl Whole {
 }
 
 fn refuse(problem: String) -> FileError {
-    FileError::Parts(problem)
+    FileError::Refused(problem)
 }
 
 fn shown(path: &Path) -> String {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::files::clean;
 use crate::files::error::{FileError, SceneErrors, nearest};
 use crate::files::paths::Paths;
 use crate::files::read::{self, Reader};
@@ -55,7 +56,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
             for entry in own {
                 if entries.iter().any(|other| other.name == entry.name) {
                     let problem = format!("a bundled {} has it; choose another", library.word());
-                    problems.push(FileError::Name { name: entry.name, problem });
+                    problems.push(FileError::name(&entry.name, &problem));
                 } else {
                     entries.push(entry);
                 }
@@ -71,7 +72,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
 /// The entry with this name.
 ///
 /// # Errors
-/// [`FileError::UnknownEntry`] with the nearest names, or why the user's own entry of this name cannot be read.
+/// [`FileError::Refused`] with the nearest names, or why the user's own entry of this name cannot be read.
 pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry, FileError> {
     let (mut entries, problems) = listed(library, paths);
     if let Some(at) = entries.iter().position(|entry| entry.name == name) {
@@ -83,7 +84,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     for problem in problems {
         hint = format!("{hint}\n{problem}");
     }
-    Err(FileError::UnknownEntry { library: library.word(), name: name.to_owned(), hint })
+    Err(FileError::Refused(format!("`{}` is no {}: {hint}", clean::line(name), library.word())))
 }
 
 /// The entries of a text, and the problems of those that cannot be read. `file` is the name used in errors.

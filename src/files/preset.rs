@@ -83,7 +83,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 /// The same for a name that was kept: what has meanwhile become a pipe is not waited for.
 ///
 /// # Errors
-/// As [`resolve`], and [`FileError::Special`].
+/// As [`resolve`], and [`FileError::Refused`] of a device or a pipe.
 pub fn resolve_kept(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     resolve_by(name, paths, from_ordinary_file)
 }
@@ -128,7 +128,7 @@ pub fn from_file(path: &Path) -> Result<Preset, FileError> {
 /// A scene in an ordinary file: for whoever cannot wait for a pipe.
 ///
 /// # Errors
-/// As [`from_file`], and [`FileError::Special`].
+/// As [`from_file`], and [`FileError::Refused`] of a device or a pipe.
 pub fn from_ordinary_file(path: &Path) -> Result<Preset, FileError> {
     let text = read::ordinary_text_file(path, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
@@ -183,8 +183,7 @@ pub fn save(
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
 pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
-    variables::validate(scene)
-        .map_err(|error| FileError::Target { path: path.to_owned(), problem: error.to_string() })?;
+    variables::validate(scene).map_err(|error| FileError::target(path, &error.to_string()))?;
     let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
         Ok(old) => write::updated(&old, &path.display().to_string(), scene)
@@ -201,22 +200,22 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
 /// Whether an own preset may have this name.
 ///
 /// # Errors
-/// [`FileError::Name`] with what is allowed.
+/// [`FileError::Refused`] with what is allowed.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
-    let refuse = |problem: String| Err(FileError::Name { name: name.to_owned(), problem });
+    let refuse = |problem: &str| Err(FileError::name(name, problem));
     if bundled::find(name).is_some() {
-        return refuse("a bundled preset has it; choose another".to_owned());
+        return refuse("a bundled preset has it; choose another");
     }
     if name.is_empty() || name.chars().count() > LENGTH_MAX {
-        return refuse(format!("it must have 1 to {LENGTH_MAX} characters"));
+        return refuse(&format!("it must have 1 to {LENGTH_MAX} characters"));
     }
     if name.starts_with(['.', '-', ' ']) || name.ends_with(' ') {
-        return refuse("it must begin with a letter or a digit".to_owned());
+        return refuse("it must begin with a letter or a digit");
     }
     let allowed = |c: char| c.is_alphanumeric() || "-_.+=, ".contains(c);
     if let Some(bad) = name.chars().find(|c| !allowed(*c)) {
-        return refuse(format!(
+        return refuse(&format!(
             "{bad:?} is not allowed; use letters, digits, spaces and - _ . + = ,"
         ));
     }

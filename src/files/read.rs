@@ -11,7 +11,7 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::files::error::{FileError, Problem, SceneErrors, nearest};
+use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
 use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::{self, Bare};
@@ -42,7 +42,7 @@ pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
 pub fn text_file(path: &Path) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
     if atomic::is_named_pipe(path, &fs::metadata(path).map_err(failed)?) {
-        return Err(FileError::Special { path: path.to_owned() });
+        return Err(FileError::special(path));
     }
     text_from(fs::File::open(path).map_err(failed)?, path)
 }
@@ -51,11 +51,11 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
 /// whoever waits: neither is opened.
 ///
 /// # Errors
-/// As [`text_file`], and [`FileError::Special`].
+/// As [`text_file`], and [`FileError::Refused`] of a device or a pipe.
 pub fn ordinary_text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let found = fs::metadata(path).map_err(|source| FileError::read(path, source))?;
     if !found.is_file() && !found.is_dir() {
-        return Err(FileError::Special { path: path.to_owned() });
+        return Err(FileError::special(path));
     }
     let file = fs::File::open(path).map_err(|source| FileError::read(path, source))?;
     text_up_to(file, path, bytes_max)
@@ -77,9 +77,17 @@ fn text_up_to(source: impl Read, path: &Path, limit: u64) -> Result<String, File
         .read_to_end(&mut bytes)
         .map_err(|source| FileError::read(path, source))?;
     if bytes.len() as u64 > limit {
-        return Err(FileError::TooLarge { path: path.to_owned(), limit });
+        return Err(FileError::Refused(format!(
+            "`{}` has more than {limit} bytes, which no scene has: is this the right file?",
+            shown(path)
+        )));
     }
-    String::from_utf8(bytes).map_err(|_not_text| FileError::NotText { path: path.to_owned() })
+    String::from_utf8(bytes).map_err(|_not_text| {
+        FileError::Refused(format!(
+            "`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8",
+            shown(path)
+        ))
+    })
 }
 
 /// Read a scene from text; `file` is the name used in errors.

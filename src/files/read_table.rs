@@ -54,9 +54,9 @@ pub(super) fn points(
 /// The points of a measured curve in a CSV file.
 ///
 /// # Errors
-/// [`FileError::Curve`] when the file cannot be read or is no table of numbers.
+/// [`FileError::Refused`] when the file cannot be read or is no table of numbers.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    csv_points(path).map(Arc::from).map_err(FileError::Curve)
+    csv_points(path).map(Arc::from).map_err(FileError::Refused)
 }
 
 /// The same, of an ordinary file only: for whoever cannot wait for a pipe.
@@ -64,7 +64,7 @@ pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
 /// # Errors
 /// As [`curve`].
 pub fn ordinary_curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    ordinary_points(path).map(Arc::from).map_err(FileError::Curve)
+    ordinary_points(path).map(Arc::from).map_err(FileError::Refused)
 }
 
 /// The path of a file named in a scene: relative to the scene's own folder.

@@ -123,7 +123,6 @@ pub fn save(
 }
 
 fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileError> {
-    let failed = |text: String| FileError::Target { path: path.to_owned(), problem: text };
     let file = SessionFile {
         format: read::FORMAT,
         preset: session.preset.clone(),
@@ -136,7 +135,8 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
             .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
     };
-    let body = toml::to_string_pretty(&file).map_err(|error| failed(error.to_string()))?;
+    let body = toml::to_string_pretty(&file)
+        .map_err(|error| FileError::target(path, &error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
     Ok(format!("# the last session of cmra {version}; {WRITER}{writer}\n{body}"))
 }

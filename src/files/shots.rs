@@ -26,7 +26,7 @@ pub struct Table {
 /// # Errors
 /// [`FileError`] when it cannot be read, or names the line, the column, what is allowed and the cure.
 pub fn read(path: &Path) -> Result<Table, FileError> {
-    parse(&read::text_file(path)?, &path.to_string_lossy()).map_err(FileError::Shots)
+    parse(&read::text_file(path)?, &path.to_string_lossy()).map_err(FileError::Refused)
 }
 
 fn parse(text: &str, name: &str) -> Result<Table, String> {

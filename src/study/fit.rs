@@ -4,8 +4,6 @@
 //! Firth's penalty is used (D. Firth, Biometrika 80 (1993) 27-38), which keeps the estimate finite. The confidence interval is
 //! that of the profile likelihood, which holds for few shots, too.
 
-use thiserror::Error;
-
 use crate::numerics::root;
 use crate::study::limit::fit::LambertJonas;
 
@@ -34,44 +32,6 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
     /// The depth of a shot that was stopped, m, where it was measured.
     pub penetration_m: Option<f64>,
-}
-
-/// Why shots cannot be fitted.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum FitError {
-    /// There are too few.
-    #[error(
-        "{count} shots are too few for a fit: it takes {SHOTS_MIN} or more, some stopped and some perforated"
-    )]
-    TooFew {
-        /// How many there are.
-        count: usize,
-    },
-    /// All were stopped.
-    #[error(
-        "all {count} shots were stopped: the limit lies above {fastest_m_s} m/s; add faster shots that perforate"
-    )]
-    AllStopped {
-        /// How many there are.
-        count: usize,
-        /// The fastest, m/s.
-        fastest_m_s: f64,
-    },
-    /// All went through.
-    #[error(
-        "all {count} shots perforated: the limit lies below {slowest_m_s} m/s; add slower shots that are stopped"
-    )]
-    AllPerforated {
-        /// How many there are.
-        count: usize,
-        /// The slowest, m/s.
-        slowest_m_s: f64,
-    },
-    /// Faster shots perforate no more often than slower ones.
-    #[error(
-        "perforation does not become more frequent with velocity: check the columns velocity_m_s and perforated (1 is through)"
-    )]
-    Falls,
 }
 
 /// How the curve was fitted.
@@ -158,11 +118,13 @@ fn residuals(shots: &[Shot]) -> Vec<(f64, f64)> {
 /// Fit shots.
 ///
 /// # Errors
-/// [`FitError`] when they do not bracket a limit.
-pub fn fit(shots: Vec<Shot>) -> Result<Report, FitError> {
+/// In words, when they do not bracket a limit.
+pub fn fit(shots: Vec<Shot>) -> Result<Report, String> {
     let count = shots.len();
     if count < SHOTS_MIN {
-        return Err(FitError::TooFew { count });
+        return Err(format!(
+            "{count} shots are too few for a fit: it takes {SHOTS_MIN} or more, some stopped and some perforated"
+        ));
     }
     let of = |perforated: bool| {
         shots.iter().filter(move |it| it.perforated == perforated).map(|it| it.velocity_m_s)
@@ -171,12 +133,16 @@ pub fn fit(shots: Vec<Shot>) -> Result<Report, FitError> {
     let (Some(highest_stopped_m_s), Some(lowest_perforated_m_s)) =
         (of(false).max_by(f64::total_cmp), of(true).min_by(f64::total_cmp))
     else {
-        let fastest_m_s = every().max_by(f64::total_cmp).unwrap_or(f64::INFINITY);
-        let slowest_m_s = every().min_by(f64::total_cmp).unwrap_or(0.0);
         return Err(if shots[0].perforated {
-            FitError::AllPerforated { count, slowest_m_s }
+            let slowest_m_s = every().min_by(f64::total_cmp).unwrap_or(0.0);
+            format!(
+                "all {count} shots perforated: the limit lies below {slowest_m_s} m/s; add slower shots that are stopped"
+            )
         } else {
-            FitError::AllStopped { count, fastest_m_s }
+            let fastest_m_s = every().max_by(f64::total_cmp).unwrap_or(f64::INFINITY);
+            format!(
+                "all {count} shots were stopped: the limit lies above {fastest_m_s} m/s; add faster shots that perforate"
+            )
         });
     };
     let method = if highest_stopped_m_s > lowest_perforated_m_s {
@@ -184,7 +150,9 @@ pub fn fit(shots: Vec<Shot>) -> Result<Report, FitError> {
     } else {
         Method::Firth
     };
-    let logistic = Regression::new(&shots, method).fit().ok_or(FitError::Falls)?;
+    let logistic = Regression::new(&shots, method).fit().ok_or(
+        "perforation does not become more frequent with velocity: check the columns velocity_m_s and perforated (1 is through)",
+    )?;
     let lambert_jonas = LambertJonas::through(&residuals(&shots));
     Ok(Report { shots, highest_stopped_m_s, lowest_perforated_m_s, logistic, lambert_jonas })
 }

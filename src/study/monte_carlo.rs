@@ -6,7 +6,7 @@
 //! clock.
 
 use crate::model::scene::{PlateSize, Scene, SpringKind};
-use crate::model::variables::{self, Kind, Number, VARIABLES, Variable, VariableError};
+use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
@@ -93,35 +93,6 @@ pub struct Report {
     pub is_complete: bool,
 }
 
-/// Why nothing was drawn.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum MonteCarloError {
-    /// Names or the scene make no sense.
-    #[error(transparent)]
-    Sweep(#[from] SweepError),
-    /// No input scatters.
-    #[error("nothing scatters: name an input, for example v_i=normal:2%")]
-    Nothing,
-    /// One input twice.
-    #[error("{symbol} scatters twice: give each input one distribution")]
-    Twice {
-        /// The variable.
-        symbol: &'static str,
-    },
-    /// Too few or too many samples.
-    #[error("samples = {samples} is outside 2 to {SAMPLES_MAX}: 10000 is usual")]
-    Samples {
-        /// What was asked.
-        samples: usize,
-    },
-    /// No draw makes physical sense.
-    #[error("none of {DRAWS_MAX} draws makes physical sense, the last because {source}")]
-    NoSense {
-        /// Why not.
-        source: Box<VariableError>,
-    },
-}
-
 /// What of every scene scatters where nothing is named, besides its springs. The order is part of what a seed means.
 const USUAL_KEYS: [&str; 14] = [
     "projectile.velocity_m_s",
@@ -180,12 +151,8 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 /// Draw and evaluate.
 ///
 /// # Errors
-/// A [`MonteCarloError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn sample(
-    scene: &Scene,
-    task: &Task,
-    context: &mut Context<'_>,
-) -> Result<Report, MonteCarloError> {
+/// A [`SweepError`] when something about it is bad: then nothing has run; or when no draw makes sense.
+pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let space = space(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
     let mut report = Report {
@@ -232,21 +199,27 @@ pub fn sample(
 ///
 /// # Errors
 /// As [`sample`].
-pub fn space(scene: &Scene, task: &Task) -> Result<DesignSpace, MonteCarloError> {
+pub fn space(scene: &Scene, task: &Task) -> Result<DesignSpace, SweepError> {
     if task.tolerances.is_empty() {
-        return Err(MonteCarloError::Nothing);
+        let text = "nothing scatters: name an input, for example v_i=normal:2%";
+        return Err(SweepError(text.to_owned()));
     }
     if !(2..=SAMPLES_MAX).contains(&task.samples) {
-        return Err(MonteCarloError::Samples { samples: task.samples });
+        return Err(SweepError(format!(
+            "samples = {} is outside 2 to {SAMPLES_MAX}: 10000 is usual",
+            task.samples
+        )));
     }
     for (at, tolerance) in task.tolerances.iter().enumerate() {
         if task.tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
-            return Err(MonteCarloError::Twice { symbol: tolerance.symbol() });
+            let symbol = tolerance.symbol();
+            let text = format!("{symbol} scatters twice: give each input one distribution");
+            return Err(SweepError(text));
         }
     }
     let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
-    Ok(DesignSpace::new(scene, axes, &task.measures)?)
+    DesignSpace::new(scene, axes, &task.measures)
 }
 
 /// The stream of samples: the one random source of every Monte Carlo study.
@@ -273,7 +246,7 @@ impl<'t> Draw<'t> {
         samples: usize,
         context: &mut Context<'_>,
         mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_>),
-    ) -> Result<(), MonteCarloError> {
+    ) -> Result<(), SweepError> {
         let mut done = 0;
         while done < samples && !context.is_stopped() {
             let count = BATCH.min(samples - done);
@@ -285,8 +258,8 @@ impl<'t> Draw<'t> {
     }
 
     /// A value for every input, which together make physical sense.
-    fn sample(&mut self) -> Result<Vec<f64>, MonteCarloError> {
-        let mut last = None;
+    fn sample(&mut self) -> Result<Vec<f64>, SweepError> {
+        let mut last = String::new();
         for _ in 0..DRAWS_MAX {
             let mut values = Vec::with_capacity(self.tolerances.len());
             for (tolerance, redrawn) in self.tolerances.iter().zip(&mut self.redrawn) {
@@ -303,13 +276,12 @@ impl<'t> Draw<'t> {
             }
             match variables::validate(&self.scene) {
                 Ok(()) => return Ok(values),
-                Err(error) => last = Some(error),
+                Err(error) => last = error.to_string(),
             }
         }
-        match last {
-            Some(source) => Err(MonteCarloError::NoSense { source: Box::new(source) }),
-            None => Err(MonteCarloError::Nothing),
-        }
+        Err(SweepError(format!(
+            "none of {DRAWS_MAX} draws makes physical sense, the last because {last}"
+        )))
     }
 }
 

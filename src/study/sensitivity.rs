@@ -123,7 +123,7 @@ pub fn study(
     context: &mut Context<'_>,
 ) -> Result<Report, SweepError> {
     if axes.len() > indices::INPUTS_MAX {
-        return Err(SweepError::TooManyAxes { count: axes.len(), most: indices::INPUTS_MAX });
+        return Err(SweepError::too_many_axes(axes.len(), indices::INPUTS_MAX));
     }
     let space = DesignSpace::new(scene, axes, &[output])?;
     let axes = space.axes().to_vec();

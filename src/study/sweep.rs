@@ -7,7 +7,6 @@
 
 pub mod axis;
 mod design;
-pub mod error;
 pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
@@ -18,14 +17,15 @@ pub mod summary;
 use std::ops::Range;
 use std::sync::Arc;
 
+use thiserror::Error;
+
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables;
+use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
 pub use design::Design;
 pub(in crate::study) use design::sequence;
-pub use error::SweepError;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
@@ -36,6 +36,30 @@ pub const AXES_MAX: usize = sobol::DIMENSIONS;
 
 /// The two results of the thesis's figures.
 pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
+
+/// Why a sweep, or another study over variables, is refused before anything runs: axis, value, rule, cure.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct SweepError(pub(in crate::study) String);
+
+impl SweepError {
+    /// No variable has this name.
+    pub fn unknown(name: &str, source: &VariableError) -> Self {
+        Self(format!("axis {name}: {source}"))
+    }
+
+    /// More axes than a study can have.
+    pub(in crate::study) fn too_many_axes(count: usize, most: usize) -> Self {
+        Self(format!(
+            "{count} axes are too many: a sweep has at most {most}; hold some of the variables"
+        ))
+    }
+
+    /// A scene that is to be swept has no axis.
+    fn no_axis() -> Self {
+        Self("a sweep needs at least one axis, for example gamma=0.8..7:101".to_owned())
+    }
+}
 
 /// A part of a sweep: the `index`-th of `count`, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,9 +81,13 @@ impl Shard {
     /// Read `I/N`.
     ///
     /// # Errors
-    /// [`SweepError::Shard`] unless 1 <= I <= N.
+    /// [`SweepError`] unless 1 <= I <= N.
     pub fn parse(text: &str) -> Result<Self, SweepError> {
-        let refuse = || SweepError::Shard { text: text.to_owned() };
+        let refuse = || {
+            SweepError(format!(
+                "shard {text}: write I/N with 1 <= I <= N, for example 2/8 for the second of eight parts"
+            ))
+        };
         let (index, count) = text.split_once('/').ok_or_else(refuse)?;
         let read = |part: &str| part.trim().parse::<u64>().ok();
         let (index, count) = read(index).zip(read(count)).ok_or_else(refuse)?;
@@ -125,7 +153,7 @@ impl Plan {
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
         if axes.len() > AXES_MAX {
-            return Err(SweepError::TooManyAxes { count: axes.len(), most: AXES_MAX });
+            return Err(SweepError::too_many_axes(axes.len(), AXES_MAX));
         }
         Self::of_axes(scene, axes, design, outputs)
     }
@@ -146,11 +174,13 @@ impl Plan {
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
         if axes.is_empty() {
-            return Err(SweepError::NoAxis);
+            return Err(SweepError::no_axis());
         }
         for (index, axis) in axes.iter().enumerate() {
             if axes[..index].iter().any(|other| other.symbol() == axis.symbol()) {
-                return Err(SweepError::Twice { axis: axis.symbol() });
+                let symbol = axis.symbol();
+                let text = format!("axis {symbol}: it is swept twice; give each variable one axis");
+                return Err(SweepError(text));
             }
         }
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
@@ -169,9 +199,9 @@ impl Plan {
     /// The sweep kept with a scene, over its full grid.
     ///
     /// # Errors
-    /// As [`Plan::new`]; [`SweepError::NoAxis`] where the scene has none.
+    /// As [`Plan::new`]; also where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
-        let sweep = scene.sweep.as_ref().ok_or(SweepError::NoAxis)?;
+        let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         let axes =
             sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<_, _>>()?;
         Self::new(scene, axes, Design::Factorial, &sweep.outputs)
@@ -255,9 +285,9 @@ impl Plan {
                 (axis.number().set)(&mut scene, Some(value));
                 place.push(format!("{}={}", axis.symbol(), units::shortest(value)));
             }
-            variables::validate(&scene).map_err(|source| SweepError::Corner {
-                place: place.join(" "),
-                source: Box::new(source),
+            variables::validate(&scene).map_err(|source| {
+                let place = place.join(" ");
+                SweepError(format!("the sweep reaches an impossible scene ({place}): {source}"))
             })?;
         }
         Ok(())
@@ -271,7 +301,9 @@ fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
             product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
                 let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
                 let most = POINTS_MAX as f64;
-                SweepError::TooManyPoints { points: format!("{all:.1e}"), most }
+                SweepError(format!(
+                    "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
+                ))
             })
         }
         Design::LatinHypercube { points, .. } | Design::Sobol { points, .. } => {
@@ -283,7 +315,9 @@ fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
             if (2..=most).contains(&points) {
                 Ok(points)
             } else {
-                Err(SweepError::Points { points, most })
+                Err(SweepError(format!(
+                    "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"
+                )))
             }
         }
     }

@@ -42,7 +42,11 @@ pub(super) enum Outputs {
 pub(super) fn plan(scene: &Scene, name: &str, asked: &Asked<'_>) -> Result<(Plan, bool), CliError> {
     let axes = if asked.over.is_empty() {
         let sweep = scene.sweep.as_ref();
-        let sweep = sweep.ok_or_else(|| CliError::NothingToSweep { scene: name.to_owned() })?;
+        let sweep = sweep.ok_or_else(|| {
+            CliError::Option(format!(
+                "{name} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101"
+            ))
+        })?;
         sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<Vec<_>, _>>()?
     } else {
         // Designs other than the full grid have no use for a count.
@@ -109,7 +113,7 @@ pub(in crate::cli) fn over(
     usual: Option<u64>,
     counts: &RangeInclusive<u64>,
 ) -> Result<Axis, CliError> {
-    let refuse = |problem: String| CliError::Over { argument: argument.to_owned(), problem };
+    let refuse = |problem: String| CliError::Option(format!("--over {argument}: {problem}"));
     let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(FORM.to_owned()))?;
     let name = name.trim();
     if let Some((low, rest)) = rest.split_once("..") {
@@ -149,13 +153,10 @@ pub(in crate::cli) fn range(
     }
     let (low, high) = axis.ends();
     let (low, high) = (units::shortest(low), units::shortest(high));
-    Err(CliError::Over {
-        argument: argument.to_owned(),
-        problem: format!(
-            "a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
-            axis.symbol()
-        ),
-    })
+    Err(CliError::Option(format!(
+        "--over {argument}: a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
+        axis.symbol()
+    )))
 }
 
 /// What stands after `..`: the other end, the number of points, the spacing.
@@ -198,8 +199,7 @@ fn value(
     place: &str,
     refuse: impl Fn(String) -> CliError,
 ) -> Result<f64, CliError> {
-    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
-    let variable = variables::find(name).map_err(unknown)?;
+    let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
     quantity(name).map_or(Ok(0.0), |quantity| {
         units::parse(text, quantity, variable.bare(name, Bare::Si))
             .map_err(|problem| refuse(format!("{place}: {problem}")))

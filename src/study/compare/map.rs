@@ -4,10 +4,10 @@ use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::Scene;
-use crate::model::variables::{self, Kind};
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, hold_spring_mass};
 use crate::study::context::{Context, Work};
+use crate::study::sweep::axis::numeric;
 use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
@@ -112,11 +112,7 @@ impl Map {
 /// # Errors
 /// A [`SweepError`] for an unknown or wordy variable, and one without such a range.
 pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
-    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
-    let variable = variables::find(name).map_err(unknown)?;
-    let Kind::Number(number) = &variable.kind else {
-        return Axis::new(name, (0.0, 1.0), count, Spacing::Linear);
-    };
+    let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
     match ((number.get)(scene).filter(|own| *own > 0.0), number.thesis_range) {
         (Some(own), _) => Axis::new(name, (low * own, high * own), count, Spacing::Log),

@@ -96,7 +96,7 @@ fn residual_velocities_give_the_law_they_were_made_with() {
 
 #[test]
 fn shots_that_bracket_no_limit_are_refused_with_the_cure() {
-    let told = |shots: &[Shot]| fit(shots.to_vec()).unwrap_err().to_string();
+    let told = |shots: &[Shot]| fit(shots.to_vec()).unwrap_err();
     assert!(told(&[shot(1.0, true), shot(2.0, false)]).contains("2 shots are too few"));
     let slow = [1.0, 2.0, 3.0].map(|v| shot(v, false));
     assert!(told(&slow).contains("above 3 m/s"), "{}", told(&slow));
@@ -105,7 +105,7 @@ fn shots_that_bracket_no_limit_are_refused_with_the_cure() {
     let odd = [shot(1.0, true), shot(2.0, true), shot(3.0, false), shot(4.0, false)];
     assert!(told(&odd).contains("does not become more frequent"));
     let equal = [shot(2.0, true), shot(2.0, true), shot(2.0, false)];
-    assert_eq!(fit(equal.to_vec()), Err(FitError::Falls));
+    assert!(told(&equal).contains("does not become more frequent"));
 }
 
 /// A shot far off, and thousands of them, leave everything finite; two shots that hardly bound the limit say so.

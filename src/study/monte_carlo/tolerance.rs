@@ -1,7 +1,8 @@
 //! An input that scatters: its distribution, and how people write it.
 
-use super::{Axis, Kind, Number, Random, Scene, Spacing, SweepError, Variable, variables};
+use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
 use crate::model::units::{self, Bare, significant};
+use crate::study::sweep::axis::numeric;
 
 /// How an input scatters; values in its stored unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,16 +121,7 @@ impl Tolerance {
     /// # Errors
     /// [`SweepError`] for a variable that does not exist or has no numbers.
     pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
-        let variable = variables::find(name).map_err(|source| SweepError::Axis {
-            axis: name.to_owned(),
-            source: Box::new(source),
-        })?;
-        let Kind::Number(number) = &variable.kind else {
-            return Err(SweepError::NoNumbers {
-                axis: variable.symbol,
-                choices: variable.allowed(),
-            });
-        };
+        let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
     }
 

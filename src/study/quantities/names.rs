@@ -12,7 +12,7 @@ pub fn find(name: &str) -> Option<&'static Quantity> {
 /// (`stroke`, `limit velocity`).
 ///
 /// # Errors
-/// [`SweepError::Output`] with the nearest names.
+/// [`SweepError`] with the nearest names.
 pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
     let written = name.trim();
     let spelled = written.to_lowercase().replace([' ', '-'], "_");
@@ -20,10 +20,9 @@ pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
         let mut same = QUANTITIES.iter().filter(|it| it.title().replace(' ', "_") == spelled);
         same.next().filter(|_| same.next().is_none())
     };
-    find(written)
-        .or_else(|| find(&spelled))
-        .or_else(bare)
-        .ok_or_else(|| SweepError::Output { name: name.to_owned(), hint: nearest(name) })
+    find(written).or_else(|| find(&spelled)).or_else(bare).ok_or_else(|| {
+        SweepError(format!("output {name}: not a result of a run: {}", nearest(name)))
+    })
 }
 
 /// The quantities asked for most.

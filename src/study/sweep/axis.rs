@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, Allowed, Kind, Number, Variable};
-use crate::study::sweep::error::SweepError;
+use crate::study::sweep::SweepError;
 
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
 pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;
@@ -89,17 +89,22 @@ impl Axis {
         }
         let shown = units::shortest;
         if from.to_bits() == to.to_bits() || shown(from) == shown(to) {
-            return Err(SweepError::SameEnds { axis, value: shown(from) });
+            return Err(SweepError(format!(
+                "axis {axis}: both ends are {}: the two ends must differ; widen the range, or hold {axis} at one value",
+                shown(from)
+            )));
         }
         if spacing == Spacing::Log && (from <= 0.0 || to <= 0.0) {
             let high = if from > to { from } else { to };
             let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
-            return Err(SweepError::LogFrom { axis, from: shown(from), to: shown(to), start });
+            return Err(SweepError(format!(
+                "axis {axis}: {} to {} at equal ratios: both ends must be greater than 0; leave out log, or start above 0, for \
+                 example at {start}",
+                shown(from),
+                shown(to)
+            )));
         }
-        if !counts.contains(&count) {
-            let (least, most) = (*counts.start(), *counts.end());
-            return Err(SweepError::Count { axis, count, least, most, value: shown(from) });
-        }
+        check_count(axis, count, counts, &shown(from))?;
         Ok(Self { variable, number, from, to, count, spacing, list: Arc::default() })
     }
 
@@ -120,16 +125,15 @@ impl Axis {
                 return Err(impossible(variable, number, *value));
             }
             if values[..at].iter().any(|other| units::shortest(*other) == units::shortest(*value)) {
-                return Err(SweepError::ListedTwice { axis, value: units::shortest(*value) });
+                let value = units::shortest(*value);
+                let text =
+                    format!("axis {axis}: {value} stands twice in the list; leave one of them out");
+                return Err(SweepError(text));
             }
         }
         let count = values.len() as u64;
-        if !counts.contains(&count) {
-            let (least, most) = (*counts.start(), *counts.end());
-            let value =
-                values.first().map_or_else(|| "VALUE".to_owned(), |it| units::shortest(*it));
-            return Err(SweepError::Count { axis, count, least, most, value });
-        }
+        let first = values.first().map_or_else(|| "VALUE".to_owned(), |it| units::shortest(*it));
+        check_count(axis, count, counts, &first)?;
         let from = values.iter().copied().fold(f64::INFINITY, f64::min);
         let to = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let list = values.into();
@@ -299,14 +303,35 @@ impl Axis {
     }
 }
 
+/// Whether an axis may have so many points; the value is one to hold it at.
+fn check_count(
+    axis: &str,
+    count: u64,
+    counts: &RangeInclusive<u64>,
+    value: &str,
+) -> Result<(), SweepError> {
+    if counts.contains(&count) {
+        return Ok(());
+    }
+    let (least, most) = (counts.start(), counts.end());
+    Err(SweepError(format!(
+        "axis {axis}: count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
+         to one value ({axis}={value})"
+    )))
+}
+
 /// A variable that has numbers.
-fn numeric(name: &str) -> Result<(&'static Variable, &'static Number), SweepError> {
-    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
-    let variable = variables::find(name).map_err(unknown)?;
+pub(in crate::study) fn numeric(
+    name: &str,
+) -> Result<(&'static Variable, &'static Number), SweepError> {
+    let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
     match &variable.kind {
         Kind::Number(number) => Ok((variable, number)),
         Kind::Choice(_) | Kind::Switch { .. } => {
-            Err(SweepError::NoNumbers { axis: variable.symbol, choices: variable.allowed() })
+            let (axis, choices) = (variable.symbol, variable.allowed());
+            Err(SweepError(format!(
+                "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
+            )))
         }
     }
 }
@@ -329,16 +354,17 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
     };
     // A refusal repeats what was written, also where that is no number to show as a result.
     let value = if end.is_finite() { units::shortest(end) } else { end.to_string() };
-    SweepError::ImpossibleEnd {
-        axis: variable.symbol,
-        value: format!("{value} {unit}").trim_end().to_owned(),
-        meaning: variable.meaning,
-        allowed: number.allowed.describe(number.quantity),
-        cure: limit.map_or_else(
-            || "write a finite number".to_owned(),
-            |limit| format!("let the range end at {limit}"),
-        ),
-    }
+    let cure = limit.map_or_else(
+        || "write a finite number".to_owned(),
+        |limit| format!("let the range end at {limit}"),
+    );
+    SweepError(format!(
+        "axis {}: the range reaches {}, which is impossible: {} must be {}; {cure}",
+        variable.symbol,
+        format!("{value} {unit}").trim_end(),
+        variable.meaning,
+        number.allowed.describe(number.quantity)
+    ))
 }
 
 #[cfg(test)]

@@ -27,11 +27,16 @@ const COARSE_POINTS: usize = 6;
 /// That a plan has no more points than a grid.
 ///
 /// # Errors
-/// [`SweepError::TooManyShown`].
+/// [`SweepError`] where it has more.
 pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     let points = plan.points();
     let most = GRID_MAX;
-    if points > most { Err(SweepError::TooManyShown { points, most }) } else { Ok(()) }
+    if points <= most {
+        return Ok(());
+    }
+    Err(SweepError(format!(
+        "{points} points are too many for the screen, which keeps at most {most}: take fewer along the axes, or use `cmra sweep`"
+    )))
 }
 
 /// What is known of one point.
