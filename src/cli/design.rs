@@ -188,14 +188,13 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
 fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
     let mut page = String::new();
     let mut family = "";
-    for principle in &PRINCIPLES {
+    for principle in PRINCIPLES.iter() {
         if principle.family != family {
             family = principle.family;
             let _ = writeln!(page, "{family}");
         }
-        let functions: Vec<&str> = principle.functions.iter().map(|it| it.name()).collect();
         let _ = writeln!(page, "  {} ({}): {}", principle.name, principle.section, principle.idea);
-        let _ = writeln!(page, "      functions  {}", functions.join(", "));
+        let _ = writeln!(page, "      functions  {}", principle.functions.join(", "));
         let _ = writeln!(page, "      computed   {}", principle.computed);
         if let Some(preset) = principle.preset {
             let _ = writeln!(page, "      preset     {preset}");

@@ -12,7 +12,7 @@ use crate::cli::{CliError, output, text};
 use crate::files::validation;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::report::validation as tables;
-use crate::study::validation::{Class, NOT_CHECKED, Quantity, Row, biases};
+use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
 
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
@@ -49,11 +49,8 @@ fn page(report: &[Row]) -> String {
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();
-        let mut set = String::new();
-        for (name, value) in case.set {
-            let _ = write!(set, " {name}={value}");
-        }
-        let _ = writeln!(page, "{}  [{}{set}]", case.id, case.preset);
+        let scene = format!("{} {}", case.preset, case.set);
+        let _ = writeln!(page, "{}  [{}]", case.id, scene.trim_end());
         let known = case.resolution.map_or_else(String::new, |it| format!(" +- {}", show(it)));
         let lines = [
             ("measured", format!("{} {}{known}", case.quantity.word(), show(case.measured))),
@@ -95,7 +92,7 @@ fn page(report: &[Row]) -> String {
         }
         page.push('\n');
     }
-    for it in &NOT_CHECKED {
+    for it in &measurements().not_checked {
         let _ = writeln!(page, "{}  [cannot be checked]", it.id);
         for (label, said) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
             text::labelled(&mut page, label, said);
@@ -120,14 +117,14 @@ fn summary(report: &[Row]) -> String {
         let _ = writeln!(
             table,
             "{:<38}{:>7}{:>9}{scatter:>9}   {}",
-            it.class.map_or("all points", Class::word),
+            it.class.unwrap_or("all points"),
             it.points,
             percent(it.mean),
             if it.points > 1 { range.as_str() } else { "" }
         );
     }
     let computed = report.iter().filter(|row| row.computed.is_some()).count();
-    let aside = report.iter().filter(|row| row.case.class == Class::Aside).count();
+    let aside = report.iter().filter(|row| row.case.class == NOT_COUNTED).count();
     let said = format!(
         "{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
          measurement, or a quantity the model does not aim at). {} further ones cannot be checked. Positive is unconservative: \
@@ -135,7 +132,7 @@ fn summary(report: &[Row]) -> String {
          refused.",
         report.len(),
         report.len() - computed,
-        NOT_CHECKED.len(),
+        measurements().not_checked.len(),
     );
     table + "\n" + &text::hanging("", &said, 0)
 }

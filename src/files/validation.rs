@@ -5,14 +5,15 @@ use std::sync::atomic::AtomicBool;
 use crate::files::error::FileError;
 use crate::files::preset;
 use crate::study::context::Context;
-use crate::study::validation::{Row, cases, compute};
+use crate::study::validation::{Row, compute, measurements};
 
 /// Every case, computed from its bundled preset; fewer than all when stopped.
 ///
 /// # Errors
 /// [`FileError`] should a preset be missing.
 pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
-    let all: Vec<_> = cases()
+    let cases = measurements().cases.iter();
+    let all: Vec<_> = cases
         .map(|case| Ok((case, preset::resolve(case.preset, None)?.scene)))
         .collect::<Result<_, FileError>>()?;
     context.expect(all.len());

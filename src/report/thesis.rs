@@ -39,14 +39,12 @@ pub fn screening(weights: &[f64; 7]) -> Table<'static, Place> {
 
 /// The principles with their families and functions, in the order of Table 4.1.
 pub fn principles() -> Table<'static, &'static Principle> {
-    Table::of(&PRINCIPLES)
+    Table::of(PRINCIPLES.iter())
         .with("family", "family", "", |it| it.family)
         .with("principle", "principle", "", |it| it.name)
         .with("section", "section", "", |it| it.section)
         .with("idea", "idea", "", |it| it.idea)
-        .with("functions", "functions", "", |it| {
-            it.functions.iter().map(|it| it.name()).collect::<Vec<_>>().join(", ")
-        })
+        .with("functions", "functions", "", |it| it.functions.join(", "))
         .with("computed", "computed", "", |it| it.computed)
         .with("preset", "preset", "", |it| it.preset)
 }

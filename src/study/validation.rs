@@ -1,11 +1,13 @@
 //! Measurements from outside the thesis, and what the model makes of them with nothing fitted.
 //!
-//! What was measured is written in `cases` with where it comes from; what the model gives is always computed, by the case's
-//! own closure for the flow strength and by the other one. The scenes are bundled presets. What is known of but cannot be
-//! checked is listed with the reason.
+//! What was measured stands in `presets/tables/measurements.toml` with where it comes from; what the model gives is always
+//! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. What is known of
+//! but cannot be checked is listed with the reason.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
+
+use serde::Deserialize;
 
 use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
@@ -15,20 +17,94 @@ use crate::model::variables;
 use crate::study::limit;
 
 mod bias;
-mod cases;
-mod ladders;
-mod not_checked;
 
 pub use bias::{Bias, biases};
-pub use not_checked::NOT_CHECKED;
 
-/// All measurements, class by class.
-pub fn cases() -> impl Iterator<Item = &'static Case> {
-    cases::CASES.iter().chain(ladders::LADDERS)
+/// The measurements as they are written.
+const FILE: &str = include_str!("../../presets/tables/measurements.toml");
+
+/// The class of a measurement that is in no statistics.
+pub const NOT_COUNTED: &str = "not counted";
+
+/// What is known from outside the thesis.
+#[derive(Default)]
+pub struct Measurements {
+    /// The classes that are counted, in the order of tables: the model is good for some and bad for others.
+    pub classes: Vec<&'static str>,
+    /// The measurements, in the order of pages.
+    pub cases: Vec<Case>,
+    /// What is known of besides, and nothing can be checked by.
+    pub not_checked: Vec<NotChecked>,
+}
+
+/// All measurements; none where the file is wrong, which a test refuses.
+pub fn measurements() -> &'static Measurements {
+    static ALL: LazyLock<Measurements> = LazyLock::new(|| read(FILE).unwrap_or_default());
+    &ALL
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    classes: Vec<&'static str>,
+    group: Vec<Group>,
+    not_checked: Vec<NotChecked>,
+}
+
+/// What several measurements share.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Group {
+    preset: &'static str,
+    class: &'static str,
+    quantity: Quantity,
+    nose: &'static str,
+    projectile: &'static str,
+    source: &'static str,
+    caution: &'static str,
+    case: Vec<Entry>,
+}
+
+/// A measurement of a group, with what it has of its own.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    id: &'static str,
+    #[serde(default)]
+    set: &'static str,
+    class: Option<&'static str>,
+    quantity: Option<Quantity>,
+    measured: f64,
+    over: Option<f64>,
+    resolution: Option<f64>,
+    nose: Option<&'static str>,
+    caution: Option<&'static str>,
+}
+
+fn read(text: &'static str) -> Result<Measurements, toml::de::Error> {
+    let File { classes, group, not_checked } = toml::from_str(text)?;
+    let cases = group.into_iter().flat_map(|group| {
+        let case = move |own: Entry| Case {
+            id: own.id,
+            preset: group.preset,
+            set: own.set,
+            class: own.class.unwrap_or(group.class),
+            quantity: own.quantity.unwrap_or(group.quantity),
+            measured: own.measured / own.over.unwrap_or(1.0),
+            resolution: own.resolution,
+            nose: own.nose.unwrap_or(group.nose),
+            projectile: group.projectile,
+            source: group.source,
+            caution: own.caution.unwrap_or(group.caution),
+        };
+        group.case.into_iter().map(case)
+    });
+    Ok(Measurements { classes, cases: cases.collect(), not_checked })
 }
 
 /// What was measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// The ballistic limit, m/s.
     Limit,
@@ -69,67 +145,6 @@ impl Quantity {
     }
 }
 
-/// What a measurement is of: the model is good for some classes and bad for others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// A hemispherical nose on a steel plate of half a diameter and more.
-    Hemisphere,
-    /// A sphere on a plate of a twentieth of its diameter.
-    ThinPlate,
-    /// Further hits at the same place.
-    RepeatHits,
-    /// A blunt or conical nose.
-    OtherNoses,
-    /// An armour-piercing core on aluminium, straight on.
-    CoreOnAluminium,
-    /// The same at an angle.
-    CoreOblique,
-    /// The limit at an angle over that straight on.
-    ObliqueRatio,
-    /// An armour-piercing core on mild steel.
-    CoreOnMildSteel,
-    /// An armour-piercing core on armour steel.
-    CoreOnArmourSteel,
-    /// Concrete.
-    Concrete,
-    /// A measurement that is in the table already, computed with another input, or one of a quantity that the model does not
-    /// aim at: in no statistics.
-    Aside,
-}
-
-impl Class {
-    /// All that are counted, in the order of the table.
-    pub const COUNTED: [Self; 10] = [
-        Self::Hemisphere,
-        Self::ThinPlate,
-        Self::RepeatHits,
-        Self::OtherNoses,
-        Self::CoreOnAluminium,
-        Self::CoreOblique,
-        Self::ObliqueRatio,
-        Self::CoreOnMildSteel,
-        Self::CoreOnArmourSteel,
-        Self::Concrete,
-    ];
-
-    /// Its name.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Hemisphere => "hemisphere on steel",
-            Self::ThinPlate => "sphere on a thin plate",
-            Self::RepeatHits => "repeat hits at one place",
-            Self::OtherNoses => "blunt and conical noses",
-            Self::CoreOnAluminium => "AP core on aluminium",
-            Self::CoreOblique => "AP core on aluminium, oblique",
-            Self::ObliqueRatio => "limit at an angle over that at 0 deg",
-            Self::CoreOnMildSteel => "AP core on mild steel",
-            Self::CoreOnArmourSteel => "AP core on armour steel (RHA)",
-            Self::Concrete => "ogive in concrete",
-            Self::Aside => "not counted",
-        }
-    }
-}
-
 /// One measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
@@ -138,9 +153,9 @@ pub struct Case {
     /// The bundled preset of the shot.
     pub preset: &'static str,
     /// What differs from the preset, as `--set` takes it.
-    pub set: &'static [(&'static str, &'static str)],
-    /// What it is of.
-    pub class: Class,
+    pub set: &'static str,
+    /// What it is of: one of the classes that are counted, or [`NOT_COUNTED`].
+    pub class: &'static str,
     /// What was measured.
     pub quantity: Quantity,
     /// The measurement, in its unit.
@@ -158,7 +173,8 @@ pub struct Case {
 }
 
 /// What is known of, and nothing can be checked by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct NotChecked {
     /// A short name.
     pub id: &'static str,
@@ -199,7 +215,7 @@ impl Row {
 /// Compute a case from its preset's scene.
 pub fn compute(case: &'static Case, preset: &Scene) -> Row {
     let mut scene = preset.clone();
-    for (name, value) in case.set {
+    for (name, value) in case.set.split(' ').filter_map(|pair| pair.split_once('=')) {
         // A text that cannot be set would be seen at once: the row's numbers would be the preset's.
         let _ = variables::set_by_name(&mut scene, name, value, Bare::Si);
     }
@@ -258,6 +274,19 @@ fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
             let scene = Arc::new(scene.clone());
             let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).ok()?;
             run.final_penetration_m
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_file_of_measurements_is_right() {
+        let all = read(FILE).unwrap_or_else(|problem| panic!("{problem}"));
+        for case in &all.cases {
+            assert!(case.class == NOT_COUNTED || all.classes.contains(&case.class), "{}", case.id);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How far the model is off, over classes of measurements and over all.
 
-use super::{Class, Row};
+use super::{NOT_COUNTED, Row, measurements};
 use crate::numerics::statistics::moments;
 use crate::numerics::{larger, smaller};
 
@@ -8,7 +8,7 @@ use crate::numerics::{larger, smaller};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bias {
     /// Of which class; `None` for all.
-    pub class: Option<Class>,
+    pub class: Option<&'static str>,
     /// How many points.
     pub points: usize,
     /// Mean of computed over measured, less 1.
@@ -21,21 +21,21 @@ pub struct Bias {
 
 /// Bias and scatter by class, and last over all points that are counted.
 pub fn biases(report: &[Row]) -> Vec<Bias> {
-    let own = |class| {
+    let own = |class: &&'static str| {
         let errors: Vec<f64> =
-            report.iter().filter(|row| row.case.class == class).filter_map(own_error).collect();
-        of(Some(class), &errors)
+            report.iter().filter(|row| row.case.class == *class).filter_map(own_error).collect();
+        of(Some(*class), &errors)
     };
-    let counted = report.iter().filter(|row| row.case.class != Class::Aside);
+    let counted = report.iter().filter(|row| row.case.class != NOT_COUNTED);
     let all: Vec<f64> = counted.filter_map(own_error).collect();
-    Class::COUNTED.into_iter().filter_map(own).chain(of(None, &all)).collect()
+    measurements().classes.iter().filter_map(own).chain(of(None, &all)).collect()
 }
 
 fn own_error(row: &Row) -> Option<f64> {
     row.computed.map(|value| row.error(value))
 }
 
-fn of(class: Option<Class>, errors: &[f64]) -> Option<Bias> {
+fn of(class: Option<&'static str>, errors: &[f64]) -> Option<Bias> {
     let own = moments(errors);
     Some(Bias {
         class,

@@ -168,14 +168,9 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let principle = &PRINCIPLES[tab.principle];
     let title = format!("{}, section {}", principle.name, principle.section);
     let inner = PaneFrame::new(title).right("Tab: screening").draw(detail, canvas);
-    let functions: Vec<&str> = principle.functions.iter().map(|it| it.name()).collect();
-    let functions = functions.join(", ");
-    let mut presets: Vec<&str> = principle.preset.into_iter().collect();
-    for preset in principle.functions.iter().flat_map(|it| it.presets()) {
-        if !presets.contains(preset) {
-            presets.push(preset);
-        }
-    }
+    let functions = principle.functions.join(", ");
+    let presets: Vec<&str> =
+        principle.preset.into_iter().chain(principle.see_also.iter().copied()).collect();
     let presets = presets.join(", ");
     let mut y = 0;
     for (label, text) in [
