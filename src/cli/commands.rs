@@ -22,7 +22,6 @@ pub(super) enum Group {
 impl Group {
     pub(super) const ALL: [Self; 4] = [Self::Explore, Self::Decide, Self::Check, Self::Data];
 
-    /// Its heading.
     pub(super) fn heading(self) -> &'static str {
         match self {
             Self::Explore => "Run and explore",
@@ -33,7 +32,6 @@ impl Group {
     }
 }
 
-/// A command of the program.
 pub(super) struct Row {
     pub(super) group: Group,
     pub(super) name: &'static str,
@@ -130,7 +128,6 @@ pub(super) fn carry_out(matches: &ArgMatches) -> Option<Result<ExitCode, CliErro
     Some((row.run)(matches))
 }
 
-/// The names of all commands.
 pub(super) fn names() -> Vec<&'static str> {
     COMMANDS.iter().map(|row| row.name).collect()
 }

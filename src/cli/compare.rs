@@ -139,7 +139,6 @@ impl CompareArguments {
     }
 }
 
-/// The two axes of `--map`.
 fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let [x, y] = parts[..] else {

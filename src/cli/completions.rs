@@ -21,13 +21,11 @@ pub(super) struct CompletionsArguments {
     shell: Shell,
 }
 
-/// Print the script.
 pub(super) fn run(arguments: &CompletionsArguments) -> Result<ExitCode, CliError> {
     output::print(&String::from_utf8_lossy(&script(arguments.shell)))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The completion script of a shell.
 pub(super) fn script(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut named(commands::whole()), "cmra", &mut script);

@@ -57,7 +57,6 @@ struct PrinciplesArguments {
     table: TableArguments,
 }
 
-/// Print the requested part.
 pub(super) fn run(arguments: &DesignArguments) -> Result<ExitCode, CliError> {
     let done = match &arguments.what {
         What::Shot(arguments) => shot(arguments),

@@ -17,7 +17,6 @@ pub(super) type Size = (u16, u16);
 const CHART: Size = (78, 16);
 pub(super) const MAP: Size = (78, 26);
 
-/// A picture on a page.
 pub(super) fn picture(picture: &Picture) -> String {
     match picture {
         Picture::Chart(it) => chart(it, CHART, Theme::PLAIN),
@@ -49,7 +48,6 @@ pub(super) fn map(map: &Map<'_>, (width, height): Size, theme: Theme) -> String 
     text
 }
 
-/// The bands of a map with their bounds.
 fn key(levels: &Levels, unit: &Unit<'_>, width: usize) -> String {
     let mut parts = vec!["  scale".to_owned()];
     for band in 0..levels.bands() {

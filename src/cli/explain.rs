@@ -23,7 +23,6 @@ pub(super) struct ExplainArguments {
     table: TableArguments,
 }
 
-/// Explain.
 pub(super) fn run(arguments: &ExplainArguments) -> Result<ExitCode, CliError> {
     explain(arguments)?;
     Ok(ExitCode::SUCCESS)

@@ -85,7 +85,6 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Print the table of keys.
 pub(super) fn run_keys(_: &NoArguments) -> Result<ExitCode, CliError> {
     output::print(&keys())?;
     Ok(ExitCode::SUCCESS)

@@ -24,7 +24,6 @@ const SCRIPTS: [(Shell, &str); 3] = [
     (Shell::Fish, "fish/vendor_completions.d/cmra.fish"),
 ];
 
-/// Write the files and list them.
 pub(super) fn run(arguments: &InstallArguments) -> Result<ExitCode, CliError> {
     let share = match &arguments.prefix {
         Some(prefix) => prefix.join("share"),

@@ -29,7 +29,6 @@ pub(super) struct JoinArguments {
     force: bool,
 }
 
-/// Join.
 pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
     let existing = Existing::replaced(arguments.force);
     let path = arguments.csv.clone().filter(|path| path.as_os_str() != "-");

@@ -33,7 +33,6 @@ enum LibraryWord {
     Absorbers,
 }
 
-/// List the entries of the libraries.
 pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> {
     let wanted = arguments.library.map(|word| match word {
         LibraryWord::Threats => Library::Threats,

@@ -20,7 +20,6 @@ use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{Criterion, Effort, find};
 use crate::study::validity;
 
-/// Samples at the most.
 const SAMPLES_MAX: usize = 1_000_000;
 
 #[derive(Debug, Args)]
@@ -51,7 +50,6 @@ pub(super) struct LimitArguments {
     table: TableArguments,
 }
 
-/// A criterion by its word.
 fn criterion(text: &str) -> Result<Criterion, String> {
     let found = Criterion::ALL.into_iter().find(|criterion| criterion.word() == text);
     found.ok_or_else(|| "use passage or protrusion".to_owned())

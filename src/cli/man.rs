@@ -13,7 +13,6 @@ pub(super) struct ManArguments {
     subcommand: Option<String>,
 }
 
-/// Print a page.
 pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
     let mut command = commands::whole();
     if let Some(name) = &arguments.subcommand {
@@ -27,7 +26,6 @@ pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A manual page.
 pub(super) struct Page {
     /// `cmra`, or `cmra-run` for a subcommand.
     pub(super) title: String,

@@ -20,7 +20,6 @@ pub(super) enum Compare {
     Quirks,
 }
 
-/// The models side by side.
 pub(super) fn compute(preset: &Preset, what: Compare) -> Result<Comparison, CliError> {
     let what = match what {
         Compare::Models => What::Models,
@@ -30,7 +29,6 @@ pub(super) fn compute(preset: &Preset, what: Compare) -> Result<Comparison, CliE
     Ok(compare(&preset.scene, what, &|| start.elapsed().as_secs_f64())?)
 }
 
-/// The comparison as a page.
 pub(super) fn page(name: &str, found: &Comparison) -> String {
     let (title, first) = match found.what {
         What::Models => ("the interaction models of Table 8.1", "hydrodynamic"),

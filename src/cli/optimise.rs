@@ -118,7 +118,6 @@ impl OptimiseArguments {
     }
 }
 
-/// Read `RESULT<=VALUE` or `RESULT>=VALUE`.
 fn constraint(text: &str) -> Result<Constraint, CliError> {
     let refuse = |why: &str| CliError::Option(format!("--subject-to {text}: {why}"));
     let split = |sign: &str| text.split_once(sign);

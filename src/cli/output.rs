@@ -7,7 +7,6 @@ use std::process::ExitCode;
 use crate::cli::CliError;
 use crate::files::clean;
 
-/// Write a result to standard output.
 pub(super) fn print(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     let text = clean::page(text);

@@ -23,7 +23,6 @@ static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 const PATIENCE: Duration = Duration::from_millis(500);
 const EVERY: Duration = Duration::from_millis(200);
 
-/// A computation under way, seen from outside.
 pub(super) struct Pace {
     start: Instant,
     told: Instant,

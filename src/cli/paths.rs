@@ -6,7 +6,6 @@ use crate::cli::commands::NoArguments;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 
-/// Print the paths, one a line.
 pub(super) fn run(_: &NoArguments) -> Result<ExitCode, CliError> {
     let paths = Paths::of_user()?;
     output::print(&format!(

@@ -19,7 +19,6 @@ pub(super) struct PictureArguments {
 }
 
 impl PictureArguments {
-    /// Whether pictures are wanted.
     pub(super) fn is_wanted(&self) -> bool {
         self.svg.is_some()
     }

@@ -31,7 +31,6 @@ enum Action {
     },
 }
 
-/// List the presets, or show one.
 pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
     match &arguments.action {
         None | Some(Action::List) => list(&arguments.table),

@@ -49,7 +49,6 @@ pub(super) struct ReportArguments {
     force: bool,
 }
 
-/// The formats of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Html,

@@ -60,7 +60,6 @@ pub(super) struct RunArguments {
 pub(super) struct Computed {
     /// The scene's name and origin.
     pub(super) preset: Preset,
-    /// The result.
     pub(super) run: Arc<Run>,
     /// Wall-clock time of the one computation.
     pub(super) took: Duration,
@@ -75,7 +74,6 @@ pub(super) enum Charts {
     With(Glyphs),
 }
 
-/// Most rows of --dt.
 const DT_ROWS_MAX: usize = 5_000_000;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
@@ -138,7 +136,6 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
     Ok(Computed { preset, run: Arc::new(run), took })
 }
 
-/// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
     arguments.pictures.check(&arguments.table)?;

@@ -90,7 +90,6 @@ impl SceneArguments {
 }
 
 impl Changes {
-    /// Make every change.
     pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), CliError> {
         let asked = [
             (Library::Threats, &self.threat),
@@ -162,7 +161,6 @@ fn say_changed(before: &Scene, scene: &mut Scene) {
     }
 }
 
-/// Make every change of `--set`, in order.
 fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     let old = scene.mechanism.clone();
     let mut curves = [false; 2];

@@ -62,7 +62,6 @@ impl SensitivityArguments {
     }
 }
 
-/// Find out.
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let effort = arguments.effort()?;

@@ -57,7 +57,6 @@ enum MapMethod {
     Rk4,
 }
 
-/// Run the battery, or draw the map.
 pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
     arguments.rows.check()?;
     if let Some(axis) = arguments.map {

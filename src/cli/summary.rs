@@ -17,7 +17,6 @@ use crate::study::quantities;
 /// Width of the first column.
 const LABEL: usize = 24;
 
-/// The page.
 pub(super) fn text(computed: &Computed) -> String {
     let run = &computed.run;
     let mut page = String::new();
@@ -46,7 +45,6 @@ fn short(value: f64, unit: &'static str) -> String {
     Engineering { value, unit, digits: 4 }.to_string()
 }
 
-/// The outcome in one sentence.
 pub(super) fn sentence(run: &Run) -> String {
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {

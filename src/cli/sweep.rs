@@ -185,7 +185,6 @@ impl Job<'_> {
         ExitCode::SUCCESS
     }
 
-    /// Make the page for a person.
     fn page(&self, kept: &mut page::Kept) -> Result<Page, CliError> {
         self.say_if_long();
         let name = &self.preset.name;
@@ -203,7 +202,6 @@ impl Job<'_> {
         Ok(Page { text, summary })
     }
 
-    /// Write rows as they are made.
     fn rows(
         &self,
         arguments: &SweepArguments,

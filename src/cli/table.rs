@@ -58,18 +58,14 @@ impl ValueEnum for Meta {
     }
 }
 
-/// Where a table is to go.
 pub(super) enum Target {
-    /// Nowhere: no table was requested.
     None,
     /// To standard output, instead of the page.
     Stdout,
-    /// To a file.
     File(Destination),
 }
 
 impl TableArguments {
-    /// Where the table is to go.
     pub(super) fn target(&self) -> Target {
         match &self.csv {
             None => Target::None,
@@ -136,7 +132,6 @@ impl TableArguments {
     }
 }
 
-/// A table on its way to its file.
 pub(super) struct Delivery<'a> {
     table: &'a TableArguments,
     source: Option<Source<'a>>,

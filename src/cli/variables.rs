@@ -18,7 +18,6 @@ pub(super) struct VariablesArguments {
     table: TableArguments,
 }
 
-/// Print the table.
 pub(super) fn run(arguments: &VariablesArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     arguments.table.alone().deliver(&page(), &rows(&VARIABLES))?;
@@ -42,7 +41,6 @@ pub(super) fn rows(variables: &[Variable]) -> Table<'_, &Variable> {
         .with("source", "source", "", |it| it.source)
 }
 
-/// The range the thesis searched.
 pub(super) fn thesis_range(variable: &Variable) -> Option<(f64, f64)> {
     match &variable.kind {
         Kind::Number(number) => number.thesis_range,

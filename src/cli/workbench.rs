@@ -53,7 +53,6 @@ fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     })
 }
 
-/// The same choice in the workbench's words.
 fn choice(glyphs: Glyphs) -> GlyphChoice {
     match glyphs {
         Glyphs::Auto => GlyphChoice::Auto,

@@ -246,7 +246,6 @@ struct Ready<'c> {
 }
 
 enum Place<'c> {
-    /// An ordinary file: a temporary one beside it.
     Beside(NamedTempFile),
     /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to.
     Direct(&'c [u8]),

@@ -19,7 +19,6 @@ use crate::model::units;
 use crate::model::variables::VARIABLES;
 use crate::study::sweep::{Axis, COUNTS, Plan, Shard};
 
-/// Bytes that are copied at once.
 const PIECE: usize = 1 << 16;
 
 /// The parts of one sweep, in order, none missing.
@@ -114,7 +113,6 @@ fn shown(path: &Path) -> String {
     path.display().to_string()
 }
 
-/// A part and its sidecar.
 fn found(path: &Path) -> Result<Found, FileError> {
     let beside = export::sidecar_path(path, None);
     std::fs::metadata(path).map_err(|source| FileError::read(path, source))?;

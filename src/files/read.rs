@@ -125,7 +125,6 @@ pub(super) struct Reader<'t> {
     text: &'t str,
     file: &'t str,
     problems: Vec<Problem>,
-    /// There was more than is told.
     more: bool,
 }
 
@@ -371,7 +370,6 @@ impl<'t> Reader<'t> {
         self.more
     }
 
-    /// Note a problem at a place of the text.
     pub(super) fn problem(&mut self, span: Range<usize>, text: String) {
         if self.is_full() {
             return;

@@ -8,7 +8,6 @@ use crate::model::scene::{LAYERS_MAX, Layer, Scene};
 
 /// The key of the list.
 pub(super) const KEY: &str = "stack.layer";
-/// The tables that an element may have keys of.
 const TABLES: [&str; 3] = ["target", "plate", "mechanism"];
 
 /// The layers in a list of tables; `scene` is what they are like.

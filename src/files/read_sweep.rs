@@ -36,7 +36,6 @@ struct AxisRow {
 }
 
 impl AxisRow {
-    /// The axis, checked.
     fn axis(&self) -> Result<SweepAxis, String> {
         let name = self.name.get_ref();
         let axis = match (self.from, self.to, self.count, &self.values) {

@@ -9,7 +9,6 @@ use crate::study::fit::Shot;
 
 /// The columns that are read; the first two are needed.
 const COLUMNS: [&str; 4] = ["velocity_m_s", "perforated", "residual_m_s", "penetration_m"];
-/// Characters of a wrong field that are shown.
 const SHOWN_MAX: usize = 40;
 
 /// The shots of a file.

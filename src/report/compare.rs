@@ -59,7 +59,6 @@ fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
         .with("penetration_m", "depth", "m", |it| it.depth_m)
 }
 
-/// What the limit velocity is governed by.
 fn governed_by(entry: &Entry) -> &'static str {
     match (entry.failure, entry.limit_m_s) {
         (Some(failure), _) => failure.word(),

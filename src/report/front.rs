@@ -59,7 +59,6 @@ pub struct Row<'f> {
     law: InterfaceLaw,
     /// `front`, or the name of a candidate.
     kind: &'static str,
-    /// The variables.
     values: Vec<Option<f64>>,
     measures: &'f [Option<f64>],
     /// What becomes of the design; of a candidate its standing.

@@ -72,7 +72,6 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
         })
 }
 
-/// A deviation as a percentage.
 fn percent(value: f64) -> String {
     let places = usize::from(value.abs() < 1.0);
     format!("{:+.places$} %", 100.0 * value)

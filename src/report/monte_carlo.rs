@@ -6,7 +6,6 @@ use crate::model::units::significant;
 use crate::report::table::{Table, pretty};
 use crate::study::monte_carlo::{Report, Summary};
 
-/// Digits of a number on a page.
 const DIGITS: usize = 4;
 /// Columns of the quantiles: key, heading, part of the values below it.
 const QUANTILES: [(&str, &str, f64); 7] = [

@@ -82,7 +82,6 @@ pub fn csv(
     })
 }
 
-/// A run in time.
 struct Course<'r> {
     name: &'r str,
     samples: Cow<'r, [Sample]>,
@@ -363,7 +362,6 @@ fn estimates(run: &Run) -> Value {
     Value::Object(rows.map(|error| (error.name.to_owned(), error.relative.into())).collect())
 }
 
-/// A part of the energy ledger.
 struct LedgerPart {
     /// Its name in JSON.
     key: &'static str,
@@ -376,7 +374,6 @@ const fn part(key: &'static str, label: &'static str, get: fn(&EnergyLedger) -> 
     LedgerPart { key, label, get }
 }
 
-/// The parts of the energy ledger.
 const ENERGY: [LedgerPart; 10] = [
     part("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
     part("initial_spring", "cocked spring", |it| it.initial_spring_j),

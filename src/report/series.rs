@@ -25,7 +25,6 @@ pub enum Quantity {
     MountForce,
 }
 
-/// What is known of a quantity.
 struct Row {
     title: &'static str,
     symbol: &'static str,
@@ -47,7 +46,6 @@ impl Quantity {
         Self::MountForce,
     ];
 
-    /// Its row of the table.
     fn row(self) -> Row {
         let row = |title, symbol, unit, get| Row { title, symbol, unit, get };
         match self {

@@ -109,7 +109,6 @@ impl Plot<'_> {
     }
 }
 
-/// A point of the picture.
 #[derive(Clone, Copy)]
 struct Point {
     x: f64,

@@ -11,7 +11,6 @@ use thiserror::Error;
 
 use crate::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
-/// Digits of a number on a page.
 const DIGITS: i32 = 4;
 /// Blanks between two columns of a page.
 const GAP: &str = "  ";
@@ -378,7 +377,6 @@ pub fn pretty(value: &impl Serialize) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }
 
-/// A value as a field of CSV.
 fn field(value: &Value) -> Cow<'_, str> {
     match value {
         Value::Null => Cow::Borrowed(""),

@@ -7,11 +7,9 @@ use crate::study::validation::{Bias, Case, NotChecked, Row, biases, measurements
 /// A row of the table.
 #[derive(Default)]
 pub struct Line<'r> {
-    /// A case, computed.
     row: Option<&'r Row>,
     /// A case that cannot be checked: what it says, where it comes from, and why not.
     not_checked: Option<&'static NotChecked>,
-    /// The bias of a class of cases.
     bias: Option<Bias>,
 }
 

@@ -21,7 +21,6 @@ use timing::{Clock, Patience, Timing, time};
 
 /// Fixed-step methods may need this many times the steps of the reference's contact, and this many more.
 const STEPS_BEYOND: (f64, f64) = (2.0, 1_000.0);
-/// Steps of an adaptive method at the most.
 const STEPS_MAX: usize = 100_000;
 /// The observed order is fitted through so many of the finest points (never fewer than the second number)...
 const FIT_POINTS: usize = 5;
@@ -35,7 +34,6 @@ const FIT_FLOOR: f64 = 10.0;
 /// Run times up to this factor apart count as alike.
 const ALIKE: f64 = 1.05;
 
-/// A timing that spreads by more is unsteady.
 const UNSTEADY: f64 = 0.2;
 
 /// How thorough a comparison is.
@@ -193,7 +191,6 @@ pub fn compare(
     Ok(report)
 }
 
-/// Steps a computation may take.
 fn steps_max(knob: Knob, end_s: f64) -> usize {
     match knob {
         Knob::Step(dt_s) => {

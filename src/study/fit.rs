@@ -18,7 +18,6 @@ const STEPS: usize = 200;
 const CONVERGED: f64 = 1e-12;
 /// How far beyond the velocities an end of the interval is looked for, in standard deviations of them.
 const REACH: f64 = 1e3;
-/// The fewest shots.
 const SHOTS_MIN: usize = 3;
 
 /// One shot of a test.

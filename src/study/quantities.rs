@@ -27,7 +27,6 @@ pub struct Quantity {
     pub name: &'static str,
     /// What it means, in a few words.
     pub meaning: &'static str,
-    /// Where it comes from.
     source: Source,
     /// How it follows from the first contact.
     pub(in crate::study) from_contact: FromContact,
@@ -48,13 +47,10 @@ pub struct Quantity {
 /// Where a quantity comes from; `None` where it does not exist.
 #[derive(Clone, Copy, Debug)]
 enum Source {
-    /// From the scene alone.
     Scene(fn(&Scene) -> Option<f64>),
-    /// From a run.
     Run(fn(&Run) -> Option<f64>),
     /// From a run with its course in time, where the scene needs that.
     Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
-    /// From many shots at the scene.
     Shots(fn(&Scene) -> Option<f64>),
 }
 
@@ -69,7 +65,6 @@ pub(in crate::study) enum FromContact {
     Displacement(fn(&Answer) -> Option<f64>),
     /// The same, and from the scene.
     WithScene(fn(&Answer, &Scene) -> Option<f64>),
-    /// From the scene alone.
     Scene,
 }
 

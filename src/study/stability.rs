@@ -30,7 +30,6 @@ pub const ERROR_MAX: f64 = 1e-8;
 const REFERENCE_TOLERANCE: f64 = 1e-13;
 /// That of a second look at the implicit one, which a plate that swings through singular zeros may lead astray.
 const SECOND_LOOK: f64 = 1e-12;
-/// Steps they may take.
 const REFERENCE_STEPS_MAX: usize = 200_000;
 /// Tolerance of the engine's own reference, where DOP853 cannot follow.
 const TIGHTER_TOLERANCE: f64 = 1e-12;
@@ -319,7 +318,6 @@ struct Peaks {
     /// Rate at which the contact force's dependence on velocity slows the slip, 1/s.
     drag_per_s: f64,
     speed_m_s: f64,
-    /// Times the plate turns round.
     reversals: usize,
 }
 

@@ -25,7 +25,6 @@ mod value;
 
 pub use claim::Claim;
 
-/// The claims as they are written.
 const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
 
 /// What became of a claim.

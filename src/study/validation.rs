@@ -51,7 +51,6 @@ struct File {
     not_checked: Vec<NotChecked>,
 }
 
-/// What several measurements share.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Group {

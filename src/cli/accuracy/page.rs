@@ -13,9 +13,7 @@ use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{MethodReport, Report};
 use crate::tui::theme::Theme;
 
-/// Columns and rows of the chart.
 const SIZE: draw::Size = (80, 20);
-/// The columns of the table of methods.
 const KEYS: [&str; 7] = [
     "letter",
     "method",
@@ -45,7 +43,6 @@ fn page(name: &str, report: &Report) -> String {
     page
 }
 
-/// What was done.
 fn counts(page: &mut String, report: &Report) {
     let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
     let measured: usize = report.methods.iter().map(|method| method.measured().count()).sum();
@@ -62,7 +59,6 @@ fn counts(page: &mut String, report: &Report) {
     );
 }
 
-/// Error over time.
 fn chart(report: &Report) -> String {
     error_over_time(report).map_or_else(
         || "no method gave a result that could be judged\n".to_owned(),
@@ -70,7 +66,6 @@ fn chart(report: &Report) -> String {
     )
 }
 
-/// A line for each method.
 fn table(report: &Report) -> String {
     let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
     let table = methods(&report.methods);
@@ -143,7 +138,6 @@ fn length(value: f64) -> String {
     Engineering { value, unit: "m", digits: 6 }.to_string()
 }
 
-/// Refused points by method and reason.
 fn refusals(page: &mut String, report: &Report) {
     let mut is_first = true;
     for method in &report.methods {

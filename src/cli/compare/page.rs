@@ -42,7 +42,6 @@ const LINES: [&str; 20] = [
     "penetration_m",
 ];
 
-/// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
     let projectile = &report.scene.projectile;
     let mut page = format!(
@@ -96,7 +95,6 @@ fn masses(page: &mut String, report: &Report) {
     }
 }
 
-/// The map as a page.
 pub(super) fn map(name: &str, map: &Map) -> String {
     let (x, y) = (map.x(), map.y());
     let mut page = format!(

@@ -15,7 +15,6 @@ const HEIGHT: u16 = 18;
 /// Columns of a label.
 const LABEL: usize = 16;
 
-/// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);

@@ -6,7 +6,6 @@ use crate::cli::text::width;
 use crate::report::monte_carlo::{perforation, table};
 use crate::study::monte_carlo::Report;
 
-/// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
     let early = if report.is_complete { "" } else { ", stopped early" };
     let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);

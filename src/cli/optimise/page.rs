@@ -12,7 +12,6 @@ use crate::study::sweep::{Axis, Spacing};
 /// Designs of a front that are listed.
 const LISTED: usize = 16;
 
-/// The page.
 pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
     let objective = |it: &crate::study::search::front::Objective| {
         let most = if it.maximise { "greatest " } else { "least " };

@@ -7,7 +7,6 @@ use crate::report::seek::{remarks, solution};
 use crate::study::search::seek::Report;
 use crate::study::sweep::Spacing;
 
-/// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();

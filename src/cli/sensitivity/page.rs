@@ -10,7 +10,6 @@ use crate::study::sensitivity::Report;
 /// Cells of the longest bar.
 const BAR: usize = 24;
 
-/// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page =

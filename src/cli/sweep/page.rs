@@ -69,7 +69,6 @@ pub(super) fn undrawable() -> String {
     )
 }
 
-/// The page.
 pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
     let design = match plan.design() {

@@ -3,7 +3,6 @@
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::study::limit::{Report, Shot};
 
-/// Points of a drawn law.
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to so many limits.
 const OWN_IN_VIEW: f64 = 4.0;

@@ -41,7 +41,6 @@ pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
     }
 }
 
-/// The curve over one axis.
 fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart<'static>> {
     let column = plan.outputs()[output];
     let value = |row: &Row| row.shown(output, column).unwrap_or(f64::NAN);
@@ -53,7 +52,6 @@ fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option
     Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
 
-/// The map over two axes.
 fn map(
     plan: &Plan,
     x: &sweep::Axis,

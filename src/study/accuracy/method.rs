@@ -65,10 +65,8 @@ pub enum Ladder {
     Quick,
 }
 
-/// The values that a knob is turned to.
 #[derive(Clone, Copy)]
 enum Range {
-    /// It has none.
     None,
     /// Time steps that make so many steps per contact at the most, and how many of a decade are taken.
     Steps(f64, i32),
@@ -76,11 +74,8 @@ enum Range {
     Tolerances(i32, i32),
 }
 
-/// Name, knob and function of a method.
 struct About {
-    /// The letter on charts.
     letter: char,
-    /// The name in tables and files.
     name: &'static str,
     /// It has its areas and equations in common with the engine.
     is_of_engine: bool,
@@ -271,7 +266,6 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     })
 }
 
-/// The contact phase of a run.
 fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
     {

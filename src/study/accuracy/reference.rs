@@ -12,14 +12,11 @@ use crate::model::variables;
 use crate::numerics::larger;
 use crate::study::accuracy::method::{Job, Knob, Method};
 
-/// Steps the explicit reference may take.
 const STEPS_MAX: usize = 400_000;
-/// Tolerance of the computed references.
 const TIGHT: f64 = 1e-14;
 /// That of the implicit one, whose order is lower.
 const TIGHT_IMPLICIT: f64 = 1e-13;
 
-/// A row of the stored reference.
 struct Stored {
     name: &'static str,
     /// Changes to Table 9.1 with gamma = 1 and neither spring nor damper.
@@ -207,7 +204,6 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
     list
 }
 
-/// Whether a scene is that of a stored row.
 fn is_row(scene: &Scene, row: &Stored) -> bool {
     let mut own = Scene::default();
     own.mechanism.spring.coefficient = 0.0;

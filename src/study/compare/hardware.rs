@@ -52,7 +52,6 @@ impl Failure {
 }
 
 impl Hardware {
-    /// The same without anything but the plate.
     pub(super) fn bare() -> Self {
         Self { spring_kg: Some(0.0), mount_kg: 0.0, stroke_m: None }
     }
@@ -68,13 +67,11 @@ pub(super) struct Demand {
 }
 
 impl Demand {
-    /// Of an element and its greatest displacement.
     pub(super) fn of(element: &Scene, farthest_m: Option<f64>) -> Self {
         let start_m = 0.0 - element.plate.cocking_m;
         Self { farthest_m, stored_j: spring_energy_j(element, start_m, farthest_m) }
     }
 
-    /// Of an element that is not struck.
     fn of_rest(element: &Scene) -> Self {
         Self::of(element, Some(0.0 - element.plate.cocking_m))
     }
@@ -133,7 +130,6 @@ pub(super) fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option
     spring_kg.map_or(f64::INFINITY, |kg| kg * element.mechanism.specific_energy_j_kg())
 }
 
-/// Hardware that was built for a shot.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Built {
     hardware: Hardware,
@@ -164,12 +160,10 @@ impl Built {
         self.springs_kg.iter().copied().sum()
     }
 
-    /// Everything over the plates' faces, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
         areal_kg_m2(scene, &self.hardware, &self.springs_kg)
     }
 
-    /// What fails first under a shot.
     pub(super) fn failure(&self, run: &Run) -> Option<Failure> {
         let demands = Demand::of_run(run, &self.elements);
         let mut each = self.elements.iter().zip(&demands).zip(&self.capacities_j);

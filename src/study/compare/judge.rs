@@ -35,7 +35,6 @@ pub(super) struct Judge<'c, 'w> {
 }
 
 impl Judge<'_, '_> {
-    /// The entry; `None` when stopped.
     pub(super) fn entry(&mut self, candidate: Candidate) -> Result<Option<Entry>, VariableError> {
         let scene = Arc::clone(&self.scene);
         let design_m_s = scene.projectile.velocity_m_s;

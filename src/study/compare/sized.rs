@@ -120,7 +120,6 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
     own
 }
 
-/// A shot, as far as the sizing has to know it.
 struct Shot {
     stopped: bool,
     demands: Vec<Demand>,

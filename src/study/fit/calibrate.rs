@@ -105,7 +105,6 @@ fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Opti
     })
 }
 
-/// The depth of a shot that is stopped, m.
 fn depth_of(scene: &Scene, context: &mut Context<'_>) -> Option<f64> {
     let settings = Settings { series: false, estimate: false };
     let run = simulate(&Arc::new(scene.clone()), &settings, &mut context.observer()).ok()?;

@@ -5,7 +5,6 @@
 
 use crate::numerics::minimum;
 
-/// Range in which p is looked for.
 const P: (f64, f64) = (1.0, 12.0);
 /// Range in which the limit is looked for, over the least impact velocity that perforated.
 const LEAST_LIMIT: f64 = 0.3;

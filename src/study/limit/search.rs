@@ -28,7 +28,6 @@ pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
 const LOWER_MAX: usize = 4;
 /// The runs' tolerance, at the most.
 const TOLERANCE: f64 = 1e-10;
-/// What a shot tells of the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
     Perforated,
@@ -81,7 +80,6 @@ pub(super) struct Scan {
 }
 
 impl Scan {
-    /// All velocities that are looked at.
     pub(super) const WHOLE: Self =
         Self { low_m_s: RANGE_M_S.0, high_m_s: RANGE_M_S.1, points: SCAN, width: WIDTH };
 }
@@ -297,7 +295,6 @@ impl Range<'_, '_, '_> {
     }
 }
 
-/// The scene with another impact velocity.
 pub(super) fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
     let mut own = scene.clone();
     own.projectile.velocity_m_s = impact_m_s;

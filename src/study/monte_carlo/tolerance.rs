@@ -40,7 +40,6 @@ pub enum Distribution {
 }
 
 impl Distribution {
-    /// A value.
     pub(super) fn draw(self, random: &mut Random) -> f64 {
         match self {
             Self::Normal { mean, deviation } => mean + deviation * random.normal(),
@@ -243,7 +242,6 @@ impl Tolerance {
         self.variable
     }
 
-    /// The variable's number: how it is set.
     pub(in crate::study) fn number(&self) -> &'static Number {
         self.number
     }

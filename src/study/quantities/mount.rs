@@ -17,7 +17,6 @@ fn spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
     Inertia::of(scene).spring_mass_kg.or_else(|| least_spring_kg(scene, farthest_m))
 }
 
-/// Plate and springs, kg.
 pub(super) fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
     Some(scene.plate_mass_kg() + spring_kg(scene, farthest_m)?)
 }

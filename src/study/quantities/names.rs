@@ -34,9 +34,7 @@ const USUAL: [&str; 6] = [
     "system_mass_kg",
     "limit_velocity_m_s",
 ];
-/// The most names in a hint.
 const NEAREST_MAX: usize = 4;
-/// Columns of a line of the listing.
 const WIDTH: usize = 78;
 
 /// A hint for a name that no quantity has: the quantities spelled most like it, else those asked for most.

@@ -32,7 +32,6 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct DesignSpace {
     plan: Plan,
-    /// Steps after which a run is given up.
     steps_max: Option<usize>,
 }
 

@@ -204,7 +204,6 @@ pub fn optimise(
     Ok(fronts)
 }
 
-/// What a search has so far.
 struct State<'s, 'w> {
     /// The designs of the present generation, by their shares.
     known: HashMap<Vec<u64>, Design>,
@@ -212,7 +211,6 @@ struct State<'s, 'w> {
     context: &'s mut Context<'w, Front>,
 }
 
-/// The search on one law.
 struct Search<'a> {
     task: &'a Task,
     space: &'a DesignSpace,
@@ -347,7 +345,6 @@ impl Search<'_> {
         sorted_by(best.iter().filter_map(of).collect(), first)
     }
 
-    /// What measures come to.
     fn judge(&self, measures: &[Option<f64>]) -> Judged {
         let value = |column: &Quantity| measures[self.task.place(column)];
         let objectives = self.task.objectives.iter().map(|objective| {

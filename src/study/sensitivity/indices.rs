@@ -11,9 +11,7 @@ use crate::study::sweep::sequence;
 
 /// The most inputs: the sequence has twelve dimensions, and each input takes two.
 pub const INPUTS_MAX: usize = 6;
-/// Resamplings of the bootstrap.
 const RESAMPLINGS: usize = 400;
-/// Points handed over at once.
 const BATCH: usize = 1024;
 
 /// An index and its 95 % confidence interval.
@@ -153,7 +151,6 @@ fn bootstrap(rows: &Rows, seed: u64) -> Vec<Vec<[f64; 2]>> {
     (0..RESAMPLINGS).map(|_| sample()).collect()
 }
 
-/// The middle 95 %.
 fn range95(mut values: Vec<f64>) -> (f64, f64) {
     values.sort_by(f64::total_cmp);
     let cut = values.len() / 40;

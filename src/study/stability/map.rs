@@ -30,7 +30,6 @@ const RUNS_AWAY_FROM: f64 = 1e2;
 const SLOW_PLATE: f64 = 1e-2;
 /// Plate speed, in impact velocities, from which on the computation has blown up.
 const BLOWN_UP_FROM: f64 = 1e3;
-/// Steps a cell may take.
 const STEPS_MAX: usize = 200_000;
 /// Relative velocity, of the impact velocity, that counts as arrest: the thesis's 0.01 m/s of its 100 m/s.
 const ARREST: f64 = 1e-4;
@@ -304,7 +303,6 @@ impl Target {
     }
 }
 
-/// The largest stable step of a method, s.
 fn limit(scene: &Scene, method: Method, peaks: &Peaks) -> Option<f64> {
     let plate = rk4_limit(peaks.swing_per_s, peaks.decay_per_s);
     let force = match method {

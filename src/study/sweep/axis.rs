@@ -320,7 +320,6 @@ fn check_count(
     )))
 }
 
-/// A variable that has numbers.
 pub(in crate::study) fn numeric(
     name: &str,
 ) -> Result<(&'static Variable, &'static Number), SweepError> {

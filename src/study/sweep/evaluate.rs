@@ -157,7 +157,6 @@ pub struct Evaluator<'p> {
     scene: Arc<Scene>,
     kernel: Option<Kernel<'p>>,
     settings: Settings,
-    /// Steps after which a run is given up.
     steps_max: Option<usize>,
 }
 

@@ -24,13 +24,11 @@ pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 /// What was found at a point.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) struct Answer {
-    /// How the contact ends.
     pub(in crate::study) end: ContactEnd,
     /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
     pub(in crate::study) baseline_m: Option<f64>,
     /// The greatest displacement, m, where an output needs it; `None` where nothing stops the plate.
     pub(in crate::study) max_displacement_m: Option<f64>,
-    /// Where the plate starts, m.
     pub(in crate::study) start_m: f64,
 }
 
@@ -41,7 +39,6 @@ impl Answer {
     }
 }
 
-/// Where the baseline comes from.
 #[derive(Clone, Copy, Debug)]
 enum Baseline {
     /// No axis changes it: this, m, or none where a rigid mount is perforated.
@@ -50,7 +47,6 @@ enum Baseline {
     ByPoint,
 }
 
-/// The contact kernel on a piece of a sweep.
 pub(super) struct Kernel<'p> {
     plan: &'p Plan,
     /// An output needs the maximum displacement.
@@ -136,7 +132,6 @@ impl<'p> Kernel<'p> {
         !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
     }
 
-    /// The answer, from the end of the contact.
     fn finish(&self, scene: &Scene, end: ContactEnd) -> (PointOutcome, Answer) {
         let baseline_m = match self.baseline {
             Baseline::Fixed(depth_m) => depth_m,
@@ -156,7 +151,6 @@ impl<'p> Kernel<'p> {
 pub(in crate::study) enum Wanted {
     /// Whether it goes through, however long that takes.
     Passage,
-    /// The quantities of its first contact.
     Contact,
     /// The same and the maximum displacement; of a stack, of its first plate.
     Displacement,

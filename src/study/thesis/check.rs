@@ -13,7 +13,6 @@ use crate::study::thesis::text::{Template, ends};
 use crate::study::thesis::value::{Curve, Value, join};
 use crate::study::thesis::{Basis, Found, Verdict};
 
-/// What is found for a claim.
 pub(super) fn check(claim: &Claim, runs: &Runs<'_>) -> Found {
     let evaluation = Evaluation { claim, runs, known: RefCell::default() };
     evaluation.found().unwrap_or_else(|problem| Found {
@@ -24,7 +23,6 @@ pub(super) fn check(claim: &Claim, runs: &Runs<'_>) -> Found {
     })
 }
 
-/// A claim that is being checked.
 struct Evaluation<'a> {
     claim: &'a Claim,
     runs: &'a Runs<'a>,

@@ -10,15 +10,11 @@ use crate::study::thesis::functions::{FUNCTIONS, Function};
 use crate::study::thesis::quantities::Quantity;
 use crate::study::thesis::runs::Method;
 
-/// A parsed expression.
 pub(super) enum Expression {
-    /// A number.
     Number(f64),
-    /// A text.
     Text(String),
     /// A value of the claim.
     Name(String),
-    /// Several values.
     List(Vec<Self>),
     /// One of a list.
     Item(Box<Self>, usize),
@@ -26,7 +22,6 @@ pub(super) enum Expression {
     Not(Box<Self>),
     /// Two operands.
     Binary(Operator, Box<[Self; 2]>),
-    /// A function of values.
     Call(&'static Function, Vec<Self>),
     /// A value by a certain method.
     By(Method, Box<Self>),
@@ -34,34 +29,20 @@ pub(super) enum Expression {
     Query(Query),
 }
 
-/// What stands between two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operator {
-    /// `or`
     Or,
-    /// `and`
     And,
-    /// `==`
     Equal,
-    /// `!=`
     Unequal,
-    /// `<`
     Less,
-    /// `<=`
     AtMost,
-    /// `>`
     Greater,
-    /// `>=`
     AtLeast,
-    /// `+`
     Plus,
-    /// `-`
     Minus,
-    /// `*`
     Times,
-    /// `/`
     Over,
-    /// `^`
     Power,
 }
 
@@ -116,7 +97,6 @@ const SYMBOLS: [&str; 19] = [
     ":",
 ];
 
-/// A piece of the text of an expression.
 #[derive(Clone, Debug, PartialEq)]
 enum Token {
     Number(f64),
@@ -137,12 +117,10 @@ pub(super) struct Parser<'a> {
 type Parsed<T = Expression> = Result<T, String>;
 
 impl<'a> Parser<'a> {
-    /// A parser that knows these scenes.
     pub(super) fn new(scenes: &'a BTreeMap<String, Scene>) -> Self {
         Self { scenes, tokens: Vec::new(), at: 0, names: Vec::new() }
     }
 
-    /// Parses a whole text.
     pub(super) fn parse(&mut self, text: &str) -> Parsed {
         (self.tokens, self.at) = (tokens(text)?, 0);
         let expression = self.level(0)?;
@@ -320,7 +298,6 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// Cuts a text into its tokens.
 fn tokens(text: &str) -> Parsed<Vec<Token>> {
     let mut all = Vec::new();
     let mut rest = text.trim_start();

@@ -13,7 +13,6 @@ use crate::study::thesis::shape::{
 use crate::study::thesis::text;
 use crate::study::thesis::value::{Point, Value, through_lists};
 
-/// A function by its name.
 #[derive(Debug)]
 pub(super) struct Function {
     /// What claims call it.
@@ -44,7 +43,6 @@ const fn function(name: &'static str, arguments: usize, apply: Apply) -> Functio
     Function { name, arguments, apply }
 }
 
-/// All functions.
 pub(super) static FUNCTIONS: &[Function] = &[
     function("abs", 1, Numbers(|it| it[0].abs())),
     function("sqrt", 1, Numbers(|it| it[0].sqrt())),

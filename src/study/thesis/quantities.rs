@@ -16,7 +16,6 @@ use crate::study::thesis::runs::{Method, Runs, changed};
 use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
 
-/// A quantity.
 #[derive(Clone, Copy)]
 pub(super) enum Quantity {
     /// One of the program's outputs.
@@ -25,26 +24,21 @@ pub(super) enum Quantity {
     Own(&'static Own),
 }
 
-/// A quantity of this study by its name.
 pub(super) struct Own {
     name: &'static str,
-    /// The unit on a curve's ends.
     unit: &'static str,
     get: Get,
 }
 
-/// Where a quantity comes from.
 #[derive(Clone, Copy)]
 enum Get {
     /// A run without its series; `None` is no number.
     Run(fn(&Run) -> Option<f64>),
     /// The word for what became of a run.
     Word(fn(&Run) -> &'static str),
-    /// A run with its series.
     Series(fn(&Run) -> Value),
     /// The scene alone, and a displacement, m.
     Scene(fn(&Scene, f64) -> f64),
-    /// Several runs.
     Several(fn(&Runs<'_>, Method, &Scene) -> Value),
 }
 
@@ -157,13 +151,11 @@ static OWN: &[Own] = &[
 ];
 
 impl Quantity {
-    /// The quantity of this name.
     pub(super) fn find(name: &str) -> Option<Self> {
         let own = OWN.iter().find(|it| it.name == name).map(Self::Own);
         own.or_else(|| quantities::find(name).map(Self::Output))
     }
 
-    /// The unit on a curve's ends.
     pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Output(column) => column.unit(),

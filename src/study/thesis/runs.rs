@@ -14,7 +14,6 @@ use crate::model::variables::{self, Value};
 /// Longer than any contact here, s.
 const CONTACT_S: f64 = 1e-3;
 
-/// What computes a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Method {
     /// The engine.
@@ -65,12 +64,10 @@ impl<'a> Runs<'a> {
         self.shared.stop.load(Ordering::Relaxed)
     }
 
-    /// How many impacts the claim needed.
     pub(super) fn impacts(&self) -> usize {
         self.impacts.borrow().len()
     }
 
-    /// Runs a scene with its series.
     pub(super) fn run_with_series(&self, method: Method, scene: &Scene) -> Run {
         let (own, _) = self.noted(method, scene);
         self.simulated(own, true)

@@ -6,17 +6,14 @@ use crate::study::thesis::value::Point;
 /// What counts as noise, relative to the curve's whole range.
 const NOISE: f64 = 1e-3;
 
-/// The greatest value.
 pub(super) fn greatest(curve: &[Point]) -> f64 {
     curve.iter().map(|point| point.1).fold(f64::NEG_INFINITY, larger)
 }
 
-/// The least value.
 pub(super) fn least(curve: &[Point]) -> f64 {
     curve.iter().map(|point| point.1).fold(f64::INFINITY, smaller)
 }
 
-/// Greatest minus least value.
 pub(super) fn range(curve: &[Point]) -> f64 {
     greatest(curve) - least(curve)
 }

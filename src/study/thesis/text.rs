@@ -12,7 +12,6 @@ enum Piece {
     Value(Expression, Format),
 }
 
-/// How a value is written.
 #[derive(Clone, Copy, Debug)]
 struct Format {
     /// What stands between the values of a list.
@@ -33,7 +32,6 @@ enum Style {
 const UNITS: [&str; 6] = ["m/s", "N/m", "N", "s", "Pa", "J"];
 
 impl Template {
-    /// Parses a text.
     pub(super) fn parse(text: &str, parser: &mut Parser<'_>) -> Result<Self, String> {
         let mut pieces = Vec::new();
         let mut parts = text.split('{');

@@ -2,19 +2,14 @@
 
 use crate::study::thesis::expression::Operator;
 
-/// A point of a curve.
 pub(super) type Point = (f64, f64);
 
-/// What an expression gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     /// A number; NaN where a quantity does not exist.
     Number(f64),
-    /// Whether a condition holds.
     Truth(bool),
-    /// A text.
     Text(String),
-    /// Several values.
     List(Vec<Self>),
     /// A quantity along a variable.
     Curve(Curve),
@@ -32,7 +27,6 @@ pub(super) struct Curve {
 }
 
 impl Value {
-    /// A list of numbers.
     pub(super) fn numbers(values: impl IntoIterator<Item = f64>) -> Self {
         Self::List(values.into_iter().map(Self::Number).collect())
     }
@@ -52,7 +46,6 @@ impl Value {
         Self::Number(value.unwrap_or(f64::NAN))
     }
 
-    /// The number it is.
     pub(super) fn number(&self) -> Result<f64, String> {
         match self {
             Self::Number(number) => Ok(*number),
@@ -128,7 +121,6 @@ pub(super) fn through_lists(
     Ok(Value::List((0..length).map(place).collect::<Result<_, _>>()?))
 }
 
-/// Joins two operands.
 pub(super) fn join(operator: Operator, operands: &[Value; 2]) -> Result<Value, String> {
     through_lists(operands, &|pair| match (operator, pair) {
         (Operator::Or, [left, right]) => Ok(Value::Truth(left.holds()? || right.holds()?)),

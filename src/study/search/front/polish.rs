@@ -15,10 +15,8 @@ const INSIDE: f64 = 1e-9;
 /// Stands for an objective that does not exist, times the best known or 1.
 const NONE: f64 = 1e3;
 
-/// A point that is tried.
 #[derive(Clone, Debug)]
 pub(super) struct Trial {
-    /// What it comes to.
     pub(super) judged: Judged,
     /// How far each constraint is from its bound; negative where it is broken.
     pub(super) margins: Vec<f64>,

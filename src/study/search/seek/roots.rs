@@ -9,9 +9,7 @@ use crate::numerics::statistics::sorted_by;
 
 /// Bisections of an edge: to 1e-13 of the scan's spacing.
 const EDGE_STEPS: usize = 42;
-/// Rounds of a bracket.
 const ROUNDS: usize = 120;
-/// A bracket is closed at this width.
 const WIDTH: f64 = 1e-15;
 /// A value this near to the goal, relative to the goal or the spread of values, is the goal: far above the noise of a run.
 const NEAR: f64 = 1e-7;
@@ -104,7 +102,6 @@ impl<'f> RootScan<'f> {
         Ok(values)
     }
 
-    /// The function at one place.
     fn value(&mut self, share: f64) -> Result<Option<f64>, Stopped> {
         self.values(&[share]).map(|values| values.first().copied().flatten())
     }
