@@ -7,5 +7,39 @@
 
 pub use cmra_engine::{model, numerics};
 
+/// Defines an enum whose variants are the rows of a table: a method for each column gives a variant's entry.
+macro_rules! enumeration {
+    ($(#[$about:meta])* pub enum $name:ident in $row:ident {
+        $($(#[$column_doc:meta])* $column:ident: $type:ty,)+
+    }
+    $($(#[$doc:meta])* $variant:ident { $($key:ident: $value:expr),+ })+) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name {
+            $($(#[$doc])* $variant,)+
+        }
+
+        struct $row {
+            $($column: $type,)+
+        }
+
+        impl $name {
+            /// All of them, in the order of tables.
+            pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
+
+            fn row(self) -> &'static $row {
+                match self {
+                    $(Self::$variant => &const { $row { $($key: $value),+ } },)+
+                }
+            }
+
+            $($(#[$column_doc])*
+            pub fn $column(self) -> $type {
+                self.row().$column
+            })+
+        }
+    };
+}
+
 pub mod report;
 pub mod study;

@@ -2,88 +2,42 @@
 
 use crate::model::run::{Run, Sample};
 
-/// A quantity of the series.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+enumeration! {
+    /// A quantity of the series, in the order `v` goes through them.
+    pub enum Quantity in Row {
+        /// The name for chart titles.
+        title: &'static str,
+        /// The symbol for readouts.
+        symbol: &'static str,
+        /// The SI unit.
+        unit: &'static str,
+        /// Where it is found in a sample.
+        get: fn(&Sample) -> f64,
+    }
     /// Depth of the nose in the plate.
-    Penetration,
+    Penetration { title: "Penetration", symbol: "p", unit: "m", get: |it| it.penetration_m }
     /// Plate displacement from neutral.
-    PlateDisplacement,
+    PlateDisplacement { title: "Plate displacement", symbol: "x", unit: "m", get: |it| it.plate_displacement_m }
     /// Force between projectile and plate.
-    ContactForce,
+    ContactForce { title: "Contact force", symbol: "F", unit: "N", get: |it| it.contact_force_n }
     /// Projectile velocity.
-    ProjectileVelocity,
+    ProjectileVelocity { title: "Projectile velocity", symbol: "v", unit: "m/s", get: |it| it.projectile_velocity_m_s }
     /// Plate velocity.
-    PlateVelocity,
+    PlateVelocity { title: "Plate velocity", symbol: "w", unit: "m/s", get: |it| it.plate_velocity_m_s }
     /// Spring force on the mount.
-    SpringForce,
+    SpringForce { title: "Spring force", symbol: "F_spring", unit: "N", get: |it| it.spring_force_n }
     /// Damper force on the mount.
-    DamperForce,
+    DamperForce { title: "Damper force", symbol: "F_damper", unit: "N", get: |it| it.damper_force_n }
     /// Projectile displacement since first contact.
-    ProjectileDisplacement,
+    ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", get: |it| it.projectile_displacement_m }
     /// Force on the mount, over the plate's displacement in place of time.
-    MountForce,
-}
-
-struct Row {
-    title: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    get: fn(&Sample) -> f64,
+    MountForce {
+        title: "Mount force over displacement", symbol: "F(x)", unit: "N",
+        get: |it| it.spring_force_n + it.damper_force_n + it.stop_force_n
+    }
 }
 
 impl Quantity {
-    /// All quantities, in the order `v` goes through them.
-    pub const ALL: [Self; 9] = [
-        Self::Penetration,
-        Self::PlateDisplacement,
-        Self::ContactForce,
-        Self::ProjectileVelocity,
-        Self::PlateVelocity,
-        Self::SpringForce,
-        Self::DamperForce,
-        Self::ProjectileDisplacement,
-        Self::MountForce,
-    ];
-
-    fn row(self) -> Row {
-        let row = |title, symbol, unit, get| Row { title, symbol, unit, get };
-        match self {
-            Self::Penetration => row("Penetration", "p", "m", |it| it.penetration_m),
-            Self::PlateDisplacement => {
-                row("Plate displacement", "x", "m", |it| it.plate_displacement_m)
-            }
-            Self::ContactForce => row("Contact force", "F", "N", |it| it.contact_force_n),
-            Self::ProjectileVelocity => {
-                row("Projectile velocity", "v", "m/s", |it| it.projectile_velocity_m_s)
-            }
-            Self::PlateVelocity => row("Plate velocity", "w", "m/s", |it| it.plate_velocity_m_s),
-            Self::SpringForce => row("Spring force", "F_spring", "N", |it| it.spring_force_n),
-            Self::DamperForce => row("Damper force", "F_damper", "N", |it| it.damper_force_n),
-            Self::ProjectileDisplacement => {
-                row("Projectile displacement", "s", "m", |it| it.projectile_displacement_m)
-            }
-            Self::MountForce => row("Mount force over displacement", "F(x)", "N", |it| {
-                it.spring_force_n + it.damper_force_n + it.stop_force_n
-            }),
-        }
-    }
-
-    /// The name for chart titles.
-    pub fn title(self) -> &'static str {
-        self.row().title
-    }
-
-    /// The symbol for readouts.
-    pub fn symbol(self) -> &'static str {
-        self.row().symbol
-    }
-
-    /// The SI unit.
-    pub fn unit(self) -> &'static str {
-        self.row().unit
-    }
-
     /// The value to draw: as [`Quantity::of`], and a gap while the projectile is out of the plate and has no depth in it.
     pub fn drawn(self, sample: &Sample) -> f64 {
         match self.of(sample) {
@@ -94,7 +48,7 @@ impl Quantity {
 
     /// The value in a sample, SI.
     pub fn of(self, sample: &Sample) -> f64 {
-        (self.row().get)(sample)
+        self.get()(sample)
     }
 
     /// The value in a run at a time, linear between samples; `None` outside the series. At a jump the value after it.

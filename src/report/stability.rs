@@ -7,7 +7,7 @@ use crate::model::units::Engineering;
 use crate::report::table::{Table, pretty};
 use crate::study::stability::map::Map;
 use crate::study::stability::others::Other;
-use crate::study::stability::{Basis, Row, Shortfall};
+use crate::study::stability::{Row, Shortfall};
 
 /// Columns of a page that say how a scene has run, by this program and by the other methods.
 pub const HOW_IT_RAN: [&str; 10] = [
@@ -22,16 +22,6 @@ pub const HOW_IT_RAN: [&str; 10] = [
     "thesis_1e-6",
     "thesis_1e-7",
 ];
-
-/// Names of the columns of another method: how it fares, and its error; and the heading of the first.
-fn keys(other: Other) -> (&'static str, &'static str, &'static str) {
-    match other {
-        Other::Explicit => ("explicit", "explicit_error", "expl"),
-        Other::Implicit => ("implicit", "implicit_error", "impl"),
-        Other::ThesisCoarse => ("thesis_1e-6", "thesis_1e-6_error", "th-6"),
-        Other::ThesisFine => ("thesis_1e-7", "thesis_1e-7_error", "th-7"),
-    }
-}
 
 /// A size in five characters: `2e-13`.
 fn brief(value: f64) -> String {
@@ -50,17 +40,6 @@ fn ends(row: &Row) -> String {
     word.to_owned()
 }
 
-/// What stands behind an error: s(tored), D(OP853), R(adau), t(ighter).
-fn mark(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Stored => "s",
-        Basis::Dop853 => "D",
-        Basis::Radau => "R",
-        Basis::Tighter => "t",
-        Basis::None => " ",
-    }
-}
-
 /// The battery, a row a scene.
 pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
     let mut table = Table::of(rows)
@@ -72,7 +51,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
         .shown(|_, value| Some(brief(value.as_f64()?.abs())))
         .with("error", "error", "", |row| row.error)
-        .shown(|row, value| Some(brief(value.as_f64()?) + mark(row.basis)))
+        .shown(|row, value| Some(format!("{}{}", brief(value.as_f64()?), row.basis.letter())))
         .with("reference", "error against", "", |row| row.basis.words())
         .with("method", "method", "", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
@@ -84,9 +63,9 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
         .with("decays", "decays", "", |row| row.stiffness.decays);
     for (at, other) in Other::ALL.into_iter().enumerate() {
-        let (verdict, error, heading) = keys(other);
+        let error = other.error_key();
         table = table
-            .with(verdict, heading, "", move |row| row.others[at].word())
+            .with(other.key(), other.heading(), "", move |row| row.others[at].word())
             .shown(move |row, _| Some(row.others[at].brief()))
             .with(error, error, "", move |row| row.others[at].error());
     }

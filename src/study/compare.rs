@@ -51,32 +51,20 @@ pub use solid::thickness_of_limit_m;
 pub(in crate::study) use hardware::spring_energy_j;
 use judge::Judge;
 
-/// Who is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Candidate {
-    /// The scene as it is.
-    Scene,
-    /// The same plates, held rigidly.
-    Rigid,
-    /// The same plates without spring, damper, stop and cocking.
-    Free,
-    /// A solid plate of the scene's areal mass, held rigidly.
-    Solid,
-}
-
-impl Candidate {
-    /// All, in the order of tables.
-    pub const ALL: [Self; 4] = [Self::Scene, Self::Rigid, Self::Free, Self::Solid];
-
-    /// The word in files and on screens.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Scene => "scene",
-            Self::Rigid => "rigid mount",
-            Self::Free => "free plate",
-            Self::Solid => "solid plate",
-        }
+enumeration! {
+    /// Who is compared.
+    pub enum Candidate in CandidateRow {
+        /// The word in files and on screens.
+        word: &'static str,
     }
+    /// The scene as it is.
+    Scene { word: "scene" }
+    /// The same plates, held rigidly.
+    Rigid { word: "rigid mount" }
+    /// The same plates without spring, damper, stop and cocking.
+    Free { word: "free plate" }
+    /// A solid plate of the scene's areal mass, held rigidly.
+    Solid { word: "solid plate" }
 }
 
 /// The figures of one candidate; `None` where a figure does not exist.

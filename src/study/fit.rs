@@ -33,23 +33,16 @@ pub struct Shot {
     pub penetration_m: Option<f64>,
 }
 
-/// How the curve was fitted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Maximum likelihood.
-    MaximumLikelihood,
-    /// Maximum of the likelihood with Firth's penalty: there is no zone of mixed results.
-    Firth,
-}
-
-impl Method {
-    /// The words of pages and files.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::MaximumLikelihood => "maximum likelihood",
-            Self::Firth => "Firth's penalised likelihood",
-        }
+enumeration! {
+    /// How the curve was fitted.
+    pub enum Method in MethodRow {
+        /// The words of pages and files.
+        words: &'static str,
     }
+    /// Maximum likelihood.
+    MaximumLikelihood { words: "maximum likelihood" }
+    /// Maximum of the likelihood with Firth's penalty: there is no zone of mixed results.
+    Firth { words: "Firth's penalised likelihood" }
 }
 
 /// A fitted curve of perforation over velocity.

@@ -38,56 +38,32 @@ const CURVE: (f64, f64) = (0.5, 2.5);
 /// hard cores on aluminium, 1.117 measured and 1.077 computed (`cmra validate`).
 pub const OBLIQUE_SHORTFALL: f64 = 4.0;
 
-/// How the limit is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
-    /// Closed form: nothing but inertia, or a rigid mount, answers the shot.
-    ClosedForm,
-    /// Bisection on the outcome of runs.
-    Outcome,
-}
-
-impl Basis {
-    /// A short text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::ClosedForm => "closed form",
-            Self::Outcome => "bisection on the outcome",
-        }
+enumeration! {
+    /// How the limit is known.
+    pub enum Basis in BasisRow {
+        /// A short text.
+        words: &'static str,
     }
+    /// Closed form: nothing but inertia, or a rigid mount, answers the shot.
+    ClosedForm { words: "closed form" }
+    /// Bisection on the outcome of runs.
+    Outcome { words: "bisection on the outcome" }
 }
 
-/// What counts as a perforation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Criterion {
+enumeration! {
+    /// What counts as a perforation.
+    #[derive(Default)]
+    pub enum Criterion in CriterionRow {
+        /// The word on the command line and in files.
+        word: &'static str,
+        /// A short text.
+        label: &'static str,
+    }
     /// The nose is clear of the rear face: complete passage, as the navy criterion has it.
     #[default]
-    Passage,
+    Passage { word: "passage", label: "complete passage: the nose is clear of the rear face (navy criterion)" }
     /// The nose stands out of the rear face: the army criterion.
-    Protrusion,
-}
-
-impl Criterion {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::Passage, Self::Protrusion];
-
-    /// The word on the command line and in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Passage => "passage",
-            Self::Protrusion => "protrusion",
-        }
-    }
-
-    /// A short text.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Passage => {
-                "complete passage: the nose is clear of the rear face (navy criterion)"
-            }
-            Self::Protrusion => "protrusion: the nose stands out of the rear face (army criterion)",
-        }
-    }
+    Protrusion { word: "protrusion", label: "protrusion: the nose stands out of the rear face (army criterion)" }
 }
 
 /// Whether there is a limit, and where.

@@ -68,39 +68,23 @@ pub(in crate::study) enum FromContact {
     Scene,
 }
 
-/// What has to be computed for a quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Needs {
+enumeration! {
+    /// What has to be computed for a quantity.
+    #[derive(PartialOrd, Ord)]
+    pub enum Needs in NeedsRow {
+        /// In a word.
+        word: &'static str,
+        /// In words, for people.
+        words: &'static str,
+    }
     /// Nothing.
-    Scene,
+    Scene { word: "scene", words: "nothing but the scene" }
     /// A run.
-    Run,
+    Run { word: "run", words: "a run" }
     /// A run with its course in time.
-    Course,
+    Course { word: "course", words: "a run and its course in time" }
     /// Many shots.
-    Limit,
-}
-
-impl Needs {
-    /// In a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Scene => "scene",
-            Self::Run => "run",
-            Self::Course => "course",
-            Self::Limit => "limit",
-        }
-    }
-
-    /// In words, for people.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Scene => "nothing but the scene",
-            Self::Run => "a run",
-            Self::Course => "a run and its course in time",
-            Self::Limit => "many shots (a limit search)",
-        }
-    }
+    Limit { word: "limit", words: "many shots (a limit search)" }
 }
 
 impl PartialEq for Quantity {

@@ -36,57 +36,40 @@ const TIGHTER_TOLERANCE: f64 = 1e-12;
 /// Part of the plate's greatest displacement, or speed, from which on its tangent counts: at zero it may be infinite.
 const COUNTS_FROM: f64 = 1e-2;
 
-/// What the error of a row is measured against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
+enumeration! {
+    /// What the error of a row is measured against.
+    pub enum Basis in BasisRow {
+        /// A short text.
+        words: &'static str,
+        /// The letter behind an error on a page.
+        letter: char,
+    }
     /// Stored digits of an 80-bit Taylor series and 30-digit arithmetic.
-    Stored,
+    Stored { words: "stored", letter: 's' }
     /// DOP853 on the contact phase written a second time, at 1e-13.
-    Dop853,
+    Dop853 { words: "DOP853 1e-13", letter: 'D' }
     /// Radau IIA on the same, at 1e-13, where an explicit method cannot follow.
-    Radau,
+    Radau { words: "Radau 1e-13", letter: 'R' }
     /// The engine at 1e-12, itself within 1e-9 of its computation by another order at 1e-15.
-    Tighter,
+    Tighter { words: "auto 1e-12", letter: 't' }
     /// Nothing: the outcome is undecided, or no other computation got through.
-    None,
+    None { words: "none", letter: ' ' }
 }
 
-impl Basis {
-    /// A short text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Stored => "stored",
-            Self::Dop853 => "DOP853 1e-13",
-            Self::Radau => "Radau 1e-13",
-            Self::Tighter => "auto 1e-12",
-            Self::None => "none",
-        }
+enumeration! {
+    /// Why a row falls short.
+    pub enum Shortfall in ShortfallRow {
+        /// A short text.
+        words: &'static str,
     }
-}
-
-/// Why a row falls short.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shortfall {
     /// The run ended early.
-    Incomplete,
+    Incomplete { words: "ended early" }
     /// A result is not finite.
-    NotFinite,
+    NotFinite { words: "not finite" }
     /// The energy residual is above [`RESIDUAL_MAX`].
-    Energy,
+    Energy { words: "energy" }
     /// The error is above [`ERROR_MAX`].
-    Error,
-}
-
-impl Shortfall {
-    /// A short text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Incomplete => "ended early",
-            Self::NotFinite => "not finite",
-            Self::Energy => "energy",
-            Self::Error => "error",
-        }
-    }
+    Error { words: "error" }
 }
 
 /// How stiff a contact is.

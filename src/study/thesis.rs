@@ -27,69 +27,29 @@ pub use claim::Claim;
 
 const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
 
-/// What became of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+enumeration! {
+    /// What became of a claim.
+    #[derive(PartialOrd, Ord)]
+    pub enum Verdict in VerdictRow {
+        /// The words in tables and files.
+        words: &'static str,
+        /// One word, for counts in a narrow row.
+        brief: &'static str,
+        /// One letter, for narrow columns.
+        letter: char,
+    }
     /// Computed as stated.
-    Reproduced,
+    Reproduced { words: "reproduced", brief: "reproduced", letter: '=' }
     /// Computed as stated once something is put right, which the cause names.
-    Corrected,
+    Corrected { words: "reproduced with correction", brief: "corrected", letter: '~' }
     /// A wrong number, symbol or word; what was meant is computed.
-    Misprint,
+    Misprint { words: "misprint", brief: "misprint", letter: 'M' }
     /// A trend that is there over the whole range of its figure.
-    TrendHolds,
+    TrendHolds { words: "trend holds", brief: "hold", letter: '+' }
     /// A trend that is not.
-    TrendFails,
+    TrendFails { words: "trend fails", brief: "fail", letter: '-' }
     /// Cannot be checked; the cause says why.
-    Unchecked,
-}
-
-impl Verdict {
-    /// All verdicts.
-    pub const ALL: [Self; 6] = [
-        Self::Reproduced,
-        Self::Corrected,
-        Self::Misprint,
-        Self::TrendHolds,
-        Self::TrendFails,
-        Self::Unchecked,
-    ];
-
-    /// The words in tables and files.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Reproduced => "reproduced",
-            Self::Corrected => "reproduced with correction",
-            Self::Misprint => "misprint",
-            Self::TrendHolds => "trend holds",
-            Self::TrendFails => "trend fails",
-            Self::Unchecked => "cannot be checked",
-        }
-    }
-
-    /// One word, for counts in a narrow row.
-    pub fn brief(self) -> &'static str {
-        match self {
-            Self::Reproduced => "reproduced",
-            Self::Corrected => "corrected",
-            Self::Misprint => "misprint",
-            Self::TrendHolds => "hold",
-            Self::TrendFails => "fail",
-            Self::Unchecked => "unchecked",
-        }
-    }
-
-    /// One letter, for narrow columns.
-    pub fn letter(self) -> char {
-        match self {
-            Self::Reproduced => '=',
-            Self::Corrected => '~',
-            Self::Misprint => 'M',
-            Self::TrendHolds => '+',
-            Self::TrendFails => '-',
-            Self::Unchecked => '?',
-        }
-    }
+    Unchecked { words: "cannot be checked", brief: "unchecked", letter: '?' }
 }
 
 /// What opens when a claim's row is chosen.
@@ -103,26 +63,18 @@ pub enum Opens {
     Preset(&'static str),
 }
 
-/// What a verdict rests on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
-    /// A computation.
-    Computed,
-    /// A comparison of what the thesis says in two places: nothing is computed.
-    Read,
-    /// Nothing: the claim cannot be checked.
-    None,
-}
-
-impl Basis {
-    /// The words in tables and files.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Computed => "computed",
-            Self::Read => "read from the text",
-            Self::None => "not checked",
-        }
+enumeration! {
+    /// What a verdict rests on.
+    pub enum Basis in BasisRow {
+        /// The words in tables and files.
+        words: &'static str,
     }
+    /// A computation.
+    Computed { words: "computed" }
+    /// A comparison of what the thesis says in two places: nothing is computed.
+    Read { words: "read from the text" }
+    /// Nothing: the claim cannot be checked.
+    None { words: "not checked" }
 }
 
 /// What was found for a claim.

@@ -5,16 +5,6 @@ use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{Cell, LINE, Map, Tone};
 use crate::study::stability::map as study;
 
-/// The cells that a legend names.
-const NAMED: [study::Cell; 6] = [
-    study::Cell::Accurate,
-    study::Cell::Inaccurate,
-    study::Cell::Oscillating,
-    study::Cell::BlownUp,
-    study::Cell::TooManySteps,
-    study::Cell::Unknown,
-];
-
 /// The map as a picture.
 pub fn map(found: &study::Map) -> Map<'static> {
     let symbol = found.axis.symbol();
@@ -30,8 +20,9 @@ pub fn map(found: &study::Map) -> Map<'static> {
         let cell = found.cell(row, column);
         Cell::Mark(cell.letter(), tone(cell))
     };
+    let named = study::Cell::ALL.into_iter().filter(|cell| *cell != study::Cell::Waiting);
     let mut marks: Vec<(char, String)> =
-        NAMED.map(|cell| (cell.letter(), cell.words().to_owned())).into();
+        named.map(|cell| (cell.letter(), cell.words().to_owned())).collect();
     marks.push((LINE, "analytic limit of stability".to_owned()));
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     Map {

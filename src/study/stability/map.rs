@@ -40,31 +40,24 @@ pub const CELLS: (usize, usize) = (19, 61);
 /// The thesis's own step, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
-/// The method of a map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+enumeration! {
+    /// The method of a map.
+    pub enum Method in MethodRow {
+        /// Its name.
+        name: &'static str,
+        /// The scheme of the listing that is followed.
+        scheme: Reading,
+    }
     /// Appendix A, its depth taken from the relative travel.
-    Thesis,
+    Thesis { name: "the thesis's scheme", scheme: Reading::Printed }
     /// Classical Runge-Kutta on the whole system.
-    Rk4,
+    Rk4 { name: "classical Runge-Kutta", scheme: Reading::Corrected }
 }
 
 impl Method {
-    /// The listing that is followed: as meant, with the thesis's scheme or Runge-Kutta on both bodies.
+    /// The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
     fn listing(self, step_s: f64) -> Listing {
-        let scheme = match self {
-            Self::Thesis => Reading::Printed,
-            Self::Rk4 => Reading::Corrected,
-        };
-        Listing { scheme, ..Listing::coupled(step_s, Reading::Corrected) }
-    }
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Thesis => "the thesis's scheme",
-            Self::Rk4 => "classical Runge-Kutta",
-        }
+        Listing { scheme: self.scheme(), ..Listing::coupled(step_s, Reading::Corrected) }
     }
 }
 
@@ -116,64 +109,30 @@ impl Axis {
     }
 }
 
-/// What a method makes of one step and one value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cell {
+enumeration! {
+    /// What a method makes of one step and one value.
+    pub enum Cell in CellRow {
+        /// The word in files.
+        word: &'static str,
+        /// What it means.
+        words: &'static str,
+        /// Its letter.
+        letter: char,
+    }
     /// Within 1 %.
-    Accurate,
+    Accurate { word: "accurate", words: "accurate (1 %)", letter: 'S' }
     /// It ends, but not there.
-    Inaccurate,
+    Inaccurate { word: "inaccurate", words: "inaccurate", letter: 'i' }
     /// The plate swings as it should not.
-    Oscillating,
+    Oscillating { word: "oscillating", words: "oscillating", letter: 'o' }
     /// Values grow without bound.
-    BlownUp,
+    BlownUp { word: "blown up", words: "blown up", letter: 'X' }
     /// The step budget was used up.
-    TooManySteps,
+    TooManySteps { word: "too many steps", words: "too many steps", letter: '.' }
     /// There is nothing to compare with.
-    Unknown,
+    Unknown { word: "unknown", words: "nothing to compare with", letter: '?' }
     /// It has not been computed yet.
-    Waiting,
-}
-
-impl Cell {
-    /// The word in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Accurate => "accurate",
-            Self::Inaccurate => "inaccurate",
-            Self::Oscillating => "oscillating",
-            Self::BlownUp => "blown up",
-            Self::TooManySteps => "too many steps",
-            Self::Unknown => "unknown",
-            Self::Waiting => "not computed",
-        }
-    }
-
-    /// What it means.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Accurate => "accurate (1 %)",
-            Self::Unknown => "nothing to compare with",
-            Self::Inaccurate
-            | Self::Oscillating
-            | Self::BlownUp
-            | Self::TooManySteps
-            | Self::Waiting => self.word(),
-        }
-    }
-
-    /// Its letter.
-    pub fn letter(self) -> char {
-        match self {
-            Self::Accurate => 'S',
-            Self::Inaccurate => 'i',
-            Self::Oscillating => 'o',
-            Self::BlownUp => 'X',
-            Self::TooManySteps => '.',
-            Self::Unknown => '?',
-            Self::Waiting => ' ',
-        }
-    }
+    Waiting { word: "not computed", words: "not computed", letter: ' ' }
 }
 
 /// A map.

@@ -18,23 +18,24 @@ pub const ADAPTIVE_STEPS_MAX: usize = 20_000;
 /// Steps the thesis's scheme may take.
 pub const FIXED_STEPS_MAX: usize = 300_000;
 
-/// A method that is looked at beside `auto`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Other {
+enumeration! {
+    /// A method that is looked at beside `auto`.
+    pub enum Other in OtherRow {
+        /// The key of how it fares in CSV and JSON.
+        key: &'static str,
+        /// The key of its error.
+        error_key: &'static str,
+        /// The heading on a page.
+        heading: &'static str,
+    }
     /// DOP853 with events located, at [`TOLERANCE`].
-    Explicit,
+    Explicit { key: "explicit", error_key: "explicit_error", heading: "expl" }
     /// Radau IIA with events located, at [`TOLERANCE`].
-    Implicit,
+    Implicit { key: "implicit", error_key: "implicit_error", heading: "impl" }
     /// Appendix A as printed, dt = 1e-6 s.
-    ThesisCoarse,
+    ThesisCoarse { key: "thesis_1e-6", error_key: "thesis_1e-6_error", heading: "th-6" }
     /// Appendix A as printed, dt = 1e-7 s.
-    ThesisFine,
-}
-
-impl Other {
-    /// All of them, in the order of columns.
-    pub const ALL: [Self; 4] =
-        [Self::Explicit, Self::Implicit, Self::ThesisCoarse, Self::ThesisFine];
+    ThesisFine { key: "thesis_1e-7", error_key: "thesis_1e-7_error", heading: "th-7" }
 }
 
 /// How a method fares on a contact.
