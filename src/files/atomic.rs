@@ -44,8 +44,9 @@ impl Existing {
 /// # Errors
 /// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
 pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), FileError> {
-    clear_leftovers(directory_of(path));
-    name_all(vec![prepare(path, content, existing)?], existing)
+    let mut file = Growing::begin(path, existing)?;
+    file.add(content)?;
+    file.finish(path, &[], existing)
 }
 
 /// Make the folder of a file, where it is missing.
@@ -63,7 +64,7 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 /// # Errors
 /// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
-    prepare(path, b"", existing).map(drop)
+    prepare(path, existing).map(drop)
 }
 
 /// Whether nothing but an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
@@ -87,7 +88,10 @@ pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
 
 /// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in
 /// between leaves a file alone, and never beside one that belongs to another.
-fn name_all(ready: Vec<Ready<'_>>, existing: Existing) -> Result<(), FileError> {
+fn name_all(ready: Vec<Ready>, existing: Existing) -> Result<(), FileError> {
+    for file in &ready {
+        file.sync()?;
+    }
     if existing == Existing::Replace {
         for file in ready.iter().skip(1).filter(|file| matches!(file.place, Place::Beside(_))) {
             // Where there is none, or it cannot be taken away, naming the new one tells.
@@ -178,8 +182,7 @@ impl Lock {
 /// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
 pub struct Growing {
     path: PathBuf,
-    ready: Ready<'static>,
-    device: Option<File>,
+    ready: Ready,
 }
 
 impl Growing {
@@ -189,15 +192,9 @@ impl Growing {
     /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         clear_leftovers(directory_of(path));
-        let ready = prepare(path, b"", existing)?;
-        let device = match &ready.place {
-            Place::Beside(_) => None,
-            Place::Direct(_) => {
-                let opened = OpenOptions::new().write(true).open(&ready.target);
-                Some(opened.map_err(|source| FileError::write(path, source))?)
-            }
-        };
-        Ok(Self { path: path.to_owned(), ready, device })
+        let mut ready = prepare(path, existing)?;
+        ready.open().map_err(|source| FileError::write(path, source))?;
+        Ok(Self { path: path.to_owned(), ready })
     }
 
     /// Add a piece.
@@ -205,12 +202,7 @@ impl Growing {
     /// # Errors
     /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
-        let written = match (&mut self.device, &mut self.ready.place) {
-            (Some(device), _) => device.write_all(content),
-            (None, Place::Beside(file)) => file.write_all(content),
-            (None, Place::Direct(_)) => Ok(()),
-        };
-        written.map_err(|source| FileError::write(&self.path, source))
+        self.ready.add(content).map_err(|source| FileError::write(&self.path, source))
     }
 
     /// Give it its name, or another one in the same folder, and write the files that belong to it.
@@ -228,30 +220,29 @@ impl Growing {
             let name = path.file_name().unwrap_or_default();
             self.ready.target = self.ready.target.with_file_name(name);
         }
-        if let Place::Beside(file) = &self.ready.place {
-            file.as_file().sync_all().map_err(|source| FileError::write(&self.path, source))?;
-        }
         let mut ready = vec![self.ready];
         for (path, content) in beside {
-            ready.push(prepare(path, content, existing)?);
+            let mut file = prepare(path, existing)?;
+            file.add(content).map_err(|source| FileError::write(path, source))?;
+            ready.push(file);
         }
         name_all(ready, existing)
     }
 }
 
-/// Content that waits for its name.
-struct Ready<'c> {
+/// A file that waits for its name.
+struct Ready {
     target: PathBuf,
-    place: Place<'c>,
+    place: Place,
 }
 
-enum Place<'c> {
+enum Place {
     Beside(NamedTempFile),
-    /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to.
-    Direct(&'c [u8]),
+    /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to, and is opened when it is.
+    Direct(Option<File>),
 }
 
-fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Ready<'c>, FileError> {
+fn prepare(path: &Path, existing: Existing) -> Result<Ready, FileError> {
     // A link stays a link: what it points to is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let failed = |source| FileError::write(path, source);
@@ -263,7 +254,7 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
         return Err(FileError::special(path));
     }
     if found.as_ref().is_some_and(|found| !found.is_file()) {
-        return Ok(Ready { target, place: Place::Direct(content) });
+        return Ok(Ready { target, place: Place::Direct(None) });
     }
     if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
         return Err(FileError::Exists(path.to_owned()));
@@ -276,36 +267,52 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX);
     usual_permissions(&mut builder);
-    let mut file = builder.tempfile_in(directory).map_err(failed)?;
+    let file = builder.tempfile_in(directory).map_err(failed)?;
     // So that no other program takes it for one that was left behind.
     let _ = lock(file.as_file());
     if let Some(found) = found {
         // Not by the builder: the user's mask would be taken off once more.
         file.as_file().set_permissions(found.permissions()).map_err(failed)?;
     }
-    file.write_all(content).map_err(failed)?;
-    file.as_file().sync_all().map_err(failed)?;
     Ok(Ready { target, place: Place::Beside(file) })
 }
 
-impl Ready<'_> {
-    fn finish(self, existing: Existing) -> Result<(), FileError> {
-        let target = self.target;
-        let outcome = match self.place {
-            Place::Direct(content) => OpenOptions::new()
-                .write(true)
-                .open(&target)
-                .and_then(|mut file| file.write_all(content)),
-            Place::Beside(file) => match existing {
-                Existing::Keep => file.persist_noclobber(&target),
-                Existing::Replace => file.persist(&target),
+impl Ready {
+    /// What is written to.
+    fn open(&mut self) -> io::Result<&mut File> {
+        match &mut self.place {
+            Place::Beside(file) => Ok(file.as_file_mut()),
+            Place::Direct(Some(device)) => Ok(device),
+            Place::Direct(device) => {
+                Ok(device.insert(OpenOptions::new().write(true).open(&self.target)?))
             }
-            .map_err(|error| error.error)
-            .map(drop),
+        }
+    }
+
+    fn add(&mut self, content: &[u8]) -> io::Result<()> {
+        self.open()?.write_all(content)
+    }
+
+    /// Wait until the content is on the disk.
+    fn sync(&self) -> Result<(), FileError> {
+        match &self.place {
+            Place::Beside(file) => {
+                let synced = file.as_file().sync_all();
+                synced.map_err(|source| FileError::write(&self.target, source))
+            }
+            Place::Direct(_) => Ok(()),
+        }
+    }
+
+    fn finish(self, existing: Existing) -> Result<(), FileError> {
+        let (target, Place::Beside(file)) = (self.target, self.place) else { return Ok(()) };
+        let named = match existing {
+            Existing::Keep => file.persist_noclobber(&target),
+            Existing::Replace => file.persist(&target),
         };
-        outcome.map_err(|source| match source.kind() {
+        named.map(drop).map_err(|error| match error.error.kind() {
             io::ErrorKind::AlreadyExists => FileError::Exists(target.clone()),
-            _ => FileError::write(&target, source),
+            _ => FileError::write(&target, error.error),
         })
     }
 }

@@ -30,10 +30,10 @@ pub(super) fn points(
 ) -> Option<Arc<[[f64; 2]]>> {
     let curve = Curve::deserialize(ValueDeserializer::from(value.clone()));
     let found = match curve {
-        Ok(Curve { points: Some(points), file: None }) => Ok(points),
+        Ok(Curve { points: Some(points), file: None }) => Ok(points.into()),
         Ok(Curve { points: None, file: Some(file) }) => {
-            ordinary_points(&beside(reader.file(), file.get_ref()))
-                .map_err(|text| (file.span(), text))
+            ordinary_curve(&beside(reader.file(), file.get_ref()))
+                .map_err(|error| (file.span(), error.to_string()))
         }
         Ok(Curve { points: Some(_), file: Some(_) }) => {
             let text = format!("{key} has both file and points: leave one of them out");
@@ -48,23 +48,25 @@ pub(super) fn points(
             Err((error.span().unwrap_or_else(|| value.span()), text))
         }
     };
-    found.map_err(|(span, text)| reader.problem(span, text)).ok().map(Arc::from)
+    found.map_err(|(span, text)| reader.problem(span, text)).ok()
 }
 
-/// The points of a measured curve in a CSV file.
+/// The points of a measured curve in a CSV file: displacement in m and force in N, the first two columns; a line of names may come
+/// first.
 ///
 /// # Errors
-/// [`FileError::Refused`] when the file cannot be read or is no table of numbers.
+/// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
 pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    csv_points(path).map(Arc::from).map_err(FileError::Refused)
+    points_in(&read::text_file(path)?, path).map_err(FileError::Refused)
 }
 
-/// The same, of an ordinary file only: for whoever cannot wait for a pipe.
+/// The same of an ordinary file only: nobody sees that a pipe named in a scene would be waited for.
 ///
 /// # Errors
 /// As [`curve`].
 pub fn ordinary_curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    ordinary_points(path).map(Arc::from).map_err(FileError::Refused)
+    let text = read::ordinary_text_file(path, read::BYTES_MAX)?;
+    points_in(&text, path).map_err(FileError::Refused)
 }
 
 /// The path of a file named in a scene: relative to the scene's own folder.
@@ -72,22 +74,7 @@ fn beside(scene: &str, file: &str) -> PathBuf {
     Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
 }
 
-/// The points in a CSV file: displacement in m and force in N, the first two columns; a line of names may come first.
-///
-/// # Errors
-/// One line that names the file, the line, what is wrong and the cure.
-fn csv_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
-    points_in(&read::text_file(path).map_err(|error| error.to_string())?, path)
-}
-
-/// The same for a file that a scene names: nobody sees that it would be waited for.
-fn ordinary_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
-    let text =
-        read::ordinary_text_file(path, read::BYTES_MAX).map_err(|error| error.to_string())?;
-    points_in(&text, path)
-}
-
-fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
+fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
     const SHOWN_MAX: usize = 80;
     let name = path.to_string_lossy();
     let shown = clean::line(&name);
@@ -122,5 +109,5 @@ fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
             }
         }
     }
-    Ok(points)
+    Ok(points.into())
 }
