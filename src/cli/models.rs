@@ -3,37 +3,19 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use clap::ValueEnum;
-
 use crate::cli::CliError;
 use crate::cli::text::{labelled, width};
 use crate::files::preset::Preset;
 use crate::report::models::table;
 use crate::study::models::{Comparison, Row, What, compare};
 
-/// What to compare.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Compare {
-    /// The contact models of thesis section 8.2: Table 8.1 with numbers
-    Models,
-    /// Appendix A as printed, and with each of its errors corrected
-    Quirks,
-}
-
-pub(super) fn compute(preset: &Preset, what: Compare) -> Result<Comparison, CliError> {
-    let what = match what {
-        Compare::Models => What::Models,
-        Compare::Quirks => What::Quirks,
-    };
+pub(super) fn compute(preset: &Preset, what: What) -> Result<Comparison, CliError> {
     let start = Instant::now();
     Ok(compare(&preset.scene, what, &|| start.elapsed().as_secs_f64())?)
 }
 
 pub(super) fn page(name: &str, found: &Comparison) -> String {
-    let (title, first) = match found.what {
-        What::Models => ("the interaction models of Table 8.1", "hydrodynamic"),
-        What::Quirks => ("Appendix A, quirk by quirk", "as printed"),
-    };
+    let (title, first) = (found.what.title(), found.what.first());
     let mut page = format!("{name}: {title}\n\n");
     let mut table = table(name, found);
     table.rows.truncate(found.rows.len());

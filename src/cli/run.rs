@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use crate::cli::models::{self, Compare};
+use crate::cli::models;
 use crate::cli::pace::{Pace, was_interrupted};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::table::{TableArguments, Target, choice, exists};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, Glyphs, output, plain, summary};
 use crate::files::export::RunTable;
@@ -26,6 +26,7 @@ use crate::report::figures::run::selected;
 use crate::report::models as tables;
 use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
+use crate::study::models::What;
 
 #[derive(Debug, Args)]
 #[command(
@@ -39,8 +40,8 @@ pub(super) struct RunArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Compare contact models, or variants of Appendix A, on this scene
-    #[arg(long, value_enum, value_name = "WHAT", conflicts_with_all = ["plain", "svg"])]
-    compare: Option<Compare>,
+    #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = choice(&What::ALL, What::word, What::about))]
+    compare: Option<What>,
     /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
     #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare")]
     dt: Option<String>,

@@ -3,12 +3,12 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, output, text};
 use crate::report::stability as tables;
 use crate::study::stability;
@@ -29,32 +29,14 @@ pub(super) struct StabilityArguments {
     #[command(flatten)]
     rows: TableArguments,
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
-    #[arg(long, value_enum, value_name = "k|n|b")]
-    map: Option<MapAxis>,
+    #[arg(long, value_name = "k|n|b", value_parser = choice(&Axis::ALL, Axis::symbol, Axis::about))]
+    map: Option<Axis>,
     /// The method of the map
-    #[arg(long, value_enum, default_value = "thesis", requires = "map")]
-    method: MapMethod,
+    #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&Method::ALL, Method::word, Method::about))]
+    method: Method,
     /// A fifth of the battery, or a coarser map
     #[arg(long)]
     quick: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MapAxis {
-    /// Spring coefficient
-    K,
-    /// Spring exponent
-    N,
-    /// Damper coefficient
-    B,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MapMethod {
-    /// Appendix A with its depth corrected
-    Thesis,
-    /// Classical Runge-Kutta
-    Rk4,
 }
 
 pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
@@ -93,23 +75,15 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     Ok(pace.exit_code(good))
 }
 
-fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {
+fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
     arguments.rows.check_beside()?;
     let preset = arguments.scene.load()?;
     map::accepts(&preset.scene)?;
-    let axis = match axis {
-        MapAxis::K => Axis::K,
-        MapAxis::N => Axis::N,
-        MapAxis::B => Axis::B,
-    };
-    let method = match arguments.method {
-        MapMethod::Thesis => Method::Thesis,
-        MapMethod::Rk4 => Method::Rk4,
-    };
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
     let mut pace = Pace::begin();
-    let map =
-        pace.study(1, "rows", |context| map::map(&preset.scene, (method, axis), cells, context));
+    let map = pace.study(1, "rows", |context| {
+        map::map(&preset.scene, (arguments.method, axis), cells, context)
+    });
     let name = preset.name.as_str();
     let (page, object) = (|| table::map(&map, name), || tables::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);

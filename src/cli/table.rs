@@ -3,8 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValue;
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::cli::pace::was_interrupted;
 use crate::cli::scene::{Changes, SceneArguments};
@@ -31,31 +31,23 @@ pub(super) struct TableArguments {
     #[arg(long, requires = "files")]
     force: bool,
     /// CSV dialect
-    #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
+    #[arg(long, default_value = "plain", value_name = "STYLE", requires = "csv", value_parser = choice(&Style::ALL, Style::word, Style::words))]
     pub(super) csv_style: Style,
     /// Where to write the scene and the command that reproduce the table
-    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
+    #[arg(long, default_value = "beside", value_name = "WHERE", requires = "csv", value_parser = choice(&Meta::ALL, Meta::word, Meta::words))]
     pub(super) meta: Meta,
 }
 
-impl ValueEnum for Style {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.word()).help(self.words()))
-    }
-}
-
-impl ValueEnum for Meta {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.word()).help(self.words()))
-    }
+/// Reads one of these choices by its word; `--help` says what each is.
+pub(super) fn choice<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    word: fn(T) -> &'static str,
+    about: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let values = all.iter().map(move |it| PossibleValue::new(word(*it)).help(about(*it)));
+    let named = move |text: String| all.iter().copied().find(|it| word(*it) == text);
+    PossibleValuesParser::new(values)
+        .try_map(move |text| named(text).ok_or("not one of the choices"))
 }
 
 pub(super) enum Target {

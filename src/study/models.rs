@@ -18,13 +18,28 @@ use crate::model::variables::{self, VariableError};
 const REPEATS: usize = 15;
 const REPEATS_UNTIL_S: f64 = 0.2;
 
-/// What stands side by side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum What {
+enumeration! {
+    /// What is compared.
+    pub enum What in WhatRow {
+        /// The word of the command line.
+        word: &'static str,
+        /// What is said of it there.
+        about: &'static str,
+        /// The title of a page.
+        title: &'static str,
+        /// The first row.
+        first: &'static str,
+    }
     /// The interaction models.
-    Models,
+    Models {
+        word: "models", about: "The contact models of thesis section 8.2: Table 8.1 with numbers",
+        title: "the interaction models of Table 8.1", first: "hydrodynamic"
+    }
     /// The quirks of Appendix A.
-    Quirks,
+    Quirks {
+        word: "quirks", about: "Appendix A as printed, and with each of its errors corrected",
+        title: "Appendix A, quirk by quirk", first: "as printed"
+    }
 }
 
 /// One line of the comparison.

@@ -45,13 +45,23 @@ enumeration! {
     pub enum Method in MethodRow {
         /// Its name.
         name: &'static str,
+        /// The word of the command line, and what is said of it there.
+        word: &'static str,
+        /// See `word`.
+        about: &'static str,
         /// The scheme of the listing that is followed.
         scheme: Reading,
     }
     /// Appendix A, its depth taken from the relative travel.
-    Thesis { name: "the thesis's scheme", scheme: Reading::Printed }
+    Thesis {
+        name: "the thesis's scheme", word: "thesis", about: "Appendix A with its depth corrected",
+        scheme: Reading::Printed
+    }
     /// Classical Runge-Kutta on the whole system.
-    Rk4 { name: "classical Runge-Kutta", scheme: Reading::Corrected }
+    Rk4 {
+        name: "classical Runge-Kutta", word: "rk4", about: "Classical Runge-Kutta",
+        scheme: Reading::Corrected
+    }
 }
 
 impl Method {
@@ -61,51 +71,37 @@ impl Method {
     }
 }
 
-/// The variable of a map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+enumeration! {
+    /// The variable of a map.
+    pub enum Axis in AxisRow {
+        /// Its symbol.
+        symbol: &'static str,
+        /// What it is.
+        about: &'static str,
+        /// Its value in a scene.
+        get: fn(&Scene) -> f64,
+        /// Gives it a value.
+        set: fn(&mut Scene, f64),
+        /// Its smallest and its greatest value; the others lie between them at equal ratios.
+        range: (f64, f64),
+    }
     /// Spring coefficient.
-    K,
+    K {
+        symbol: "k", about: "Spring coefficient", range: (1e3, 1e12),
+        get: |scene| scene.mechanism.spring.coefficient,
+        set: |scene, value| scene.mechanism.spring.coefficient = value
+    }
     /// Spring exponent.
-    N,
+    N {
+        symbol: "n", about: "Spring exponent", range: (0.05, 6.0),
+        get: |scene| scene.mechanism.spring.exponent,
+        set: |scene, value| scene.mechanism.spring.exponent = value
+    }
     /// Damper coefficient.
-    B,
-}
-
-impl Axis {
-    /// Its symbol.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::K => "k",
-            Self::N => "n",
-            Self::B => "b",
-        }
-    }
-
-    /// Its value in a scene.
-    pub fn get(self, scene: &Scene) -> f64 {
-        match self {
-            Self::K => scene.mechanism.spring.coefficient,
-            Self::N => scene.mechanism.spring.exponent,
-            Self::B => scene.mechanism.damper.coefficient,
-        }
-    }
-
-    fn set(self, scene: &mut Scene, value: f64) {
-        match self {
-            Self::K => scene.mechanism.spring.coefficient = value,
-            Self::N => scene.mechanism.spring.exponent = value,
-            Self::B => scene.mechanism.damper.coefficient = value,
-        }
-    }
-
-    /// From the smallest to the greatest value, at equal ratios.
-    fn range(self) -> (f64, f64) {
-        match self {
-            Self::K => (1e3, 1e12),
-            Self::N => (0.05, 6.0),
-            Self::B => (1.0, 1e8),
-        }
+    B {
+        symbol: "b", about: "Damper coefficient", range: (1.0, 1e8),
+        get: |scene| scene.mechanism.damper.coefficient,
+        set: |scene, value| scene.mechanism.damper.coefficient = value
     }
 }
 
@@ -222,7 +218,7 @@ pub fn map(
         limit_s: vec![None; rows],
         dt_s,
         values,
-        present: (axis.get(scene), THESIS_DT_S),
+        present: ((axis.get())(scene), THESIS_DT_S),
         largest_stable_dt_s: present.and_then(|target| limit(scene, method, &target.peaks)),
     };
     context.expect(rows);
@@ -232,7 +228,7 @@ pub fn map(
         }
         context.count(1);
         let mut own = scene.clone();
-        axis.set(&mut own, map.values[row]);
+        (axis.set())(&mut own, map.values[row]);
         let target = Target::of(&own);
         map.limit_s[row] = target.and_then(|target| limit(&own, method, &target.peaks));
         let cells = map.cells.iter_mut().skip(row * columns).zip(&map.dt_s);
