@@ -34,7 +34,6 @@ mod output;
 mod pace;
 mod paths;
 mod pictures;
-mod plain;
 mod presets;
 mod report;
 mod reproduce;

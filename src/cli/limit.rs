@@ -1,24 +1,27 @@
 //! `cmra limit [SCENE]`: the ballistic limit and the residual-velocity curve, as a page, CSV or JSON.
 
-mod page;
-
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::draw;
 use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, all_threads};
 use crate::cli::table::TableArguments;
+use crate::cli::text::hanging;
+use crate::model::units::fixed_significant;
 use crate::report::figures::limit::residual;
-use crate::report::limit;
+use crate::report::limit::{self, remarks};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
-use crate::study::limit::{Criterion, Effort, find};
+use crate::study::limit::{Criterion, Effort, Limit, Report, find};
 use crate::study::validity;
+use crate::tui::theme::Theme;
 
 const SAMPLES_MAX: usize = 1_000_000;
 
@@ -104,7 +107,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let report =
         pace.study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
-    let page = || page::text(name, &report);
+    let page = || page(name, &report);
     let object = || limit::json(name, &report);
     // What holds of the limit is what the shot at the limit asks for.
     let mut at_limit = (*report.scene).clone();
@@ -119,4 +122,49 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
     arguments.pictures.write(&arguments.table, chart)?;
     Ok(pace.exit_code(true))
+}
+
+const WIDTH: u16 = 80;
+const HEIGHT: u16 = 18;
+/// Columns of a label.
+const LABEL: usize = 16;
+
+fn page(name: &str, report: &Report) -> String {
+    let mut page = format!("{name}: ballistic limit\n\n");
+    head(&mut page, report);
+    if let Some(chart) = residual(report, None) {
+        page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
+    }
+    page.push('\n');
+    for remark in remarks(report) {
+        page += &hanging(&format!("{:LABEL$}", remark.about), &remark.text, LABEL);
+    }
+    page
+}
+
+fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 6))
+}
+
+fn head(page: &mut String, report: &Report) {
+    let own = report.scene.projectile.velocity_m_s;
+    match report.limit {
+        Limit::Found { velocity_m_s, basis, .. } => {
+            let _ = writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s), basis.words());
+        }
+        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => {
+            let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
+        }
+    }
+    *page += &hanging("criterion       ", report.criterion.label(), LABEL);
+    if let Some(margin) = report.margin() {
+        let side = if margin < 0.0 { "it perforates" } else { "it is stopped" };
+        let _ = writeln!(
+            page,
+            "margin          {:+.1} % over the scene's own {}: {side}",
+            100.0 * margin,
+            velocity(own)
+        );
+    }
+    page.push('\n');
 }

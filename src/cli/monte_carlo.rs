@@ -1,7 +1,6 @@
 //! `cmra montecarlo [SCENE]`: how the results spread when the inputs do, as a page, CSV or JSON.
 
-mod page;
-
+use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -10,11 +9,12 @@ use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, say_if_long};
 use crate::cli::table::TableArguments;
+use crate::cli::text::width;
 use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
-use crate::report::monte_carlo;
+use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
-    Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
+    Report, Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
 };
 use crate::study::quantities;
 use crate::study::validity;
@@ -87,18 +87,52 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     say_if_long(&space(&preset.scene, &task)?, task.samples, threads);
     let report = pace.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let page = || page::text(name, &report);
+    let page = || page(name, &report);
     let object = || monte_carlo::json(name, &report);
     let warnings = validity::of_scene(&preset.scene);
     arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
         &warnings,
         page,
         object,
-        monte_carlo::table(name, &report),
+        table(name, &report),
     )?;
     if report.outcomes.failed > 0 {
         output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
     }
     let good = report.outcomes.failed == 0;
     Ok(pace.exit_code(good))
+}
+
+fn page(name: &str, report: &Report) -> String {
+    let early = if report.is_complete { "" } else { ", stopped early" };
+    let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
+    for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
+        let unit = tolerance.variable().unit().trim_matches('-');
+        let again = match redrawn {
+            0 => String::new(),
+            count => format!("   truncated: {count} impossible draws made again"),
+        };
+        let words = format!("{} {unit}", tolerance.distribution.words());
+        let _ = writeln!(page, "  {:8}{}{again}", tolerance.symbol(), words.trim_end());
+    }
+    let _ = writeln!(page, "\n{}", report.outcomes);
+    if let Some(perforation) = perforation(report) {
+        let _ = writeln!(page, "{perforation}");
+    }
+    let mut table = table(name, report);
+    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    page.push('\n');
+    let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
+    let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
+    page += &table.page(&keys[..if some_lack { 8 } else { 7 }], width());
+    let absent: Vec<String> = report
+        .summaries
+        .iter()
+        .filter(|summary| summary.quantiles.is_empty())
+        .map(|summary| summary.measure.title())
+        .collect();
+    if !absent.is_empty() {
+        let _ = writeln!(page, "  without values: {}", absent.join(", "));
+    }
+    page
 }

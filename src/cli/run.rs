@@ -14,7 +14,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, choice, exists};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, Glyphs, output, plain, summary};
+use crate::cli::{CliError, Glyphs, draw, output, summary};
 use crate::files::export::RunTable;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
@@ -22,11 +22,12 @@ use crate::model::run::Run;
 use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Bare, Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
-use crate::report::figures::run::selected;
+use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
 use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
 use crate::study::models::What;
+use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 #[derive(Debug, Args)]
 #[command(
@@ -192,7 +193,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
 pub(super) fn print_readable(computed: &Computed, charts: Charts) -> Result<(), CliError> {
     let mut text = summary::text(computed);
     if let Charts::With(glyphs) = charts {
-        text.push_str(&plain::charts(&computed.run, glyphs));
+        text.push_str(&drawn(&computed.run, glyphs));
     }
     output::print(&fitted(&text))
 }
@@ -218,4 +219,26 @@ fn named(computed: &Computed) -> Vec<NamedRun> {
         .enumerate()
         .map(|(plate, run)| (stack.name(plate).replace(' ', "-"), Arc::clone(run)))
         .collect()
+}
+
+/// Columns and rows of a chart below the summary.
+const SIZE: draw::Size = (78, 15);
+
+impl Glyphs {
+    /// The characters to print with; without the option, those that work everywhere.
+    fn for_print(self) -> GlyphSet {
+        match self {
+            Self::Auto | Self::Ascii => GlyphSet::Ascii,
+            Self::Block => GlyphSet::Block,
+            Self::Braille => GlyphSet::Braille,
+        }
+    }
+}
+
+/// The charts of a run and of its mechanism, each under the other: the contact first, since it is over in a fraction of a
+/// millisecond. Event lines carry the letters of the list of events in the summary.
+fn drawn(run: &Run, glyphs: Glyphs) -> String {
+    let theme = Theme { glyphs: glyphs.for_print(), depth: ColourDepth::None };
+    let charts = response(run).into_iter().chain(mechanism(run));
+    charts.fold(String::new(), |text, chart| text + "\n" + &draw::chart(&chart, SIZE, theme))
 }

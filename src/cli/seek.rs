@@ -1,7 +1,6 @@
 //! `cmra seek [SCENE] --over k=0..7.5e6 --goal percent_of_baseline=60`: which values of one variable reach a goal.
 
-mod page;
-
+use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -12,10 +11,12 @@ use crate::cli::search::{Threads, be_cautious, say_if_long};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::report::seek;
+use crate::model::units::shortest;
+use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
 use crate::study::search::design_space::DesignSpace;
-use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek as solve};
+use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
+use crate::study::sweep::Spacing;
 use crate::study::validity;
 
 #[derive(Debug, Args)]
@@ -70,7 +71,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     say_if_long(&space, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
     let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
-    let page = || page::text(name, &report);
+    let page = || page(name, &report);
     let object = || seek::json(name, &report);
     if let Some(law) = law {
         output::note(&law);
@@ -88,4 +89,29 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     )?;
     let found = !report.solutions.is_empty();
     Ok(pace.exit_code(found))
+}
+
+fn page(name: &str, report: &Report) -> String {
+    let axis = &report.axis;
+    let (low, high) = axis.ends();
+    let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
+    let mut page = format!(
+        "{name}: which {} gives {} = {}?\n{} points from {} to {}{spacing}, {} runs in all\n\n",
+        axis.symbol(),
+        report.measure.title(),
+        report.measure.show(report.target, 6),
+        report.scan.len(),
+        axis.show(low, 6),
+        axis.show(high, 6),
+        report.runs
+    );
+    let solutions = report.solutions.iter().map(|found| solution(report, found));
+    for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
+        let _ = writeln!(page, "  {line}");
+    }
+    if let Some(solution) = report.solutions.first() {
+        let set = format!("{}={}", axis.symbol(), shortest(solution.place.at));
+        let _ = writeln!(page, "\n`--set {set}` runs it");
+    }
+    page
 }

@@ -3,7 +3,6 @@
 //! Rows are written as they are made, so that a sweep needs no memory; an interrupt keeps the finished ones.
 
 pub(super) mod axes;
-mod inline;
 pub(super) mod page;
 
 use std::ops::{ControlFlow, Range};
@@ -221,7 +220,7 @@ impl Job<'_> {
         if self.shard.is_first() && texts.csv {
             let comments = match arguments.table.meta {
                 Meta::Beside => String::new(),
-                Meta::Inline => inline::comments(self.preset, self.plan),
+                Meta::Inline => page::comments(self.preset, self.plan),
             };
             let head = style.file(&comments, "")?;
             match &mut file {

@@ -6,37 +6,30 @@ use crate::report::table::Table;
 use crate::study::models::{Comparison, Row};
 use crate::study::quantities;
 
-/// A model that was run, or one that does not apply and why.
-pub enum Line<'r> {
-    /// A run.
-    Run(&'r Row),
-    /// A refusal.
-    Refused(&'static str, &'r str),
+/// A model that was run, or one that does not apply.
+#[derive(Clone, Copy)]
+pub struct Line<'r> {
+    model: &'static str,
+    row: Option<&'r Row>,
+    /// Why it does not apply.
+    refused: &'r str,
 }
 
 impl<'r> Line<'r> {
-    fn row(&self) -> Option<&'r Row> {
-        match self {
-            Self::Run(row) => Some(row),
-            Self::Refused(..) => None,
-        }
-    }
-
     fn run(&self) -> Option<&'r Run> {
-        self.row().map(|row| &*row.run)
+        self.row.map(|row| &*row.run)
     }
 }
 
 /// All of them.
 pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
-    let runs = found.rows.iter().map(Line::Run);
-    let refused = found.refused.iter().map(|(model, why)| Line::Refused(model, why));
+    let runs = found.rows.iter();
+    let runs = runs.map(|row| Line { model: row.name, row: Some(row), refused: "" });
+    let refused = found.refused.iter();
+    let refused = refused.map(|(model, why)| Line { model, row: None, refused: why });
     Table::of(runs.chain(refused))
         .with("scene", "scene", "", move |_| name)
-        .with("model", "model", "", |it| match it {
-            Line::Run(row) => row.name,
-            Line::Refused(model, _) => model,
-        })
+        .with("model", "model", "", |it| it.model)
         .with("outcome", "outcome", "", |it| it.run().map_or("refused", |run| run.outcome.word()))
         .with("final_penetration_m", "depth", "m", |it| it.run()?.final_penetration_m)
         .shown(|it, _| {
@@ -49,27 +42,24 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
         .with("percent_of_baseline", "of baseline", "%", |it| it.run()?.percent_of_baseline())
         .with("max_plate_displacement_m", "travel", "m", |it| it.run()?.max_plate_displacement_m)
         .with("peak_contact_force_n", "peak", "N", |it| it.run()?.peak_contact_force_n)
-        .with("penetration_deviation", "against", "", |it| found.depth_error(it.row()?))
+        .with("penetration_deviation", "against", "", |it| found.depth_error(it.row?))
         .shown(|_, value| Some(percent(value.as_f64()?)))
-        .with("displacement_deviation", "against", "", |it| found.travel_error(it.row()?))
+        .with("displacement_deviation", "against", "", |it| found.travel_error(it.row?))
         .shown(|_, value| Some(percent(value.as_f64()?)))
-        .with("force_deviation", "against", "", |it| found.force_error(it.row()?))
+        .with("force_deviation", "against", "", |it| found.force_error(it.row?))
         .shown(|_, value| Some(percent(value.as_f64()?)))
         .with("error_estimate", "error estimate", "", |it| {
             quantities::find("error_estimate")?.value(it.run()?)
         })
         .with("energy_residual", "energy residual", "", |it| Some(it.run()?.ledger.residual()))
-        .with("run_time_s", "time", "", |it| it.row().map(|row| row.took_s))
+        .with("run_time_s", "time", "", |it| it.row.map(|row| row.took_s))
         .shown(|_, value| {
             Some(Engineering { value: value.as_f64()?, unit: "s", digits: 3 }.to_string())
         })
         .with("steps", "steps", "", |it| it.run().map(|run| run.cost.steps))
-        .with("with", "with", "", |it| it.row().map(|row| row.with.clone()))
-        .with("strength", "strength", "", |it| it.row().map(|row| row.judged.0))
-        .with("weakness", "weakness", "", |it| match it {
-            Line::Run(row) => row.judged.1.to_owned(),
-            Line::Refused(_, why) => (*why).to_owned(),
-        })
+        .with("with", "with", "", |it| it.row.map(|row| row.with.clone()))
+        .with("strength", "strength", "", |it| it.row.map(|row| row.judged.0))
+        .with("weakness", "weakness", "", |it| it.row.map_or(it.refused, |row| row.judged.1))
 }
 
 fn percent(value: f64) -> String {

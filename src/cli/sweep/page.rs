@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use crate::cli::draw;
 use crate::cli::text::width;
+use crate::files::export;
+use crate::files::preset::Preset;
 use crate::model::units::{self, Engineering};
 use crate::report::figures::sweeps::{Row, picture};
 use crate::report::svg::Picture;
@@ -180,4 +182,24 @@ pub(in crate::cli) fn duration(seconds: f64) -> String {
         s => (s / 86_400.0, "days"),
     };
     format!("{} {unit}", units::significant(value, 2))
+}
+
+/// The held variables and the axes as comment lines `# key: value (unit)`.
+pub(super) fn comments(preset: &Preset, plan: &Plan) -> String {
+    let axes = plan.axes();
+    let held = |key: &str| axes.iter().all(|axis| axis.variable().key != key);
+    let mut text =
+        export::inline_scene(("sweep of", &preset.name), &preset.scene, |one| held(one.key));
+    for axis in axes {
+        let unit = export::unit_behind(axis.variable());
+        let _ = writeln!(text, "# over {}: {}{unit}", axis.variable().key, axis.range());
+    }
+    let design = plan.design();
+    let _ = match design {
+        Design::Factorial => writeln!(text, "# design: {}", design.word()),
+        Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. } => {
+            writeln!(text, "# design: {}, {} points, seed {seed}", design.word(), plan.points())
+        }
+    };
+    text
 }
