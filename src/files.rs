@@ -6,7 +6,6 @@
 
 pub mod atomic;
 pub mod bundled;
-pub mod clean;
 pub mod config;
 pub mod error;
 pub mod export;
@@ -26,3 +25,5 @@ pub mod write;
 mod read_stack;
 mod read_sweep;
 pub mod read_table;
+
+pub use crate::report::clean;

@@ -4,6 +4,7 @@
 
 pub mod accuracy;
 pub mod chart;
+pub mod clean;
 pub mod compare;
 pub mod document;
 pub mod figures;

@@ -22,3 +22,23 @@ pub mod sweep;
 pub mod thesis;
 pub mod validation;
 pub mod validity;
+
+use crate::model::scene::Scene;
+use crate::model::units::Bare;
+use crate::model::variables::{self, VariableError};
+
+/// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
+fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
+    for change in changes.split_whitespace() {
+        let (name, value) = change.split_once('=').unwrap_or((change, ""));
+        variables::set_by_name(&mut scene, name, value, Bare::Si)?;
+    }
+    Ok(scene)
+}
+
+/// The same of Table 9.1 with gamma = 1 and neither spring nor damper.
+fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    changed(scene, changes)
+}

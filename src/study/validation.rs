@@ -12,9 +12,8 @@ use serde::Deserialize;
 use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
 use crate::model::simulate::{Settings, simulate};
-use crate::model::units::Bare;
 use crate::model::variables;
-use crate::study::limit;
+use crate::study::{changed, limit};
 
 mod bias;
 
@@ -213,11 +212,8 @@ impl Row {
 
 /// Compute a case from its preset's scene.
 pub fn compute(case: &'static Case, preset: &Scene) -> Row {
-    let mut scene = preset.clone();
-    for (name, value) in case.set.split(' ').filter_map(|pair| pair.split_once('=')) {
-        // A text that cannot be set would be seen at once: the row's numbers would be the preset's.
-        let _ = variables::set_by_name(&mut scene, name, value, Bare::Si);
-    }
+    // A text that cannot be set would be seen at once: the row's numbers would be the preset's.
+    let scene = changed(preset.clone(), case.set).unwrap_or_else(|_| preset.clone());
     let v = scene.projectile.velocity_m_s;
     Row {
         case,

@@ -7,10 +7,9 @@ use std::sync::Arc;
 
 use crate::model::contact_phase::{Answer, Ending, fine};
 use crate::model::scene::{Mechanism, Mount, Scene};
-use crate::model::units::Bare;
-use crate::model::variables;
 use crate::numerics::larger;
 use crate::study::accuracy::method::{Job, Knob, Method};
+use crate::study::changed_free_plate;
 
 const STEPS_MAX: usize = 400_000;
 const TIGHT: f64 = 1e-14;
@@ -50,7 +49,7 @@ const STORED: [Stored; 10] = [
     row("S15", "k=1e+09", (0.000_184_567_176_552_508_06, 0.007_107_818_207_444_599), 18),
     Stored {
         name: "S17",
-        parameters: "h=0.003 vi=400 k=100000",
+        parameters: "h=0.003 v_i=400 k=100000",
         ending: Ending::Perforation,
         t_s: 0.000_058_297_967_935_076_06,
         depth_m: 0.009_35,
@@ -205,15 +204,7 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
 }
 
 fn is_row(scene: &Scene, row: &Stored) -> bool {
-    let mut own = Scene::default();
-    own.mechanism.spring.coefficient = 0.0;
-    for pair in row.parameters.split_whitespace() {
-        let Some((name, value)) = pair.split_once('=') else { return false };
-        let name = if name == "vi" { "v_i" } else { name };
-        if variables::set_by_name(&mut own, name, value, Bare::Si).is_err() {
-            return false;
-        }
-    }
+    let Ok(own) = changed_free_plate(row.parameters) else { return false };
     let mechanism = normal(scene);
     scene.mechanism.is_plain()
         && scene.projectile == own.projectile

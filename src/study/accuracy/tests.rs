@@ -4,17 +4,11 @@ use std::collections::HashMap;
 
 use super::reference::Basis;
 use super::*;
-use crate::model::units::Bare;
+use crate::study::changed_free_plate;
 use crate::study::context::{to_its_end, until};
 
 fn scene(pairs: &str) -> Arc<Scene> {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    Arc::new(scene)
+    Arc::new(changed_free_plate(pairs).unwrap())
 }
 
 /// A clock that ticks once a look: few repeats are made, since each seems to take long.

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::model::units::Bare;
+use crate::study::changed;
 use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
@@ -12,12 +12,7 @@ use crate::study::sweep::{Axis, Spacing};
 const STEEL_COIL_J_PER_KG: f64 = 196.7856;
 
 fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
+    changed(Scene::default(), pairs).unwrap()
 }
 
 fn report(pairs: &str, hardware: Hardware) -> Report {

@@ -7,19 +7,13 @@ use std::ops::ControlFlow;
 use super::*;
 use crate::model::scene::InterfaceLaw;
 use crate::model::simulate::{Settings, simulate};
-use crate::model::units::Bare;
+use crate::study::changed_free_plate;
 use crate::study::context::{Progress, to_its_end, until};
 
 const PLAIN: Effort = Effort { criterion: Criterion::Passage, sampling: None };
 
 fn scene(pairs: &str) -> Arc<Scene> {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    Arc::new(scene)
+    Arc::new(changed_free_plate(pairs).unwrap())
 }
 
 fn found(pairs: &str) -> Report {

@@ -5,8 +5,8 @@ use std::sync::{Arc, LazyLock};
 use serde::Deserialize;
 
 use crate::model::scene::Scene;
-use crate::model::units::Bare;
-use crate::model::variables::{self, VariableError};
+use crate::model::variables::VariableError;
+use crate::study::changed_free_plate;
 
 /// A named scene.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -26,13 +26,7 @@ impl Case {
     /// # Errors
     /// A [`VariableError`] when a change is not understood, which a test rules out.
     pub fn scene(&self) -> Result<Arc<Scene>, VariableError> {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        for change in self.changes.split_whitespace() {
-            let (name, value) = change.split_once('=').unwrap_or((change, ""));
-            variables::set_by_name(&mut scene, name, value, Bare::Si)?;
-        }
-        Ok(Arc::new(scene))
+        changed_free_plate(self.changes).map(Arc::new)
     }
 }
 
@@ -60,7 +54,8 @@ mod tests {
         assert!(file.scenes.len() >= 50);
         for (index, case) in CASES.iter().enumerate() {
             let scene = case.scene().unwrap_or_else(|error| panic!("{}: {error}", case.name));
-            variables::validate(&scene).unwrap_or_else(|error| panic!("{}: {error}", case.name));
+            crate::model::variables::validate(&scene)
+                .unwrap_or_else(|error| panic!("{}: {error}", case.name));
             assert!(CASES[..index].iter().all(|other| other.name != case.name), "{}", case.name);
             assert!(case.name.chars().count() <= 23, "{}", case.name);
         }

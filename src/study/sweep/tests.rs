@@ -7,20 +7,14 @@ use std::sync::atomic::AtomicBool;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::simulate::{Settings, simulate};
-use crate::model::units::Bare;
-use crate::model::variables::set_by_name;
+use crate::study::changed;
 use crate::study::context::{Context, to_its_end, until};
 use crate::study::parallel::Parallel;
 
 const NONE: [&str; 0] = [];
 
 fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
+    changed(Scene::default(), pairs).unwrap()
 }
 
 fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
