@@ -1,5 +1,6 @@
 //! Families, principles and functions of thesis Tables 4.1 and 5.1, and the presets that show them.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
@@ -27,17 +28,12 @@ pub struct Principle {
 }
 
 /// Tables 4.1 and 5.1, as they are written in `presets/tables/principles.toml`; none where the file is wrong, which a test refuses.
-pub static PRINCIPLES: LazyLock<Vec<Principle>> =
-    LazyLock::new(|| read().map(|file| file.principle).unwrap_or_default());
+pub static PRINCIPLES: LazyLock<Vec<Principle>> = LazyLock::new(|| read().unwrap_or_default());
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    principle: Vec<Principle>,
-}
-
-fn read() -> Result<File, toml::de::Error> {
-    toml::from_str(include_str!("../../presets/tables/principles.toml"))
+fn read() -> Result<Vec<Principle>, toml::de::Error> {
+    let text = include_str!("../../presets/tables/principles.toml");
+    let mut lists: BTreeMap<&str, Vec<Principle>> = toml::from_str(text)?;
+    Ok(lists.remove("principle").unwrap_or_default())
 }
 
 #[cfg(test)]
@@ -46,7 +42,7 @@ mod tests {
 
     #[test]
     fn valid_seven_principles_in_three_families_and_four_functions() {
-        let all = read().unwrap_or_else(|problem| panic!("{problem}")).principle;
+        let all = read().unwrap_or_else(|problem| panic!("{problem}"));
         let mut families: Vec<&str> = all.iter().map(|it| it.family).collect();
         families.dedup();
         let mut functions: Vec<&str> = all.iter().flat_map(|it| it.functions.clone()).collect();

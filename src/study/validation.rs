@@ -45,6 +45,7 @@ pub fn measurements() -> &'static Measurements {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    #[serde(borrow)]
     classes: Vec<&'static str>,
     group: Vec<Group>,
     not_checked: Vec<NotChecked>,
