@@ -41,11 +41,7 @@ fn page(report: &[Row]) -> String {
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
             Quantity::Ratio => fixed_significant(value, 4),
-            Quantity::Limit
-            | Quantity::RepeatLimit(_)
-            | Quantity::Depth
-            | Quantity::Strength
-            | Quantity::Bulge => Engineering { value, unit, digits: 4 }.to_string(),
+            _ => Engineering { value, unit, digits: 4 }.to_string(),
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();

@@ -405,11 +405,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
         DeValue::Integer(integer) => {
             i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|whole| whole as f64)
         }
-        DeValue::String(_)
-        | DeValue::Boolean(_)
-        | DeValue::Datetime(_)
-        | DeValue::Array(_)
-        | DeValue::Table(_) => None,
+        _ => None,
     }
 }
 

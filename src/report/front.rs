@@ -165,10 +165,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
         object.remove("outcome");
         let by = match candidate.standing {
             Standing::Dominated { by } => Some(by),
-            Standing::OnFront
-            | Standing::Breaks(_)
-            | Standing::NoValue(_)
-            | Standing::Impossible => None,
+            _ => None,
         };
         object.extend([
             ("name".to_owned(), candidate.name.into()),

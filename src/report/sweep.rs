@@ -135,10 +135,7 @@ impl Sheet<'_> {
         }
         table.with("error", "", "", |row| match rows.outcome(*row) {
             PointOutcome::Failed(failure) => Some(failure.words()),
-            PointOutcome::Arrested
-            | PointOutcome::Perforated
-            | PointOutcome::Separated
-            | PointOutcome::Moving => None,
+            _ => None,
         })
     }
 

@@ -95,13 +95,7 @@ impl Verdict {
     pub fn error(self) -> Option<f64> {
         match self {
             Self::Accurate(error) | Self::Inaccurate(error) => Some(error),
-            Self::WrongEnding
-            | Self::BlownUp
-            | Self::Stuck
-            | Self::TooManySteps
-            | Self::NotApplicable
-            | Self::NoReference
-            | Self::CutOff => None,
+            _ => None,
         }
     }
 }
@@ -181,15 +175,7 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw => {
             Verdict::NotApplicable
         }
-        Refusal::StepUnderflow
-        | Refusal::LeavesStop
-        | Refusal::NeedsSimulation
-        | Refusal::NoEnd
-        | Refusal::TooStiff
-        | Refusal::EndedEarly
-        | Refusal::Rattles
-        | Refusal::NoReference
-        | Refusal::TooSlow => Verdict::Stuck,
+        _ => Verdict::Stuck,
     }
 }
 
