@@ -2,6 +2,11 @@
 
 use crate::model::run::{Run, Sample};
 
+/// More points than these are thinned before they are drawn.
+const POINTS_MANY: usize = 16_384;
+/// Into how many equal times thinned points are put: more than the widest screen has columns of dots.
+const TIMES: f64 = 4_096.0;
+
 enumeration! {
     /// A quantity of the series, in the order `v` goes through them.
     pub enum Quantity in Row {
@@ -38,12 +43,16 @@ enumeration! {
 }
 
 impl Quantity {
-    /// The value to draw: as [`Quantity::of`], and a gap while the projectile is out of the plate and has no depth in it.
-    pub fn drawn(self, sample: &Sample) -> f64 {
-        match self.of(sample) {
-            depth if self == Self::Penetration && depth < 0.0 => f64::NAN,
-            value => value,
-        }
+    /// What to draw of samples, over time or, for the force on the mount, over the plate's displacement, SI. There is a gap
+    /// while the projectile is out of the plate and has no depth in it.
+    #[must_use]
+    pub fn points(self, samples: &[Sample]) -> Vec<(f64, f64)> {
+        let point = |sample: &Sample| match (self, self.of(sample)) {
+            (Self::MountForce, value) => (sample.plate_displacement_m, value),
+            (Self::Penetration, value) if value < 0.0 => (sample.t_s, f64::NAN),
+            (_, value) => (sample.t_s, value),
+        };
+        samples.iter().map(point).collect()
     }
 
     /// The value in a sample, SI.
@@ -69,5 +78,67 @@ impl Quantity {
     pub fn next(self) -> Self {
         let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
         Self::ALL[(at + 1) % Self::ALL.len()]
+    }
+}
+
+/// Points of which there are not very many, that make the same picture over a linear axis of time: of each of many short times the first, the lowest, the
+/// highest and the last one, and all of them where a gap begins or ends.
+#[must_use]
+pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let [first, .., last] = &*points else { return points };
+    if points.len() <= POINTS_MANY {
+        return points;
+    }
+    let part = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * TIMES).floor();
+    let mut few = Vec::new();
+    for short in points.chunk_by(|a, b| part(a).total_cmp(&part(b)).is_eq()) {
+        let gaps = short.iter().filter(|point| !point.1.is_finite()).count();
+        if gaps > 0 && gaps < short.len() || short.len() <= 4 {
+            few.extend(short);
+            continue;
+        }
+        let (mut lowest, mut highest) = (0, 0);
+        for (index, point) in short.iter().enumerate() {
+            if point.1 < short[lowest].1 {
+                lowest = index;
+            } else if point.1 > short[highest].1 {
+                highest = index;
+            }
+        }
+        let kept = [0, lowest.min(highest), lowest.max(highest), short.len() - 1];
+        few.extend(kept.map(|index| short[index]));
+    }
+    few
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinned_points_keep_ends_a_spike_a_gap_and_what_is_far_apart() {
+        // A sine with a spike and a gap in a million points of one second, then ten points of a second each.
+        let (spike, gap) = (654_321, 700_000..800_000);
+        let value = |index: usize| match index {
+            _ if index == spike => 5.0,
+            _ if gap.contains(&index) => f64::NAN,
+            _ => (0.01 * index as f64).sin(),
+        };
+        let mut points: Vec<_> =
+            (0..1_000_000).map(|index| (1e-6 * index as f64, value(index))).collect();
+        points.extend((1..=10).map(|second| (f64::from(second), f64::from(second % 2))));
+        let few = thinned(points.clone());
+        assert!(few.len() <= 4 * 4_096, "{} points", few.len());
+        assert!(few.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+        assert_eq!(
+            (few[0], few[few.len() - 10..].to_vec()),
+            (points[0], points[1_000_000..].to_vec())
+        );
+        for kept in [spike, gap.start - 1, gap.end] {
+            assert!(few.contains(&points[kept]), "point {kept}");
+        }
+        let gaps = few.iter().filter(|point| point.1.is_nan());
+        let (low, high) = (points[gap.start].0, points[gap.end - 1].0);
+        assert!(gaps.map(|point| point.0).all(|t_s| (low..=high).contains(&t_s)));
     }
 }

@@ -5,7 +5,7 @@ pub(crate) mod draw;
 use std::ops::Range;
 
 use crate::model::run::Run;
-use crate::report::series::Quantity;
+use crate::report::series::{Quantity, thinned};
 use crate::tui::app::App;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
 use crate::tui::keymap::Action;
@@ -122,20 +122,16 @@ impl App {
 
     /// The points of a run that are in view, and one on either side of it.
     fn curve(&self, view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
-        let seen = self.samples_seen(view.run);
-        let point = |index: usize| {
-            let sample = &view.run.series[index];
-            let value = quantity.drawn(sample);
-            let value = reference
-                .map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
-            let across = if quantity == Quantity::MountForce {
-                sample.plate_displacement_m
-            } else {
-                sample.t_s
-            };
-            (across, value)
-        };
-        let points = seen.map(point).collect();
+        let samples = &view.run.series[self.samples_seen(view.run)];
+        let mut points = quantity.points(samples);
+        if let Some(run) = reference {
+            for (point, sample) in points.iter_mut().zip(samples) {
+                point.1 -= quantity.at(run, sample.t_s).unwrap_or(f64::NAN);
+            }
+        }
+        if quantity != Quantity::MountForce && self.charts.time_scale == Scale::Linear {
+            points = thinned(points);
+        }
         Curve { letter: view.letter, index: view.index, old: view.old, points }
     }
 
