@@ -81,8 +81,10 @@ impl Quantity {
     }
 }
 
-/// Points of which there are not very many, that make the same picture over a linear axis of time: of each of many short times the first, the lowest, the
-/// highest and the last one, and all of them where a gap begins or ends.
+/// Fewer points that make the same picture over a linear axis of time.
+///
+/// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
+/// last points are kept, and all of them where a gap begins or ends. The points are in the order of time, as are those given back.
 #[must_use]
 pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let [first, .., last] = &*points else { return points };

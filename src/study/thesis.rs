@@ -202,7 +202,7 @@ mod tests {
     /// Not only between two claims: the longest take most of a second.
     #[test]
     fn the_claims_are_stopped_within_a_claim() {
-        // Claims are checked in parallel: those still running at the stop are left out, and no further one starts.
+        // Claims are checked in parallel. After Ctrl-C or Esc no further one starts, and those not finished are not in the result.
         let mut asked = 0;
         let watch = &mut |_, _: Option<&[Row]>| {
             asked += 1;

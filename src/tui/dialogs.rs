@@ -166,7 +166,7 @@ pub(crate) fn render(app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
 pub(crate) fn frame(
     screen: Rect,
     (width, height): (u16, u16),
-    (title, right): (&str, &str),
+    pane: PaneFrame<'_>,
     canvas: &mut Canvas<'_>,
 ) -> Rect {
     // Title row above, message, status and keys below stay in sight.
@@ -185,7 +185,7 @@ pub(crate) fn frame(
     };
     canvas.cover(area);
     Clear.render(area, canvas);
-    let inner = PaneFrame::new(title).right(right).focused(true).draw(area, canvas);
+    let inner = pane.focused(true).draw(area, canvas);
     Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }
 }
 

@@ -61,7 +61,8 @@ impl Progress<'_> {
 pub(crate) fn progress<S: Study>(
     app: &App,
     doing: &str,
-    (of, what): (&str, &str),
+    of: &str,
+    what: &str,
     is_old: bool,
     is_complete: Option<bool>,
 ) -> Option<Progress<'static>> {
@@ -101,7 +102,8 @@ impl Table {
         app: &App,
         title: &'static str,
         file: String,
-        (scene, is_complete): (&Arc<Scene>, bool),
+        scene: &Arc<Scene>,
+        is_complete: bool,
         csv: impl Fn(&str) -> String + Send + Sync + 'static,
     ) -> Self {
         let (name, scene) = (app.name_of(scene), Some(Arc::clone(scene)));

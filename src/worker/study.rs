@@ -179,7 +179,7 @@ impl<'a> Reporter<'a> {
         (self.send)(body);
     }
 
-    /// Report how far it is and what there is so far, where the last report is long enough ago; whether to go on.
+    /// Report the progress and the results of now, unless the last report has just been made. Gives whether the study goes on.
     pub fn tell(
         &self,
         progress: study::Progress,

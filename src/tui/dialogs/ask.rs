@@ -169,12 +169,16 @@ pub(crate) fn base_stem(app: &App) -> &str {
 }
 
 pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
-    let (width, titles, label) = match state.purpose {
-        Purpose::Preset => (64, ("Save the scene as a preset", ""), "name  "),
-        Purpose::Table(title) => (76, (title, "Enter writes"), "file  "),
-        Purpose::Curve(_) => (76, TITLES, "file  "),
+    let (title, right) = match state.purpose {
+        Purpose::Preset => ("Save the scene as a preset", ""),
+        Purpose::Table(title) => (title, "Enter writes"),
+        Purpose::Curve(_) => {
+            ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps")
+        }
     };
-    let inner = frame(screen, (width, 9), titles, canvas);
+    let (width, label) =
+        if state.purpose == Purpose::Preset { (64, "name  ") } else { (76, "file  ") };
+    let inner = frame(screen, (width, 9), PaneFrame::new(title).right(right), canvas);
     let start = canvas.put(inner, (0, 1), label, Role::Title);
     let field = TextField { error: None, ..state.text.clone() };
     let width = inner.width.saturating_sub(start + 1);
@@ -209,9 +213,6 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Curve(second) => curve_hint(app, second),
     }
 }
-
-pub(crate) const TITLES: (&str, &str) =
-    ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps");
 
 /// After a word was taken: a spring that is a table now asks for its file.
 pub(crate) fn ask(app: &mut App, word: &str) {

@@ -16,40 +16,77 @@ use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{columns, window, wrapped};
 
-/// Rows of a grid when nothing else is asked for, and the most there may be.
-const GRID_ROWS: (usize, usize) = (1001, 1_000_000);
-/// The kinds of export, with the rows of each: those of a grid are so many.
-type Kind = (&'static str, fn(usize) -> Rows);
+/// Rows of a grid when nothing else is asked for.
+const GRID_ROWS: usize = 1001;
+/// The most rows of grids that a table may have, since it is made in memory.
+const GRID_ROWS_MAX: usize = 1_000_000;
+
+/// A kind of table.
+struct Kind {
+    words: &'static str,
+    /// Its rows; those of a grid are so many.
+    rows: fn(usize) -> Rows,
+}
+
 const KINDS: [Kind; 4] = [
-    ("time series: solver steps and points between", |_| Rows::Series),
-    ("time series on a uniform grid", Rows::Grid),
-    ("results: one row per run", |_| Rows::Results),
-    ("events with their times", |_| Rows::Events),
+    Kind { words: "time series: solver steps and points between", rows: |_| Rows::Series },
+    Kind { words: "time series on a uniform grid", rows: Rows::Grid },
+    Kind { words: "results: one row per run", rows: |_| Rows::Results },
+    Kind { words: "events with their times", rows: |_| Rows::Events },
 ];
 const SERIES: usize = 0;
 const GRID: usize = 1;
 
-/// The lines of the dialog that belong together, by what stands at their left.
-const FILE: &str = "file";
-const WHAT: &str = "what";
-const ROWS: &str = "rows";
-const RUNS: &str = "runs";
-const COLUMNS: &str = "columns";
-const STYLE: &str = "style";
-const SCENE: &str = "scene";
+/// What a line is about; lines of one part stand together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    File,
+    What,
+    Rows,
+    Runs,
+    Columns,
+    Style,
+    Scene,
+}
+
+impl Part {
+    /// What stands at the left of its first line.
+    fn label(self) -> &'static str {
+        match self {
+            Self::File => "file",
+            Self::What => "what",
+            Self::Rows => "rows",
+            Self::Runs => "runs",
+            Self::Columns => "columns",
+            Self::Style => "style",
+            Self::Scene => "scene",
+        }
+    }
+}
 
 #[derive(Clone, Debug)]
 enum Value {
     Text(TextField),
     /// One of some words.
     Choice(usize, Vec<&'static str>),
-    /// Whether it goes along.
-    Tick(String, bool),
+    /// Whether a run or a column goes along.
+    Tick {
+        name: String,
+        /// What is told of it behind its name; may be empty.
+        about: String,
+        on: bool,
+    },
+}
+
+#[derive(Clone, Debug)]
+struct Line {
+    part: Part,
+    value: Value,
 }
 
 #[derive(Clone, Debug)]
 pub struct Export {
-    lines: Vec<(&'static str, Value)>,
+    lines: Vec<Line>,
     selected: usize,
     /// The file exists: the answer to "overwrite?" is awaited.
     pub(crate) question: bool,
@@ -61,68 +98,70 @@ pub struct Export {
 impl Export {
     /// The lines there are now: the grid's number only for a grid, columns only for a series.
     fn shown(&self) -> Vec<usize> {
-        let is_shown = |at: &usize| match self.lines[*at].0 {
-            ROWS => self.choice(WHAT) == GRID,
-            COLUMNS => self.is_series(),
+        let is_shown = |at: &usize| match self.lines[*at].part {
+            Part::Rows => self.choice(Part::What) == GRID,
+            Part::Columns => self.is_series(),
             _ => true,
         };
         (0..self.lines.len()).filter(is_shown).collect()
     }
 
-    fn of(&self, lead: &'static str) -> impl Iterator<Item = &Value> {
-        self.lines.iter().filter(move |line| line.0 == lead).map(|line| &line.1)
+    fn of(&self, part: Part) -> impl Iterator<Item = &Value> {
+        self.lines.iter().filter(move |line| line.part == part).map(|line| &line.value)
     }
 
-    fn choice(&self, lead: &'static str) -> usize {
-        self.of(lead)
+    fn choice(&self, part: Part) -> usize {
+        self.of(part)
             .find_map(|it| if let Value::Choice(at, _) = it { Some(*at) } else { None })
             .unwrap_or(0)
     }
 
-    fn text(&self, lead: &'static str) -> &str {
-        self.of(lead)
+    fn text(&self, part: Part) -> &str {
+        self.of(part)
             .find_map(|it| if let Value::Text(field) = it { Some(field.value()) } else { None })
             .unwrap_or("")
     }
 
-    fn ticked(&self, lead: &'static str) -> Vec<&str> {
-        self.of(lead)
-            .filter_map(|it| if let Value::Tick(name, true) = it { Some(&**name) } else { None })
+    fn ticked(&self, part: Part) -> Vec<&str> {
+        self.of(part)
+            .filter_map(|it| {
+                if let Value::Tick { name, on: true, .. } = it { Some(&**name) } else { None }
+            })
             .collect()
     }
 
     fn is_series(&self) -> bool {
-        matches!(self.choice(WHAT), SERIES | GRID)
+        matches!(self.choice(Part::What), SERIES | GRID)
     }
 
     /// The columns that are chosen of a series; none of another table.
     fn columns(&self) -> Vec<String> {
-        let chosen = if self.is_series() { self.ticked(COLUMNS) } else { Vec::new() };
+        let chosen = if self.is_series() { self.ticked(Part::Columns) } else { Vec::new() };
         chosen.into_iter().map(str::to_owned).collect()
     }
 
     fn style(&self) -> Style {
-        Style::ALL[self.choice(STYLE)]
+        Style::ALL[self.choice(Part::Style)]
     }
 
     fn meta(&self) -> Meta {
-        Meta::ALL[self.choice(SCENE)]
+        Meta::ALL[self.choice(Part::Scene)]
     }
 
     /// The file, as typed.
     pub fn path(&self) -> &str {
-        self.text(FILE)
+        self.text(Part::File)
     }
 
     /// Put another text in the place of the path.
     pub(super) fn set_path(&mut self, text: String) {
-        self.lines[0].1 = Value::Text(TextField::new(text));
+        self.lines[0].value = Value::Text(TextField::new(text));
     }
 
     pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
-        match &mut self.lines[self.selected].1 {
+        match &mut self.lines[self.selected].value {
             Value::Text(field) => Some(field),
-            Value::Choice(..) | Value::Tick(..) => None,
+            Value::Choice(..) | Value::Tick { .. } => None,
         }
     }
 
@@ -135,9 +174,9 @@ impl Export {
 
     /// Change what the selected line chooses, round and round, or tick it.
     fn change(&mut self, by: isize) {
-        match &mut self.lines[self.selected].1 {
+        match &mut self.lines[self.selected].value {
             Value::Choice(at, words) => *at = wrap(*at, by, words.len()),
-            Value::Tick(_, on) => *on = !*on,
+            Value::Tick { on, .. } => *on = !*on,
             Value::Text(_) => {}
         }
         self.error = None;
@@ -145,11 +184,11 @@ impl Export {
 
     /// All lines like the selected one when one is missing, else none.
     fn all_or_none(&mut self) {
-        let lead = self.lines[self.selected].0;
-        let on = self.of(lead).any(|it| matches!(it, Value::Tick(_, false)));
-        for (_, value) in self.lines.iter_mut().filter(|line| line.0 == lead) {
-            if let Value::Tick(_, ticked) = value {
-                *ticked = on;
+        let part = self.lines[self.selected].part;
+        let all = self.of(part).any(|it| matches!(it, Value::Tick { on: false, .. }));
+        for line in self.lines.iter_mut().filter(|line| line.part == part) {
+            if let Value::Tick { on, .. } = &mut line.value {
+                *on = all;
             }
         }
     }
@@ -167,23 +206,24 @@ pub(crate) fn open(app: &mut App) {
     if runs.is_empty() {
         return app.refuse("nothing to export yet: r runs the scene");
     }
-    let pins = app.pins.iter().map(|pin| (pin.letter.to_string(), &pin.name));
-    let names: Vec<(String, &String)> = pins.collect();
-    let run = |(name, _): NamedRun| {
-        let pin = names.iter().find(|(letter, _)| *letter == name);
-        pin.map_or_else(|| name.clone(), |(letter, of)| format!("{letter} {of}"))
+    let about = |name: &str| {
+        let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);
+        pin.map_or_else(String::new, |pin| pin.name.clone())
     };
-    let tick = |lead, name| (lead, Value::Tick(name, true));
+    let line = |part, value| Line { part, value };
+    let text = |text: String| Value::Text(TextField::new(text));
+    let tick = |name: String, about| Value::Tick { name, about, on: true };
     let mut lines = vec![
-        (FILE, Value::Text(TextField::new(format!("{}.csv", ask::base_stem(app))))),
-        (WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.0).to_vec())),
-        (ROWS, Value::Text(TextField::new(GRID_ROWS.0.to_string()))),
+        line(Part::File, text(format!("{}.csv", ask::base_stem(app)))),
+        line(Part::What, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
+        line(Part::Rows, text(GRID_ROWS.to_string())),
     ];
-    lines.extend(runs.into_iter().map(|it| tick(RUNS, run(it))));
+    let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
+    lines.extend(runs.map(|(about, name)| line(Part::Runs, tick(name, about))));
     let names = run::columns(Rows::Series, false).into_iter();
-    lines.extend(names.map(|name| tick(COLUMNS, name.to_owned())));
-    lines.push((STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
-    lines.push((SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
+    lines.extend(names.map(|it| line(Part::Columns, tick(it.to_owned(), String::new()))));
+    lines.push(line(Part::Style, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
+    lines.push(line(Part::Scene, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     app.dialog = Some(Dialog::Export(Box::new(Export {
         lines,
         selected: 0,
@@ -202,7 +242,7 @@ fn available(app: &App) -> Vec<NamedRun> {
 
 pub(crate) fn press(app: &mut App, mut state: Export, key: KeyEvent) {
     let typing = state.field_mut().is_some();
-    let chooses = matches!(state.lines[state.selected].1, Value::Choice(..));
+    let chooses = matches!(state.lines[state.selected].value, Value::Choice(..));
     match key.code {
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Esc => return,
@@ -254,30 +294,29 @@ fn submit(app: &mut App, state: &mut Export, existing: Existing) {
 
 fn task(app: &App, state: &Export, existing: Existing) -> Result<FileTask, String> {
     let path = ask::path_of(app, state.path(), "run.csv")?;
-    let chosen = state.ticked(RUNS);
-    let is_chosen = |name: &str| chosen.iter().any(|it| it.split(' ').next() == Some(name));
-    let runs = available(app).into_iter().filter(|(name, _)| is_chosen(name));
+    let chosen = state.ticked(Part::Runs);
+    let runs = available(app).into_iter().filter(|(name, _)| chosen.contains(&&**name));
     let runs: Vec<NamedRun> = runs.collect();
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let what = state.choice(WHAT);
-    let grid = if what == GRID { grid_rows(state.text(ROWS), runs.len())? } else { 0 };
+    let what = state.choice(Part::What);
+    let grid = if what == GRID { grid_rows(state.text(Part::Rows), runs.len())? } else { 0 };
     let mut columns = state.columns();
     if state.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
     }
-    if columns.len() == state.of(COLUMNS).count() {
+    if columns.len() == state.of(Part::Columns).count() {
         columns.clear();
     }
     let to = Destination { path, existing, meta: state.meta() };
-    let rows = KINDS[what].1(grid);
+    let rows = (KINDS[what].rows)(grid);
     Ok(FileTask::Export(to, Content::Runs(RunTable { rows, runs, columns, style: state.style() })))
 }
 
-/// The number of rows typed; all runs together have no more than [`GRID_ROWS`] allows, since a table is made in memory.
+/// The number of rows typed; all runs together have no more than [`GRID_ROWS_MAX`].
 fn grid_rows(text: &str, runs: usize) -> Result<usize, String> {
-    let most = GRID_ROWS.1 / runs.max(1);
+    let most = GRID_ROWS_MAX / runs.max(1);
     let rows = text.trim().parse().ok().filter(|rows| (2..=most).contains(rows));
     rows.ok_or_else(|| {
         let of = if runs > 1 { format!(" for each of {runs} runs") } else { String::new() };
@@ -293,7 +332,8 @@ const FOOT: u16 = 8;
 pub(crate) fn render(app: &App, state: &Export, screen: Rect, canvas: &mut Canvas<'_>) {
     let rows = state.shown();
     let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-    let inner = frame(screen, (100, wanted), ("Export to CSV", "Enter writes"), canvas);
+    let pane = PaneFrame::new("Export to CSV").right("Enter writes");
+    let inner = frame(screen, (100, wanted), pane, canvas);
     let foot = FOOT.min(inner.height.saturating_sub(4));
     let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
     let selected = rows.iter().position(|at| *at == state.selected).unwrap_or(0);
@@ -311,22 +351,25 @@ pub(crate) fn render(app: &App, state: &Export, screen: Rect, canvas: &mut Canva
 }
 
 fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
-    let (here, (lead, value)) = (state.selected == at, &state.lines[at]);
-    if at == 0 || state.lines[at - 1].0 != *lead {
-        canvas.put(line, (2, 0), lead, Role::Title);
+    let (here, shown) = (state.selected == at, &state.lines[at]);
+    if at == 0 || state.lines[at - 1].part != shown.part {
+        canvas.put(line, (2, 0), shown.part.label(), Role::Title);
     }
     if here {
         canvas.put(line, (0, 0), ">", Role::Title);
     }
     let room = line.width.saturating_sub(VALUE + 1);
     let role = if here { Role::Selection } else { Role::Text };
-    let text = match value {
+    let text = match &shown.value {
         Value::Text(field) if here => {
             return field.draw(canvas, Rect { x: line.x + VALUE, width: room, ..line });
         }
         Value::Text(field) => window(&field.input, room).0,
         Value::Choice(at, words) => format!("< {} >", words[*at]),
-        Value::Tick(name, on) => format!("{} {name}", if *on { "[x]" } else { "[ ]" }),
+        Value::Tick { name, about, on } => {
+            let tick = if *on { "[x]" } else { "[ ]" };
+            format!("{tick} {name} {about}").trim_end().to_owned()
+        }
     };
     canvas.put(line, (VALUE, 0), &text, role);
 }
@@ -359,7 +402,7 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
 fn preview(app: &App, state: &Export) -> Vec<String> {
     let Some(shown) = &app.shown else { return Vec::new() };
     let named = [("now".to_owned(), Arc::clone(&shown.run))];
-    let rows = KINDS[state.choice(WHAT)].1(3);
+    let rows = (KINDS[state.choice(Part::What)].rows)(3);
     let text = run::csv(rows, &named, &state.columns(), 2).unwrap_or_default();
     let text = state.style().file("", &text).unwrap_or_default();
     text.trim_start_matches(state.style().head()).lines().take(3).map(str::to_owned).collect()

@@ -13,7 +13,7 @@ const SENTENCE: u16 = 14;
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
 pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
-    let inner = frame(screen, (92, 48), (title.as_str(), "q closes"), canvas);
+    let inner = frame(screen, (92, 48), PaneFrame::new(title).right("q closes"), canvas);
     let about = about(app, usize::from(inner.width));
     let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
     canvas.put_lines(inner, 0, about);
@@ -29,8 +29,8 @@ pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas
 
 /// What `:` finds, and what Enter does with the selected one.
 pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let titles = ("Find an action, preset, variable or page", "Esc closes");
-    let inner = frame(screen, (76, 20), titles, canvas);
+    let pane = PaneFrame::new("Find an action, preset, variable or page").right("Esc closes");
+    let inner = frame(screen, (76, 20), pane, canvas);
     filter(picker, inner, canvas);
     let list = below(inner);
     let list = Rect { height: list.height.saturating_sub(DOES), ..list };

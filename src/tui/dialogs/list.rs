@@ -179,8 +179,8 @@ fn common_start(names: &[String]) -> Option<String> {
 pub(crate) fn history(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let edits = &app.history.edits;
     let height = u16::try_from(edits.len() + 3).unwrap_or(u16::MAX);
-    let inner =
-        frame(screen, (70, height.max(6)), ("Edits of this session", "Enter goes there"), canvas);
+    let pane = PaneFrame::new("Edits of this session").right("Enter goes there");
+    let inner = frame(screen, (70, height.max(6)), pane, canvas);
     let list = RowList { count: edits.len() + 1, selected: picker.selected, painted: true };
     list.in_dialog(canvas, inner, |canvas, row, index| {
         let label = index.checked_sub(1).map_or("the start", |at| &edits[at].label);
@@ -203,7 +203,8 @@ pub(crate) fn words(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canva
     let words = variable.words();
     let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
     let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
-    let inner = frame(screen, size, (variable.symbol, "Enter takes it"), canvas);
+    let pane = PaneFrame::new(variable.symbol).right("Enter takes it");
+    let inner = frame(screen, size, pane, canvas);
     let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
     let now = variable.value(&app.scene);
     let rows = RowList { count: words.len(), selected: picker.selected, painted: true };

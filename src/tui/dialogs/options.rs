@@ -133,7 +133,8 @@ const VALUE: u16 = 18;
 pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let count = OptionRow::ALL.len();
     let rows = u16::try_from(count).unwrap_or(u16::MAX);
-    let inner = frame(screen, (58, rows + 6), ("Options", "h/l changes"), canvas);
+    let inner =
+        frame(screen, (58, rows + 6), PaneFrame::new("Options").right("h/l changes"), canvas);
     let area = Rect { height: rows.min(inner.height), ..inner };
     let list = RowList { count, selected: picker.selected, painted: true };
     list.in_dialog(canvas, area, |canvas, row, index| {

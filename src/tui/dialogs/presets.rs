@@ -16,12 +16,9 @@ use crate::tui::widgets::RowList;
 const NAMES: u16 = 32;
 
 pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let inner = frame(
-        screen,
-        (110, 40),
-        ("Presets, threats, materials, absorbers", "Enter loads, Space pins only"),
-        canvas,
-    );
+    let pane = PaneFrame::new("Presets, threats, materials, absorbers");
+    let pane = pane.right("Enter loads, Space pins only");
+    let inner = frame(screen, (110, 40), pane, canvas);
     filter(picker, inner, canvas);
     let body =
         Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };

@@ -149,9 +149,9 @@ impl Page for ExploreTab {
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
         let (scene, grid) = (Arc::new(plan.base().clone()), Arc::clone(&found.grid));
-        let of = (&scene, grid.is_complete());
+        let is_complete = grid.is_complete();
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
-        Some(Table::of(app, "Export the sweep to CSV", file, of, csv))
+        Some(Table::of(app, "Export the sweep to CSV", file, &scene, is_complete, csv))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -116,24 +116,25 @@ impl Page for LimitTab {
             let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
             let file = format!("{}-limit.csv", ask::stem(app, &scene));
             let csv = move |name: &str| limit::shots(name, &report).csv();
-            return Some(Table::of(
-                app,
-                "Export the shots to CSV",
-                file,
-                (&scene, is_complete),
-                csv,
-            ));
+            return Some(Table::of(app, "Export the shots to CSV", file, &scene, is_complete, csv));
         }
         let (scene, found) = app.pages.limit.comparison.as_ref()?;
         if app.pane() == COMPARISON {
-            let (file, of) = (format!("{stem}-compare.csv"), (scene, found.report.is_complete));
+            let (file, is_complete) = (format!("{stem}-compare.csv"), found.report.is_complete);
             let found = Arc::clone(found);
             let csv = move |name: &str| compare::table(name, &found.report).csv();
-            return Some(Table::of(app, "Export the comparison to CSV", file, of, csv));
+            return Some(Table::of(
+                app,
+                "Export the comparison to CSV",
+                file,
+                scene,
+                is_complete,
+                csv,
+            ));
         }
         let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
         let csv = move |name: &str| compare::map_table(name, &map).csv();
-        Some(Table::of(app, "Export the map to CSV", file, (scene, true), csv))
+        Some(Table::of(app, "Export the map to CSV", file, scene, true, csv))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

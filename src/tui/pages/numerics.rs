@@ -141,7 +141,7 @@ impl Page for NumericsTab {
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
-                Table::of(app, "Export the measurements to CSV", file, (&scene, is_complete), csv)
+                Table::of(app, "Export the measurements to CSV", file, &scene, is_complete, csv)
             }
             STIFF_SCENES => {
                 let battery = app.pages.numerics.stability.battery.as_ref();
@@ -153,9 +153,9 @@ impl Page for NumericsTab {
             _ => {
                 let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
                 let (file, map) = (format!("{}-map.csv", ask::stem(app, scene)), Arc::clone(map));
-                let of = (scene, map.is_complete());
+                let is_complete = map.is_complete();
                 let csv = move |name: &str| stability_table::map_table(name, &map).csv();
-                Table::of(app, "Export the map to CSV", file, of, csv)
+                Table::of(app, "Export the map to CSV", file, scene, is_complete, csv)
             }
         })
     }

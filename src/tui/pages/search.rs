@@ -153,7 +153,7 @@ impl Page for SearchTab {
         let (scene, is_complete) = (Arc::clone(&found.scene), found.is_complete());
         let csv = move |name: &str| found.csv(name);
         let file = file.to_owned();
-        Some(Table::of(app, "Export the results to CSV", file, (&scene, is_complete), csv))
+        Some(Table::of(app, "Export the results to CSV", file, &scene, is_complete, csv))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -219,7 +219,8 @@ impl Page for SearchTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        draw::render(app, panes(app, body), canvas);
+        let (setup, results) = panes(app, body);
+        draw::render(app, setup, results, canvas);
     }
 }
 

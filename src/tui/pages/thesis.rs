@@ -385,7 +385,7 @@ impl App {
         let tab = &self.pages.thesis;
         let mut parts = Vec::new();
         let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let checking = progress::<Claims>(self, "checking the claims", ("of", ""), false, kept);
+        let checking = progress::<Claims>(self, "checking the claims", "of", "", false, kept);
         parts.extend(checking.map(Progress::part));
         if tab.report.is_some() {
             let (rows, counts) = (tab.rows(), tally(tab.rows()));

@@ -265,7 +265,7 @@ impl App {
         let tab = &self.pages.limit;
         let kept = tab.report.as_ref().map(|report| report.is_complete);
         let (doing, old) = ("finding the limit", self.limit_is_old());
-        let finding = progress::<LimitSearch>(self, doing, ("of about", " shots"), old, kept);
+        let finding = progress::<LimitSearch>(self, doing, "of about", " shots", old, kept);
         let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
         if let Some(report) = &tab.report {
             if let Limit::Found { basis, .. } = report.limit {

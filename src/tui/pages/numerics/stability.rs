@@ -196,7 +196,7 @@ impl App {
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             let kept = tab.battery.as_ref().map(|battery| battery.is_complete);
             let running =
-                progress::<StiffScenes>(self, "running the battery", ("of", ""), false, kept);
+                progress::<StiffScenes>(self, "running the battery", "of", "", false, kept);
             parts.extend(running.map(Progress::part));
             if tab.battery.is_some() {
                 parts.push(part(severity, holds));
@@ -206,7 +206,7 @@ impl App {
         }
         let kept = tab.map.as_ref().map(|(_, map)| map.is_complete());
         let (doing, old) = ("computing the map", self.map_is_old());
-        let mapping = progress::<StabilityMap>(self, doing, ("of", " rows"), old, kept);
+        let mapping = progress::<StabilityMap>(self, doing, "of", " rows", old, kept);
         parts.extend(mapping.map(Progress::part));
         if let Some((_, map)) = &tab.map {
             parts.push(part(

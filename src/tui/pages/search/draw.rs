@@ -23,20 +23,20 @@ use crate::tui::widgets::text::{columns, first_row, text_role};
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
-pub(crate) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
-    canvas.pane(right, RESULTS);
-    app.search_form().render(app, SETUP, left, canvas);
-    let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
+pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(results, RESULTS);
+    app.search_form().render(app, SETUP, setup, canvas);
+    let lines = app.search_lines(usize::from(results.width.saturating_sub(2)));
     let Some(found) = app.pages.search.shown() else {
-        nothing(app, right, canvas);
+        nothing(app, results, canvas);
         return;
     };
-    let below = app.pages.search.words_height(right.height, lines.len());
-    if below == right.height {
-        lines_below(app, &lines, right, canvas);
+    let below = app.pages.search.words_height(results.height, lines.len());
+    if below == results.height {
+        lines_below(app, &lines, results, canvas);
         return;
     }
-    let top = Rect { height: right.height - below, ..right };
+    let top = Rect { height: results.height - below, ..results };
     let focused = below == 0 && app.has_focus(RESULTS);
     match &*found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
@@ -47,7 +47,7 @@ pub(crate) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas
     if below == 0 {
         turn(app, top, canvas);
     } else {
-        let rest = Rect { y: right.y + top.height, height: below, ..right };
+        let rest = Rect { y: results.y + top.height, height: below, ..results };
         lines_below(app, &lines, rest, canvas);
     }
 }
@@ -281,7 +281,7 @@ fn note(text: String) -> Line {
 }
 
 impl App {
-    /// The lines of the page shown; with what is drawn beside them left out.
+    /// What the page shown says in words, without what its chart draws.
     pub fn search_lines(&self, width: usize) -> Vec<Line> {
         let Some(found) = self.pages.search.shown() else { return Vec::new() };
         match (&*found.answer, &found.request) {

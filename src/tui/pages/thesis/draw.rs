@@ -108,14 +108,14 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             ("cause", row.claim.cause),
         ] {
             if !text.is_empty() {
-                y = labelled(inner, y, (label, text), canvas);
+                y = labelled(inner, y, label, text, canvas);
             }
         }
     }
 }
 
 /// A label and a text over as many rows as it needs; gives the row after it.
-fn labelled(area: Rect, from: u16, (label, text): (&str, &str), canvas: &mut Canvas<'_>) -> u16 {
+fn labelled(area: Rect, from: u16, label: &str, text: &str, canvas: &mut Canvas<'_>) -> u16 {
     canvas.put(area, (0, from), label, Role::Dim);
     let room = usize::from(area.width.saturating_sub(LABEL).max(8));
     let mut y = from;
@@ -179,7 +179,7 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         ("computed", principle.computed),
         ("presets", presets.as_str()),
     ] {
-        y = labelled(inner, y, (label, text), canvas);
+        y = labelled(inner, y, label, text, canvas);
     }
 }
 
