@@ -56,7 +56,8 @@ pub struct Options {
     pub scene: Option<Preset>,
     /// Leave the last session alone: start from the scene, or from the baseline.
     pub fresh: bool,
-    pub glyphs: theme::GlyphChoice,
+    /// The characters of charts; `None`: what the terminal can show.
+    pub glyphs: Option<theme::GlyphSet>,
 }
 
 /// Why the workbench could not start or go on.

@@ -225,12 +225,13 @@ fn named(computed: &Computed) -> Vec<NamedRun> {
 const SIZE: draw::Size = (78, 15);
 
 impl Glyphs {
-    /// The characters to print with; without the option, those that work everywhere.
-    fn for_print(self) -> GlyphSet {
+    /// The set that was chosen, if one was.
+    pub(super) fn chosen(self) -> Option<GlyphSet> {
         match self {
-            Self::Auto | Self::Ascii => GlyphSet::Ascii,
-            Self::Block => GlyphSet::Block,
-            Self::Braille => GlyphSet::Braille,
+            Self::Auto => None,
+            Self::Ascii => Some(GlyphSet::Ascii),
+            Self::Block => Some(GlyphSet::Block),
+            Self::Braille => Some(GlyphSet::Braille),
         }
     }
 }
@@ -238,7 +239,9 @@ impl Glyphs {
 /// The charts of a run and of its mechanism, each under the other: the contact first, since it is over in a fraction of a
 /// millisecond. Event lines carry the letters of the list of events in the summary.
 fn drawn(run: &Run, glyphs: Glyphs) -> String {
-    let theme = Theme { glyphs: glyphs.for_print(), depth: ColourDepth::None };
+    // Letters and punctuation work everywhere.
+    let glyphs = glyphs.chosen().unwrap_or(GlyphSet::Ascii);
+    let theme = Theme { glyphs, depth: ColourDepth::None };
     let charts = response(run).into_iter().chain(mechanism(run));
     charts.fold(String::new(), |text, chart| text + "\n" + &draw::chart(&chart, SIZE, theme))
 }

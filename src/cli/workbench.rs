@@ -12,7 +12,6 @@ use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::preset::Preset;
 use crate::tui;
-use crate::tui::theme::{GlyphChoice, GlyphSet};
 
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArguments {
@@ -35,7 +34,7 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
     let status = tui::run(tui::Options {
         scene: preset,
         fresh: arguments.fresh,
-        glyphs: choice(arguments.glyphs),
+        glyphs: arguments.glyphs.chosen(),
     })?;
     Ok(ExitCode::from(status))
 }
@@ -51,15 +50,6 @@ fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
             (error, _) => error,
         }
     })
-}
-
-fn choice(glyphs: Glyphs) -> GlyphChoice {
-    match glyphs {
-        Glyphs::Auto => GlyphChoice::Auto,
-        Glyphs::Ascii => GlyphChoice::Fixed(GlyphSet::Ascii),
-        Glyphs::Block => GlyphChoice::Fixed(GlyphSet::Block),
-        Glyphs::Braille => GlyphChoice::Fixed(GlyphSet::Braille),
-    }
 }
 
 fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {

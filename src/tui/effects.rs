@@ -399,16 +399,6 @@ mod tests {
     }
 
     #[test]
-    fn the_newest_session_is_saved_on_leaving() {
-        let (_place, paths, io_thread, _inbox) = start();
-        io_thread.session_changed(session_of(2.0));
-        io_thread.session_changed(session_of(3.0));
-        io_thread.finish(PATIENCE).unwrap();
-        let kept = session::load(&paths.session_file()).session;
-        assert_eq!(kept, Some(session_of(3.0)));
-    }
-
-    #[test]
     fn a_session_that_cannot_be_kept_is_told_once_and_again_when_it_can() {
         let (place, paths, io_thread, inbox) = start();
         // Where the folder should be there is a file.

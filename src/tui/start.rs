@@ -15,7 +15,7 @@ use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::charts::Window;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
-use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
+use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
 /// The words of the session's view table.
@@ -27,7 +27,8 @@ const THREADS: &str = "threads";
 
 /// The state to start with, and the session's file as it was found.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
-    let theme = Theme::detect(options.glyphs, environment);
+    let detected = Theme::detect(environment);
+    let theme = Theme { glyphs: options.glyphs.unwrap_or(detected.glyphs), ..detected };
     let directory = std::env::current_dir().unwrap_or_default();
     let mut loaded =
         paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
@@ -83,7 +84,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
 }
 
 /// Take over keys, colours and characters of the configuration; what is refused is said, and the usual ones stay.
-fn configure(app: &mut App, path: &Path, glyphs: GlyphChoice) {
+fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     let config = match config::load(path) {
         Ok(config) => config,
         Err(text) => return app.say(Severity::Warning, text),
@@ -92,9 +93,11 @@ fn configure(app: &mut App, path: &Path, glyphs: GlyphChoice) {
         Ok(keymap) => app.keymap = keymap,
         Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
     }
-    if let (GlyphChoice::Auto, Some(word)) = (glyphs, &config.characters) {
-        match word.parse::<GlyphChoice>() {
-            Ok(choice) => app.theme.glyphs = choice.resolve(environment),
+    if let (None, Some(word)) = (glyphs, &config.characters) {
+        match GlyphSet::named(word) {
+            Ok(choice) => {
+                app.theme.glyphs = choice.unwrap_or_else(|| GlyphSet::detect(environment));
+            }
             Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
         }
     }
@@ -124,11 +127,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
         return None;
     }
     let to = paths.previous_session_file();
-    let pins = match last.pins.len() {
-        0 => String::new(),
-        1 => ", 1 pinned run".to_owned(),
-        count => format!(", {count} pinned runs"),
-    };
+    let pins = counted_pins(last.pins.len());
     Some(match session::put_aside(&paths.session_file(), &to) {
         Ok(()) => {
             let name = last.preset.as_deref().unwrap_or("a scene");
@@ -141,7 +140,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 
 /// What the session file keeps of the state.
 pub(super) fn session(app: &App) -> Session {
-    let detected = Theme::detect(GlyphChoice::Auto, environment);
+    let detected = Theme::detect(environment);
     let mut view = BTreeMap::new();
     let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
     // Only what a person chose: the next terminal may be able to show more, or less.
@@ -225,7 +224,7 @@ fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
 }
 
 /// Take over what the session has, and say so.
-fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
+fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(last.scene);
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin {
@@ -238,10 +237,10 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
         });
     }
     let word = |key: &str| last.view.get(key).map(String::as_str);
-    if glyphs == GlyphChoice::Auto
-        && let Some(Ok(choice)) = word(GLYPHS).map(str::parse::<GlyphChoice>)
+    if glyphs.is_none()
+        && let Some(Ok(Some(set))) = word(GLYPHS).map(GlyphSet::named)
     {
-        app.theme.glyphs = choice.resolve(environment);
+        app.theme.glyphs = set;
     }
     if let Some(depth) = DEPTHS.into_iter().find(|depth| word(COLOURS) == Some(depth.word())) {
         app.theme.depth = depth;
@@ -257,12 +256,17 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
 /// One line on what has been restored.
 fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
-    let pins = match app.pins.len() {
+    let pins = counted_pins(app.pins.len());
+    format!("last session restored: {}{modified}{pins} (cmra --fresh starts anew)", app.base.name)
+}
+
+/// `, 2 pinned runs`; empty where there is none.
+fn counted_pins(count: usize) -> String {
+    match count {
         0 => String::new(),
         1 => ", 1 pinned run".to_owned(),
         count => format!(", {count} pinned runs"),
-    };
-    format!("last session restored: {}{modified}{pins} (cmra --fresh starts anew)", app.base.name)
+    }
 }
 
 #[cfg(test)]
@@ -273,12 +277,11 @@ mod tests {
 
     use super::*;
     use crate::tui::message::Message;
-    use crate::tui::theme::GlyphSet;
     use crate::tui::update;
 
     fn state() -> App {
         let base = baseline();
-        let theme = Theme::detect(GlyphChoice::Auto, environment);
+        let theme = Theme::detect(environment);
         App::new(base, theme, PathBuf::new())
     }
 
@@ -301,7 +304,7 @@ mod tests {
         app.recent = vec![PathBuf::from("a.toml")];
         let kept = session(&app);
         let mut again = state();
-        restore(&mut again, kept.clone(), GlyphChoice::Auto);
+        restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
         again.recent.clone_from(&app.recent);
@@ -310,7 +313,7 @@ mod tests {
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line asks for goes before what the session has.
         let mut fixed = state();
-        restore(&mut fixed, kept, GlyphChoice::Fixed(GlyphSet::Ascii));
+        restore(&mut fixed, kept, Some(GlyphSet::Ascii));
         assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
     }
 
@@ -336,7 +339,7 @@ mod tests {
 
     #[test]
     fn without_a_home_it_does_not_claim_to_keep_the_session() {
-        let options = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let options = || Options { scene: None, fresh: true, glyphs: None };
         let (mut state, ..) = app(options(), None);
         let text = state.notice.clone().expect("it is said").text;
         assert!(text.contains("cannot be kept") && text.contains("HOME"), "{text}");
@@ -350,7 +353,7 @@ mod tests {
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let options = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let options = || Options { scene: None, fresh: true, glyphs: None };
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));

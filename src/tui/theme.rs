@@ -12,7 +12,7 @@ pub mod glyphs;
 pub mod pane;
 
 pub use colours::ColourDepth;
-pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass};
+pub use glyphs::{GlyphSet, Lines, ascii_pass};
 pub use pane::PaneFrame;
 
 /// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
@@ -59,8 +59,8 @@ impl Theme {
     pub const PLAIN: Self = Self { glyphs: GlyphSet::Ascii, depth: ColourDepth::None };
 
     /// The theme the environment asks for; `env` looks up a variable of it.
-    pub fn detect(glyphs: GlyphChoice, env: impl Fn(&str) -> Option<String>) -> Self {
-        Self { glyphs: glyphs.resolve(&env), depth: ColourDepth::detect(&env) }
+    pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
+        Self { glyphs: GlyphSet::detect(&env), depth: ColourDepth::detect(&env) }
     }
 
     /// The lines and joints of the glyph set.
@@ -188,18 +188,5 @@ mod tests {
             assert_ne!(note, error);
             assert!(![error, warning, note].contains(&text));
         }
-    }
-
-    #[test]
-    fn detect_reads_both_glyphs_and_colours() {
-        let env = |name: &str| match name {
-            "LANG" => Some("en_GB.UTF-8".to_owned()),
-            "TERM" => Some("xterm-256color".to_owned()),
-            _ => None,
-        };
-        assert_eq!(
-            Theme::detect(GlyphChoice::Auto, env),
-            Theme { glyphs: GlyphSet::Braille, depth: ColourDepth::Ansi256 }
-        );
     }
 }

@@ -8,7 +8,7 @@ pub(crate) mod zoom;
 use std::path::Path;
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
@@ -36,7 +36,6 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
 
 fn take(app: &mut App, message: Message) {
     match message {
-        Message::Key(key) if key.kind == KeyEventKind::Release => {}
         Message::Key(key) => press(app, key),
         Message::Resize(width, height) => app.size = (width, height),
         Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => {}

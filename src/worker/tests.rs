@@ -239,18 +239,6 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
 }
 
 #[test]
-fn a_scene_without_sense_is_refused_with_the_reason() {
-    let (worker, receive) = start_with(simulation());
-    let mut wrong = Scene::default();
-    wrong.projectile.mass_kg = -1.0;
-    let refused = crate::model::variables::validate(&wrong);
-    let expected = refused.expect_err("a negative mass is refused").to_string();
-    worker.submit(run_of(1, Slot::Current, wrong));
-    let report = next(&receive);
-    assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
-}
-
-#[test]
 fn an_unchanged_scene_is_not_computed_again() {
     let count = Arc::new(AtomicUsize::new(0));
     let counted = Arc::clone(&count);
@@ -287,10 +275,7 @@ impl<const KIND: usize> Study for Counting<KIND> {
         Tempo { first: Duration::ZERO, between: Duration::ZERO }
     }
 
-    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        if scene.title == "refused" {
-            return Err("no study of this".into());
-        }
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.watch(|done: &usize| Count(*done));
         let context = &mut Context::new(reporter.threads(), watch);
         let mut done = 0;
@@ -302,28 +287,23 @@ impl<const KIND: usize> Study for Counting<KIND> {
     }
 }
 
-fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool, title: &str) -> Task {
-    let scene = Arc::new(Scene { title: title.to_owned(), ..Scene::default() });
+fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool) -> Task {
+    let scene = Arc::new(Scene::default());
     Task { id, threads: 2, work: Work::Study(scene, Arc::new(Counting::<KIND> { lane, endless })) }
 }
 
 /// What a report brings, if it brings something.
 fn count(body: &ReportBody) -> Option<usize> {
-    match body {
-        ReportBody::Part(found) | ReportBody::Ended { found: Some(found), .. } => {
-            Some(found.get::<Count>()?.0)
-        }
-        _ => None,
-    }
+    body.found::<Count>().map(|count| count.0)
 }
 
 #[test]
 fn the_newest_study_of_a_type_wins_and_each_ends_once() {
     let (worker, reports) = start();
-    worker.submit(study::<1>(1, Lane::Sweeps, true, ""));
+    worker.submit(study::<1>(1, Lane::Sweeps, true));
     // Under way, so that it is not dropped unstarted.
     while count(&next(&reports).body).is_none() {}
-    worker.submit(study::<1>(2, Lane::Sweeps, false, ""));
+    worker.submit(study::<1>(2, Lane::Sweeps, false));
     let first = next_last(&reports);
     assert!(first.id == 1 && count(&first.body).is_some());
     let second = next_last(&reports);
@@ -331,33 +311,13 @@ fn the_newest_study_of_a_type_wins_and_each_ends_once() {
 }
 
 #[test]
-fn a_cancelled_study_keeps_what_it_has_shown() {
-    let (worker, reports) = start();
-    worker.submit(study::<1>(7, Lane::Studies, true, ""));
-    let mut shown = None;
-    while shown.is_none_or(|shown| shown < 2) {
-        shown = count(&next(&reports).body).or(shown);
-    }
-    worker.cancel(7);
-    assert!(count(&next_last(&reports).body) >= shown);
-}
-
-#[test]
 fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
     let (worker, reports) = start();
-    worker.submit(study::<1>(1, Lane::Studies, true, ""));
-    worker.submit(study::<2>(2, Lane::Studies, false, ""));
-    worker.submit(study::<3>(3, Lane::Searches, false, ""));
+    worker.submit(study::<1>(1, Lane::Studies, true));
+    worker.submit(study::<2>(2, Lane::Studies, false));
+    worker.submit(study::<3>(3, Lane::Searches, false));
     assert_eq!(next_last(&reports).id, 3);
     worker.cancel(1);
     let ends = [next_last(&reports).id, next_last(&reports).id];
     assert_eq!(ends, [1, 2]);
-}
-
-#[test]
-fn a_study_that_cannot_be_made_says_why() {
-    let (worker, reports) = start();
-    worker.submit(study::<1>(1, Lane::Studies, false, "refused"));
-    let report = next(&reports);
-    assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
 }

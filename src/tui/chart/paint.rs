@@ -45,6 +45,12 @@ impl Painter<'_> {
         }
     }
 
+    /// Whether nothing but a dotted line stands in a cell.
+    fn is_free(&self, at: (u16, u16), dotted: char) -> bool {
+        let symbol = self.buffer.cell(at).map_or("", |cell| cell.symbol());
+        symbol == " " || symbol.chars().eq([dotted])
+    }
+
     /// The row of the screen of a cell counted upward in the plot.
     fn row(&self, cell: u16) -> u16 {
         self.layout.plot.bottom() - 1 - cell
@@ -169,10 +175,7 @@ impl Painter<'_> {
                 continue;
             };
             let y = self.row(cell);
-            let is_free = |x: u16| {
-                let symbol = self.buffer.cell((x, y)).map_or("", |cell| cell.symbol());
-                symbol == " " || symbol.chars().eq([dotted])
-            };
+            let is_free = |x: u16| self.is_free((x, y), dotted);
             // A blank keeps the tag clear of the dots.
             let tag = format!(" {}", level.tag);
             let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
@@ -217,12 +220,8 @@ impl Painter<'_> {
             let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
             let room = (end - x).max(1);
             let width = u16::try_from(Span::raw(*tag).width()).unwrap_or(u16::MAX).min(room);
-            let is_free = |x: u16, y: u16| {
-                let symbol = self.buffer.cell((x, y)).map_or("", |cell| cell.symbol());
-                symbol == " " || symbol.chars().eq([dotted])
-            };
             let rows = plot.top()..plot.bottom();
-            let row = rows.clone().find(|y| (*x..x + width).all(|x| is_free(x, *y)));
+            let row = rows.clone().find(|y| (*x..x + width).all(|x| self.is_free((x, *y), dotted)));
             let row = row.unwrap_or_else(|| plot.top());
             self.buffer.set_stringn(*x, row, tag, usize::from(room), style);
         }

@@ -4,7 +4,6 @@
 //! `Braille` may use any of Unicode's box drawing and the braille cells.
 
 use std::fmt;
-use std::str::FromStr;
 
 use ratatui::buffer::Buffer;
 use ratatui::symbols::border;
@@ -20,6 +19,19 @@ pub enum GlyphSet {
 }
 
 impl GlyphSet {
+    pub const ALL: [Self; 3] = [Self::Ascii, Self::Block, Self::Braille];
+
+    /// The set with this word; `auto`, what the terminal can show, is none in particular.
+    pub fn named(word: &str) -> Result<Option<Self>, String> {
+        if word.eq_ignore_ascii_case("auto") {
+            return Ok(None);
+        }
+        let named = Self::ALL.into_iter().find(|set| word.eq_ignore_ascii_case(set.word()));
+        let unknown =
+            || format!("glyphs '{word}' are not known: choose ascii, block, braille or auto");
+        named.map(Some).ok_or_else(unknown)
+    }
+
     /// What the locale and the terminal can show. The first of `LC_ALL`, `LC_CTYPE`, `LANG` that is set decides; the Linux
     /// console has no braille.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
@@ -42,11 +54,7 @@ impl GlyphSet {
     /// The next in the cycle ASCII, block, braille.
     #[must_use]
     pub fn next(self) -> Self {
-        match self {
-            Self::Ascii => Self::Block,
-            Self::Block => Self::Braille,
-            Self::Braille => Self::Ascii,
-        }
+        Self::ALL[(self as usize + 1) % Self::ALL.len()]
     }
 
     /// The word used on the command line and in files.
@@ -87,46 +95,6 @@ impl GlyphSet {
 impl fmt::Display for GlyphSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.word())
-    }
-}
-
-/// What a person asked for: `ascii`, `block`, `braille` or `auto`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum GlyphChoice {
-    /// What the terminal can show.
-    #[default]
-    Auto,
-    /// This set, whatever the terminal says.
-    Fixed(GlyphSet),
-}
-
-impl GlyphChoice {
-    /// The set to use; `env` looks up a variable of the environment.
-    pub fn resolve(self, env: impl Fn(&str) -> Option<String>) -> GlyphSet {
-        match self {
-            Self::Auto => GlyphSet::detect(env),
-            Self::Fixed(set) => set,
-        }
-    }
-}
-
-/// The word for a glyph set is none of those that exist.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("glyphs '{0}' are not known: choose ascii, block, braille or auto")]
-pub struct UnknownGlyphs(pub String);
-
-impl FromStr for GlyphChoice {
-    type Err = UnknownGlyphs;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let sets = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
-        if text.eq_ignore_ascii_case("auto") {
-            return Ok(Self::Auto);
-        }
-        sets.into_iter()
-            .find(|set| text.eq_ignore_ascii_case(set.word()))
-            .map(Self::Fixed)
-            .ok_or_else(|| UnknownGlyphs(text.to_owned()))
     }
 }
 
@@ -297,11 +265,11 @@ mod tests {
 
     #[test]
     fn choices_are_read_and_an_unknown_one_names_the_cure() {
-        assert_eq!("auto".parse(), Ok(GlyphChoice::Auto));
-        for set in [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille] {
-            assert_eq!(set.word().parse(), Ok(GlyphChoice::Fixed(set)));
+        assert_eq!(GlyphSet::named("auto"), Ok(None));
+        for set in GlyphSet::ALL {
+            assert_eq!(GlyphSet::named(set.word()), Ok(Some(set)));
         }
-        let error = "dots".parse::<GlyphChoice>().unwrap_err().to_string();
+        let error = GlyphSet::named("dots").unwrap_err();
         assert_eq!(error, "glyphs 'dots' are not known: choose ascii, block, braille or auto");
     }
 
@@ -317,7 +285,7 @@ mod tests {
 
     #[test]
     fn every_line_of_every_set_has_an_ascii_form() {
-        for set in [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille] {
+        for set in GlyphSet::ALL {
             let l = set.lines();
             let ticks = [l.bottom_left, l.bottom_right, l.tick_left, l.tick_right, l.tick_below];
             assert!(ticks.iter().all(|c| ascii(*c) == '+'));
