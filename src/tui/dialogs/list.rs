@@ -161,19 +161,11 @@ pub(crate) fn complete(app: &mut App, names: Vec<String>) {
 }
 
 fn common_start(names: &[String]) -> Option<String> {
-    let first = names.first()?;
-    let mut length = first.len();
-    for name in names {
-        let same = first
-            .char_indices()
-            .zip(name.chars())
-            .take_while(|((_, a), b)| a == b)
-            .map(|((at, a), _)| at + a.len_utf8())
-            .last()
-            .unwrap_or(0);
-        length = length.min(same);
+    let mut common = names.first()?.clone();
+    while names.iter().any(|name| !name.starts_with(&common)) {
+        common.pop();
     }
-    Some(first[..length].to_owned())
+    Some(common)
 }
 
 pub(crate) fn history(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {

@@ -65,7 +65,11 @@ pub(crate) fn put(
 }
 
 /// The lines of a text of at most so many columns, all in one role.
-pub(crate) fn wrapped(text: &str, width: u16, role: Role) -> impl Iterator<Item = (String, Role)> {
+pub(crate) fn wrapped(
+    text: &str,
+    width: u16,
+    role: Role,
+) -> impl Iterator<Item = (String, Role)> + use<> {
     wrap(text, usize::from(width)).into_iter().map(move |line| (line, role))
 }
 

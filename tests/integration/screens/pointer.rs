@@ -8,6 +8,7 @@ use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
 use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::message::{Message, Target};
+use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::{Tab, explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
@@ -153,7 +154,7 @@ fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
     // Along: the row below the spacing chooses the points.
     bench.press("2<Tab>jjjjjl<Tab>");
     answer(&mut bench);
-    let grid = bench.app.pages.explore.surface.as_ref().unwrap().grid.clone();
+    let grid = bench.app.pages.explore.found(Picture::Surface).unwrap().grid.clone();
     assert!(!grid.is_full() && grid.counts() == (21, 1));
     let scenes = |bench: &Bench| {
         (bench.app.scene.plate.mass_ratio, bench.app.scene.mechanism.spring.coefficient)

@@ -60,7 +60,7 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     let context = &mut Context::new(1, &mut watch);
     match request {
         Request::Seek(goal) => Answer::Seek(seek::seek(scene, goal, context).unwrap()),
-        Request::Front(task) => Answer::Front(Box::new(front(scene, task))),
+        Request::Front(task) => Answer::Front(Box::new(front(scene, task)), task.clone()),
         Request::Sensitivity { axes, output, effort } => {
             let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
             let report = sensitivity::study(scene, axes.clone(), output, effort, context);
@@ -198,10 +198,10 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     bench.keys("4");
     let study = bench.studies().remove(0);
     let request = study.asked.of::<Request>().expect("a search");
-    let Answer::Front(mut front) = made(&study.scene, request) else { panic!("no front") };
+    let Answer::Front(mut front, task) = made(&study.scene, request) else { panic!("no front") };
     (front.is_complete, front.generations) = (false, 7);
     front.candidates.clear();
-    let part = Finding::new(Answer::Front(front));
+    let part = Finding::new(Answer::Front(front, task));
     bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");

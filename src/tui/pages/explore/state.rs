@@ -92,9 +92,8 @@ impl Default for Visits {
 
 #[derive(Clone, Debug)]
 pub struct Sweeping {
-    /// Curves over one axis.
-    pub line: Option<Found>,
-    pub surface: Option<Found>,
+    /// What was found, by picture.
+    pub found: [Option<Found>; 2],
     /// The number of the last sweep that was said to take more than a minute.
     pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
@@ -117,8 +116,7 @@ pub struct Sweeping {
 impl Default for Sweeping {
     fn default() -> Self {
         Self {
-            line: None,
-            surface: None,
+            found: [None, None],
             warned: None,
             problem: None,
             row: SetupRow::Axis(0, Part::Name),
@@ -135,10 +133,7 @@ impl Default for Sweeping {
 
 impl Sweeping {
     pub fn found(&self, picture: Picture) -> Option<&Found> {
-        match picture {
-            Picture::Line => self.line.as_ref(),
-            Picture::Surface => self.surface.as_ref(),
-        }
+        self.found[picture as usize].as_ref()
     }
 
     /// Which points a picture visits.
@@ -160,10 +155,7 @@ impl Sweeping {
                 self.zoomed = None;
             }
         }
-        match picture {
-            Picture::Line => self.line = Some(found),
-            Picture::Surface => self.surface = Some(found),
-        }
+        self.found[picture as usize] = Some(found);
     }
 }
 

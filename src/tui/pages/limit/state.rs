@@ -20,7 +20,6 @@ use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::{RESIDUAL, panes};
 use crate::tui::pages::{Progress, StatusPart, part, progress};
 use crate::tui::prelude::*;
-use crate::tui::widgets::text::text_role;
 use crate::worker::Finding;
 use crate::worker::study::{Lane, Reporter, Study};
 
@@ -77,9 +76,6 @@ pub struct Ballistic {
     pub page: usize,
 }
 
-/// Something to be said of a report: what of, how it is meant, the words.
-pub type Fact = (&'static str, Severity, String);
-
 impl Ballistic {
     /// Show a limit; another curve has its shots elsewhere.
     pub fn show(&mut self, report: Arc<Report>) {
@@ -115,17 +111,13 @@ impl Ballistic {
     }
 
     /// Everything but the limit itself, in words.
-    pub fn facts(&self) -> Vec<Fact> {
+    fn facts(&self) -> Vec<Remark> {
         let Some(report) = &self.report else { return Vec::new() };
-        let fact = |remark: Remark| {
-            let severity = if remark.is_caution { Severity::Warning } else { Severity::Note };
-            (remark.about, severity, remark.text)
-        };
-        let mut facts: Vec<Fact> = remarks(report).into_iter().map(fact).collect();
+        let mut facts = remarks(report);
         if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
             let percent = significant(100.0 * SAMPLING.deviation, 2);
             let text = format!("v: V50 and spread with every input scattered by {percent} %");
-            facts.push(("V50", Severity::Note, text));
+            facts.push(Remark::new("V50", text));
         }
         facts
     }
@@ -133,21 +125,18 @@ impl Ballistic {
 
 /// The facts as lines of so many columns; labels stand before their words, or above them. Above, there is room to say what
 /// the laws are.
-fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
+fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
     let room = if labels_before { width.saturating_sub(LABEL) } else { width };
-    let mut lines: Vec<Fact> = Vec::new();
-    for (label, severity, text) in facts {
-        let wrapped = wrap(text, usize::from(room).max(10));
+    let mut lines: Vec<Remark> = Vec::new();
+    for Remark { mut about, text, is_caution } in facts {
         if !labels_before {
             if !lines.is_empty() {
-                lines.push(("", *severity, String::new()));
+                lines.push(Remark::new("", ""));
             }
-            lines.push((label, *severity, String::new()));
-            lines.extend(wrapped.into_iter().map(|line| ("", *severity, line)));
-            continue;
+            lines.push(Remark::new(std::mem::take(&mut about), ""));
         }
-        for (index, line) in wrapped.into_iter().enumerate() {
-            lines.push((if index == 0 { label } else { "" }, *severity, line));
+        for text in wrap(&text, usize::from(room).max(10)) {
+            lines.push(Remark { about: std::mem::take(&mut about), text, is_caution });
         }
     }
     lines
@@ -165,13 +154,13 @@ fn ends(shot: &Shot) -> String {
 }
 
 impl App {
-    pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
+    fn limit_lines(&self, width: u16) -> Vec<Remark> {
         let mut facts = self.pages.limit.facts();
         if width >= BESIDE {
-            lines(&facts, FACTS - 2, false)
+            lines(facts, FACTS - 2, false)
         } else {
-            facts.retain(|fact| fact.0 != "laws");
-            lines(&facts, width.saturating_sub(2), true)
+            facts.retain(|fact| fact.about != "laws");
+            lines(facts, width.saturating_sub(2), true)
         }
     }
 
@@ -314,15 +303,15 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     write(&lines, "", below, canvas);
 }
 
-fn write(lines: &[Fact], hint: &'static str, area: Rect, canvas: &mut Canvas<'_>) {
+fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'_>) {
     let title = "Fitted laws and scatter";
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
-    let column =
-        if lines.iter().any(|line| !line.0.is_empty() && !line.2.is_empty()) { LABEL } else { 0 };
-    for (row, (label, severity, text)) in (0..inner.height).zip(lines) {
-        let role = text_role(*severity);
-        canvas.put(inner, (0, row), label, Role::Title);
-        canvas.put(inner, (column, row), text, role);
+    let is_labelled = |line: &Remark| !line.about.is_empty() && !line.text.is_empty();
+    let column = if lines.iter().any(is_labelled) { LABEL } else { 0 };
+    for (row, line) in (0..inner.height).zip(lines) {
+        let role = if line.is_caution { Role::Warning } else { Role::Text };
+        canvas.put(inner, (0, row), line.about, Role::Title);
+        canvas.put(inner, (column, row), &line.text, role);
     }
 }
 

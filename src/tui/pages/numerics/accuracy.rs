@@ -333,19 +333,19 @@ impl App {
     }
 
     /// All about the selected method: its example point, then what it refused and why.
-    pub fn accuracy_details(&self) -> Vec<(Severity, String)> {
+    pub fn accuracy_details(&self) -> Vec<(String, Role)> {
         let method = self.pages.numerics.accuracy.method();
-        let mut lines = vec![(Severity::Note, format!("{} {}", method.letter(), method.name()))];
-        let mut add = |severity, text: String| lines.push((severity, text));
+        let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
+        let mut add = |role, text: String| lines.push((text, role));
         let Some(report) = self.pages.numerics.accuracy.of(method) else {
-            add(Severity::Note, "not measured yet".to_owned());
+            add(Role::Text, "not measured yet".to_owned());
             return lines;
         };
         if let Some((knob, it)) = self.pages.numerics.accuracy.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
             let knob = knob.to_string();
             let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
-            add(Severity::Note, format!("{lead}error {:.1e}{floor}", it.error()));
+            add(Role::Text, format!("{lead}error {:.1e}{floor}", it.error()));
         }
         let mut reasons: Vec<(&str, usize)> = Vec::new();
         for refusal in report.points.iter().filter_map(|point| point.result.err()) {
@@ -356,7 +356,7 @@ impl App {
         }
         let total = report.points.len();
         for (words, count) in reasons {
-            add(Severity::Warning, format!("{count} of {total}: {words}"));
+            add(Role::Warning, format!("{count} of {total}: {words}"));
         }
         if let Some((_, it)) = self.pages.numerics.accuracy.example() {
             let spread = it
@@ -364,7 +364,7 @@ impl App {
                 .spread()
                 .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
             let steps = it.answer.steps;
-            add(Severity::Note, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
+            add(Role::Text, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
         }
         lines
     }

@@ -67,14 +67,9 @@ impl Default for Charts {
 }
 
 /// The points of one run, SI.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// The pin's letter; `None` for the current run.
-    pub letter: Option<char>,
-    /// Row in the table of runs.
-    pub index: usize,
-    /// It belongs to an older scene.
-    pub old: bool,
+#[derive(Clone, Debug)]
+pub struct Curve<'a> {
+    pub view: RunView<'a>,
     /// Time, s, and value; a gap where the value is not a number.
     pub points: Vec<(f64, f64)>,
 }
@@ -112,16 +107,21 @@ impl App {
         }
     }
 
-    pub fn curves(&self, quantity: Quantity) -> Vec<Curve> {
+    pub fn curves(&self, quantity: Quantity) -> Vec<Curve<'_>> {
         let reference = self
             .reference_pin()
             .filter(|_| self.charts.difference)
             .and_then(|pin| pin.run.as_deref());
-        self.visible_runs().iter().map(|view| self.curve(view, quantity, reference)).collect()
+        self.visible_runs().into_iter().map(|view| self.curve(view, quantity, reference)).collect()
     }
 
     /// The points of a run that are in view, and one on either side of it.
-    fn curve(&self, view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
+    fn curve<'a>(
+        &self,
+        view: RunView<'a>,
+        quantity: Quantity,
+        reference: Option<&Run>,
+    ) -> Curve<'a> {
         let samples = &view.run.series[self.samples_seen(view.run)];
         let mut points = quantity.points(samples);
         if let Some(run) = reference {
@@ -132,7 +132,7 @@ impl App {
         if quantity != Quantity::MountForce && self.charts.time_scale == Scale::Linear {
             points = thinned(points);
         }
-        Curve { letter: view.letter, index: view.index, old: view.old, points }
+        Curve { view, points }
     }
 
     fn samples_seen(&self, run: &Run) -> Range<usize> {
@@ -150,7 +150,7 @@ impl App {
     }
 
     /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
-    pub fn second_curve(&self, chart: usize) -> Option<(Quantity, Curve)> {
+    pub fn second_curve(&self, chart: usize) -> Option<(Quantity, Curve<'_>)> {
         let quantity = self.charts.second[chart]?;
         Some((quantity, self.curves(quantity).pop()?))
     }
@@ -167,7 +167,7 @@ impl App {
     }
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.
-    pub fn value_range(&self, curves: &[Curve], scale: Scale) -> (f64, f64) {
+    pub fn value_range(&self, curves: &[Curve<'_>], scale: Scale) -> (f64, f64) {
         let (from, to) = self.time_range_s();
         let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

@@ -1,5 +1,6 @@
 //! The result on the screen, the pinned ones, and what the worker has been asked.
 
+use std::fmt::Write as _;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -10,6 +11,7 @@ use crate::model::variables::{self, VARIABLES};
 use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
 use crate::study::models::by_every_model;
+use crate::study::quantities;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::run::RUNS;
@@ -358,22 +360,22 @@ pub(crate) fn copy(app: &mut App) {
         return app.refuse("nothing to copy yet: r runs the scene");
     };
     let run = &shown.run;
-    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
-    let name = app.name_of(&run.scene);
-    let lines = [
-        format!("scene\t{name}"),
-        format!("outcome\t{}", run.outcome),
-        format!(
-            "first_arrest_penetration_m\t{}",
-            number(run.first_arrest.map(|arrest| arrest.penetration_m))
-        ),
-        format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
-        format!("final_penetration_m\t{}", number(run.final_penetration_m)),
-        format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
-        format!("peak_contact_force_n\t{}", number(run.peak_contact_force_n)),
-        format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
-        format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
-        format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),
-    ];
-    app.request(Effect::Copy(lines.join("\n") + "\n"));
+    let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.outcome);
+    for quantity in COPIED.into_iter().filter_map(quantities::find) {
+        let value = quantity.value(run).map_or_else(|| "-".to_owned(), units::shortest);
+        let _ = writeln!(text, "{}\t{value}", quantity.name);
+    }
+    app.request(Effect::Copy(text));
 }
+
+/// The quantities that are copied beside the outcome.
+const COPIED: [&str; 8] = [
+    "first_arrest_penetration_m",
+    "first_arrest_time_s",
+    "final_penetration_m",
+    "percent_of_baseline",
+    "peak_contact_force_n",
+    "max_plate_displacement_m",
+    "residual_velocity_m_s",
+    "interface_demand_ratio",
+];

@@ -40,7 +40,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     let focused = below == 0 && app.has_focus(RESULTS);
     match &*found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
-        Answer::Front(_) => front(app, top, focused, canvas),
+        Answer::Front(..) => front(app, top, focused, canvas),
         Answer::MonteCarlo(_) => histogram(app, top, focused, canvas),
         Answer::Sensitivity(_) => {}
     }
@@ -172,8 +172,7 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let about = report.solutions.get(tab.selected()).map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
         }
-        Answer::Front(_) => {
-            let (_, task) = tab.front()?;
+        Answer::Front(_, task) => {
             let (at, designs) = (tab.across(task).0, tab.designs());
             let value = |design: &&Design| design.measures.get(at).copied().flatten();
             let measure = task.measures()[at];
@@ -284,23 +283,20 @@ impl App {
     /// What the page shown says in words, without what its chart draws.
     pub fn search_lines(&self, width: usize) -> Vec<Line> {
         let Some(found) = self.pages.search.shown() else { return Vec::new() };
-        match (&*found.answer, &found.request) {
-            (Answer::Seek(report), _) => {
+        match &*found.answer {
+            Answer::Seek(report) => {
                 wrapped(sought_lines(report, self.pages.search.selected()), width)
             }
-            (Answer::Front(front), Request::Front(task)) => {
+            Answer::Front(front, task) => {
                 let mut lines = self.designs_table(front, task, width);
                 lines.extend(wrapped(candidates(front, task, width), width));
                 lines
             }
-            (Answer::Front(_), _) => Vec::new(),
-            (Answer::Sensitivity(report), _) if is_empty(report) => {
+            Answer::Sensitivity(report) if is_empty(report) => {
                 wrapped(matters(report, width), width)
             }
-            (Answer::Sensitivity(report), _) => matters(report, width),
-            (Answer::MonteCarlo(report), _) => {
-                sampled(report, self.pages.search.setup.output, width)
-            }
+            Answer::Sensitivity(report) => matters(report, width),
+            Answer::MonteCarlo(report) => sampled(report, self.pages.search.setup.output, width),
         }
     }
 

@@ -91,12 +91,9 @@ impl Searching {
     }
 
     pub fn front(&self) -> Option<(&Front, &Task)> {
-        match self.found[Page::Front as usize]
-            .as_ref()
-            .map(|found| (&*found.answer, &found.request))
-        {
-            Some((Answer::Front(front), Request::Front(task))) => Some((front, task)),
-            Some(_) | None => None,
+        match &*self.found[Page::Front as usize].as_ref()?.answer {
+            Answer::Front(front, task) => Some((front, task)),
+            _ => None,
         }
     }
 
@@ -131,7 +128,7 @@ impl Searching {
     pub fn choices(&self) -> usize {
         match self.shown().map(|found| &*found.answer) {
             Some(Answer::Seek(report)) => report.solutions.len(),
-            Some(Answer::Front(front)) => front.designs.len(),
+            Some(Answer::Front(front, _)) => front.designs.len(),
             Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => 0,
         }
     }
@@ -140,7 +137,7 @@ impl Searching {
     fn draws(&self) -> bool {
         match self.shown().map(|found| &*found.answer) {
             Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
-            Some(Answer::Front(front)) => !front.designs.is_empty(),
+            Some(Answer::Front(front, _)) => !front.designs.is_empty(),
             Some(Answer::MonteCarlo(report)) => {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
@@ -251,14 +248,14 @@ impl App {
             return Err("these results belong to another setup: press r to search again".to_owned());
         }
         let mut scene = (*self.scene).clone();
-        match (&*found.answer, &found.request) {
-            (Answer::Seek(report), _) => {
+        match &*found.answer {
+            Answer::Seek(report) => {
                 let Some(solution) = report.solutions.get(tab.selected()) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
                 Ok(placed(scene, [(&report.axis, solution.place.at)]))
             }
-            (Answer::Front(front), Request::Front(task)) => {
+            Answer::Front(front, task) => {
                 let designs = tab.designs();
                 let Some(design) = designs.get(tab.selected()) else {
                     return Err("no design to load: relax a constraint or a bound".to_owned());
@@ -267,7 +264,9 @@ impl App {
                 let (scene, _) = placed(scene, task.axes.iter().zip(design.values.iter().copied()));
                 Ok((scene, format!("design {} of the front", tab.selected() + 1)))
             }
-            _ => Err("no design to load here: goal seek and the Pareto front have some".to_owned()),
+            Answer::Sensitivity(_) | Answer::MonteCarlo(_) => {
+                Err("no design to load here: goal seek and the Pareto front have some".to_owned())
+            }
         }
     }
 
@@ -277,14 +276,14 @@ impl App {
             return Some(problem.clone());
         }
         let found = tab.shown()?;
-        match (&*found.answer, &found.request) {
-            (Answer::Seek(report), _) => {
+        match &*found.answer {
+            Answer::Seek(report) => {
                 let solution = report.solutions.get(tab.selected())?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
                 Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
             }
-            (Answer::Front(_), Request::Front(task)) => {
+            Answer::Front(_, task) => {
                 let design = *tab.designs().get(tab.selected())?;
                 let values = task.axes.iter().zip(&design.values);
                 let values: Vec<String> = values
@@ -306,8 +305,8 @@ impl App {
                     results.join(", ")
                 ))
             }
-            (Answer::Sensitivity(_), _) => Some("+- is the 95 % confidence interval".to_owned()),
-            _ => None,
+            Answer::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
+            Answer::MonteCarlo(_) => None,
         }
     }
 
@@ -354,15 +353,13 @@ impl App {
 impl Found {
     /// What was found as a table; the scene has this name.
     pub fn csv(&self, name: &str) -> String {
-        match (&*self.answer, &self.request) {
-            (Answer::Seek(it), _) => report::seek::table(name, it).csv(),
-            (Answer::Front(front), Request::Front(task)) => {
+        match &*self.answer {
+            Answer::Seek(it) => report::seek::table(name, it).csv(),
+            Answer::Front(front, task) => {
                 report::front::table(name, task, std::slice::from_ref(front)).csv()
             }
-            // A front is found where one was asked for.
-            (Answer::Front(_), _) => String::new(),
-            (Answer::Sensitivity(it), _) => report::sensitivity::table(name, it).csv(),
-            (Answer::MonteCarlo(it), _) => report::monte_carlo::table(name, it).csv(),
+            Answer::Sensitivity(it) => report::sensitivity::table(name, it).csv(),
+            Answer::MonteCarlo(it) => report::monte_carlo::table(name, it).csv(),
         }
     }
 
@@ -375,7 +372,7 @@ impl Found {
 fn completeness(answer: &Answer) -> (bool, Option<String>) {
     match answer {
         Answer::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
-        Answer::Front(front) => {
+        Answer::Front(front, _) => {
             let text = format!("{} designs, {} runs", front.designs.len(), front.runs);
             (front.is_complete, Some(text))
         }
@@ -417,7 +414,8 @@ impl Request {
 #[derive(Clone, Debug)]
 pub enum Answer {
     Seek(seek::Report),
-    Front(Box<Front>),
+    /// The front, and the task that it answers.
+    Front(Box<Front>, Task),
     Sensitivity(sensitivity::Report),
     MonteCarlo(monte_carlo::Report),
 }
@@ -434,11 +432,11 @@ impl Study for Request {
                 Answer::Seek(seek::seek(scene, goal, &mut Context::new(threads, plain))?)
             }
             Self::Front(task) => {
-                let watch =
-                    &mut reporter.watch(|front: &Front| Answer::Front(Box::new(front.clone())));
+                let answer = |front: &Front| Answer::Front(Box::new(front.clone()), task.clone());
+                let watch = &mut reporter.watch(answer);
                 let fronts = front::optimise(scene, task, &mut Context::new(threads, watch))?;
                 let front = fronts.into_iter().next().ok_or("no interface law was given")?;
-                Answer::Front(Box::new(front))
+                Answer::Front(Box::new(front), task.clone())
             }
             Self::Sensitivity { axes, output, effort } => {
                 let context = &mut Context::new(threads, plain);

@@ -5,14 +5,14 @@ use crate::report::figures::accuracy::axes;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::layout::{WIDE, split_bottom, split_left};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::status::clip;
 use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, text_role};
+use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -180,16 +180,11 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// What is to be said of the selected method, below all of them.
 fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
-    let mut lines = Vec::new();
-    for (index, (severity, text)) in app.accuracy_details().into_iter().enumerate() {
-        let role = if index == 0 { Role::Title } else { text_role(severity) };
-        lines.extend(wrap(&text, usize::from(inner.width)).into_iter().map(|line| (role, line)));
-    }
-    let from = 1 + Method::ALL.len();
-    let room = usize::from(inner.height).saturating_sub(from);
-    let blank = usize::from(lines.len() < room);
-    for (index, (role, line)) in lines.iter().enumerate().take(room) {
-        let row = u16::try_from(from + blank + index).unwrap_or(u16::MAX);
-        canvas.put(inner, (0, row), line, *role);
-    }
+    let details = app.accuracy_details().into_iter();
+    let lines = details.flat_map(|(text, role)| wrapped(&text, inner.width, role));
+    let lines: Vec<(String, Role)> = lines.collect();
+    let from = 1 + u16::try_from(Method::ALL.len()).unwrap_or(u16::MAX);
+    let room = usize::from(inner.height.saturating_sub(from));
+    let blank = u16::from(lines.len() < room);
+    canvas.put_lines(inner, from + blank, lines);
 }

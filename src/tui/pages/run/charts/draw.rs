@@ -64,9 +64,9 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
 }
 
 fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
-    let data: Vec<Vec<Data>> =
+    let data: Vec<Vec<Data<'_>>> =
         (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
-    let second: Vec<Option<(Quantity, Data)>> =
+    let second: Vec<Option<(Quantity, Data<'_>)>> =
         (0..areas.len()).map(|index| app.second_curve(index)).collect();
     let both = data.iter().zip(&second).enumerate();
     let mut charts: Vec<Chart<'_>> =
@@ -106,15 +106,14 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn chart<'a>(
     app: &'a App,
     index: usize,
-    data: &'a [Data],
-    second: Option<&'a (Quantity, Data)>,
+    data: &'a [Data<'a>],
+    second: Option<&'a (Quantity, Data<'a>)>,
 ) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
-    let views = app.visible_runs();
-    let curves = data.iter().zip(&views).map(|(curve, view)| {
-        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
-            .colour(curve.index)
-            .emphasis(match (curve.old, curve.letter) {
+    let curves = data.iter().map(|Data { view, points }| {
+        Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
+            .colour(view.index)
+            .emphasis(match (view.old, view.letter) {
                 (true, _) => Emphasis::Stale,
                 (false, None) => Emphasis::Selected,
                 (false, Some(_)) => Emphasis::Normal,
@@ -134,10 +133,10 @@ fn chart<'a>(
         Axis { label: quantity.symbol().into(), ..axis }
     });
     let overlay = second.map(|(quantity, curve)| {
-        let run = curve.letter.map_or_else(|| "now".to_owned(), String::from);
+        let run = short_name(&curve.view);
         Curve::new(SECOND, format!("{} {run}", quantity.symbol()), &curve.points)
             .colour(SECOND_COLOUR)
-            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
+            .emphasis(if curve.view.old { Emphasis::Stale } else { Emphasis::Normal })
             .side(Side::Right)
     });
     // Of very many events (a plate rattling on its stop) only the first ones.
@@ -152,7 +151,7 @@ fn chart<'a>(
 }
 
 /// The force on the mount over the plate's displacement, with the displacement at which the spring yields, and its stop.
-fn force_over_displacement<'a>(app: &App, data: &[Data], curves: Vec<Curve<'a>>) -> Chart<'a> {
+fn force_over_displacement<'a>(app: &App, data: &[Data<'_>], curves: Vec<Curve<'a>>) -> Chart<'a> {
     let quantity = Quantity::MountForce;
     let points = || data.iter().flat_map(|curve| curve.points.iter());
     let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0));
@@ -173,7 +172,7 @@ fn force_over_displacement<'a>(app: &App, data: &[Data], curves: Vec<Curve<'a>>)
 }
 
 /// A vertical axis that shows all of some curves.
-fn value_axis(app: &App, data: &[Data], quantity: Quantity, scale: Scale) -> Axis<'static> {
+fn value_axis(app: &App, data: &[Data<'_>], quantity: Quantity, scale: Scale) -> Axis<'static> {
     let (low, high) = app.value_range(data, scale);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
