@@ -61,6 +61,7 @@ pub use output::fail;
 #[derive(Debug, Parser)]
 #[command(
     name = "cmra",
+    bin_name = "cmra",
     version,
     args_conflicts_with_subcommands = true,
     disable_help_subcommand = true,

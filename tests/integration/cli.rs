@@ -209,6 +209,23 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
     }
 }
 
+/// Messages and help name the command that manuals and completions know, whatever the file of the program is called.
+#[test]
+fn the_program_under_another_name_says_the_same() {
+    let place = Place::new();
+    let other = place.path("Armour-2");
+    std::os::unix::fs::symlink(assert_cmd::cargo::cargo_bin("cmra"), &other).unwrap();
+    for arguments in
+        [&["swep", "cocked", "--over", "k=1,2"][..], &["run", "--nonsense"], &["run", "-h"]]
+    {
+        let said = |program: &Path| {
+            let done = std::process::Command::new(program).args(arguments).output().unwrap();
+            String::from_utf8([done.stdout, done.stderr].concat()).unwrap()
+        };
+        assert_eq!(said(&other), said(&assert_cmd::cargo::cargo_bin("cmra")));
+    }
+}
+
 #[test]
 fn contradictory_options_are_refused() {
     let place = Place::new();
