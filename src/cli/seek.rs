@@ -5,9 +5,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::outlook::say_if_long;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, be_cautious, say_if_long};
+use crate::cli::search::{Threads, be_cautious};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
@@ -68,7 +69,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
+    say_if_long(&space, (goal.axis.count(), "runs"), threads);
     let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);
@@ -77,7 +78,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         output::note(&law);
     }
     let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
-    for solution in &report.solutions {
+    for solution in report.solutions() {
         let scene = space.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
     }
@@ -87,7 +88,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         object,
         seek::table(name, &report),
     )?;
-    let found = !report.solutions.is_empty();
+    let found = report.solutions().next().is_some();
     Ok(pace.exit_code(found))
 }
 
@@ -105,11 +106,11 @@ fn page(name: &str, report: &Report) -> String {
         axis.show(high, 6),
         report.runs
     );
-    let solutions = report.solutions.iter().map(|found| solution(report, found));
+    let solutions = report.solutions().map(|found| solution(report, found));
     for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
         let _ = writeln!(page, "  {line}");
     }
-    if let Some(solution) = report.solutions.first() {
+    if let Some(solution) = report.solutions().next() {
         let set = format!("{}={}", axis.symbol(), shortest(solution.place.at));
         let _ = writeln!(page, "\n`--set {set}` runs it");
     }

@@ -4,63 +4,16 @@ use serde_json::json;
 
 use crate::report::Remark;
 use crate::report::table::{Table, pretty};
-use crate::study::search::seek::{Place, Report, Solution};
+use crate::study::search::seek::{Kind, Line, Place, Report};
 use crate::study::sweep::{PointOutcome, Spacing};
 
-/// One line of the answer.
-#[derive(Clone, Copy)]
-pub struct Line {
-    kind: &'static str,
-    /// From where to where.
-    at: f64,
-    until: Option<f64>,
-    value: Option<f64>,
-    /// What becomes of the design.
-    outcome: Option<PointOutcome>,
-}
-
-fn lines(report: &Report) -> Vec<Line> {
-    let solutions = report.solutions.iter().map(|found| Line {
-        kind: match (found.touches, found.until) {
-            (_, Some(_)) => "plateau",
-            (true, None) => "touch",
-            (false, None) => "solution",
-        },
-        at: found.place.at,
-        until: found.until,
-        value: Some(found.place.value),
-        outcome: found.outcome,
-    });
-    let jumps = report.jumps.iter().map(|jump| Line {
-        kind: "jump",
-        at: jump.before.at,
-        until: Some(jump.after.at),
-        value: Some(jump.before.value),
-        outcome: None,
-    });
-    let nearest = report.nearest.map(|Place { at, value }| Line {
-        kind: "nearest",
-        at,
-        until: None,
-        value: Some(value),
-        outcome: None,
-    });
-    let gaps = report.gaps.iter().map(|gap| Line {
-        kind: "gap",
-        at: gap.from,
-        until: Some(gap.to),
-        value: None,
-        outcome: Some(gap.outcome),
-    });
-    solutions.chain(jumps).chain(nearest).chain(gaps).collect()
-}
-
 /// A solution in words.
-pub fn solution(report: &Report, solution: &Solution) -> String {
+pub fn solution(report: &Report, solution: &Line) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
-    let until = solution.until.map(|until| format!(" to {}, all of it", axis.show(until, 6)));
-    let touch = if solution.touches { ", a least or greatest value" } else { "" };
+    let until = solution.until.map(|it| format!(" to {}, all of it", axis.show(it.at, 6)));
+    let is_touch = solution.kind == Kind::Touch;
+    let touch = if is_touch { ", a least or greatest value" } else { "" };
     let outcome = solution.outcome.map_or("", PointOutcome::word);
     let reached = report.measure.show(solution.place.value, 6);
     format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
@@ -74,49 +27,51 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     let place =
         |place: Place| format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at));
     let mut remarks = Vec::new();
-    for jump in &report.jumps {
-        let (from, to) = (place(jump.before), shown(jump.after.value));
+    for jump in report.of(Kind::Jump) {
+        let (from, to) =
+            (place(jump.place), jump.until.map_or_else(String::new, |it| shown(it.value)));
         let text = format!("no solution, a jump over the goal: {from}, then {to}");
         remarks.push(Remark::caution("", text));
     }
-    if report.solutions.is_empty() {
+    if report.solutions().next().is_none() {
         remarks.push(Remark::caution("", format!("nothing reaches {}", shown(report.target))));
-        let nearest = report.nearest.map(|it| format!("nearest: {}", place(it)));
+        let nearest = report.of(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));
         let range = report
             .range
             .map(|(least, most)| format!("least: {}; most: {}", place(least), place(most)));
-        remarks.extend(nearest.into_iter().chain(range).map(|text| Remark::new("", text)));
+        remarks.extend(nearest.chain(range).map(|text| Remark::new("", text)));
     }
-    for gap in &report.gaps {
+    for gap in report.of(Kind::Gap) {
+        let (Some(until), Some(outcome)) = (gap.until, gap.outcome) else { continue };
         let range = match gap.points {
-            1 => format!("at {}", at(gap.from)),
-            points => format!("from {} to {} ({points} points)", at(gap.from), at(gap.to)),
+            1 => format!("at {}", at(gap.place.at)),
+            points => format!("from {} to {} ({points} points)", at(gap.place.at), at(until.at)),
         };
-        let why = gap.outcome.without_value(measure);
+        let why = outcome.without_value(measure);
         remarks.push(Remark::new("", format!("no value {range}: {why}")));
     }
     remarks
 }
 
 /// The lines of the answer.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, Line> {
-    Table::of(lines(report))
+pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Line> {
+    Table::of(&report.lines)
         .with("scene", "scene", "", move |_| name)
-        .with("kind", "kind", "", |line| line.kind)
+        .with("kind", "kind", "", |line| line.kind.word())
         .with("variable", "variable", "", |_| report.axis.symbol())
         .with("key", "key", "", |_| report.axis.variable().key)
-        .with("at", "at", "", |line| line.at)
-        .with("until", "until", "", |line| line.until)
+        .with("at", "at", "", |line| line.place.at)
+        .with("until", "until", "", |line| line.until.map(|it| it.at))
         .with("output", "quantity", "", |_| report.measure.name)
         .with("target", "goal", "", |_| report.target)
-        .with("value", "value", "", |line| line.value)
+        .with("value", "value", "", |line| line.place.value)
         .with("outcome", "outcome", "", |line| line.outcome.map(PointOutcome::word))
 }
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> String {
     let own = ["kind", "at", "until", "value", "outcome"];
-    let list = |kinds: &[&str]| {
+    let list = |kinds: &[Kind]| {
         let mut table = table(name, report);
         table.rows.retain(|line| kinds.contains(&line.kind));
         table.objects(|key| own.contains(&key))
@@ -133,10 +88,10 @@ pub fn json(name: &str, report: &Report) -> String {
         "scan_points": report.scan.len(),
         "output": report.measure.name,
         "target": report.target,
-        "solutions": list(&["solution", "touch", "plateau"]),
-        "jumps": list(&["jump"]),
-        "gaps": list(&["gap"]),
-        "nearest": report.nearest.map(place),
+        "solutions": list(&[Kind::Solution, Kind::Touch, Kind::Plateau]),
+        "jumps": list(&[Kind::Jump]),
+        "gaps": list(&[Kind::Gap]),
+        "nearest": report.of(Kind::Nearest).map(|it| place(it.place)).next(),
         "least": report.range.map(|range| place(range.0)),
         "most": report.range.map(|range| place(range.1)),
         "runs": report.runs,

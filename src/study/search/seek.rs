@@ -11,7 +11,7 @@ use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::{Axis, PointOutcome, SweepError};
-use roots::{Kind, RootScan};
+use roots::{Crossing, RootScan};
 
 pub mod roots;
 
@@ -31,6 +31,32 @@ pub struct Goal {
     pub target: f64,
 }
 
+enumeration! {
+    /// What a line of the answer is.
+    pub enum Kind in KindRow {
+        /// The word in files.
+        word: &'static str,
+    }
+    /// The goal is reached in passing.
+    Solution { word: "solution" }
+    /// The goal is touched, not crossed: a least or greatest value.
+    Touch { word: "touch" }
+    /// The goal is met from here to there: the measure does not depend on the variable.
+    Plateau { word: "plateau" }
+    /// The measure jumps over the goal.
+    Jump { word: "jump" }
+    /// The nearest miss where there is no solution.
+    Nearest { word: "nearest" }
+    /// A stretch of the scan without a value.
+    Gap { word: "gap" }
+}
+
+impl Kind {
+    fn is_solution(self) -> bool {
+        matches!(self, Self::Solution | Self::Touch | Self::Plateau)
+    }
+}
+
 /// A value of the variable, and what comes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
@@ -40,39 +66,25 @@ pub struct Place {
     pub value: f64,
 }
 
-/// A solution.
+/// A line of the answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solution {
-    /// Where, and what is reached.
+pub struct Line {
+    /// What it is.
+    pub kind: Kind,
+    /// Where, and what is reached; the measure is NaN in a gap.
     pub place: Place,
-    /// The goal is touched, not crossed: a least or greatest value.
-    pub touches: bool,
-    /// The goal is met up to here as well, and all between: the measure does not depend on the variable.
-    pub until: Option<f64>,
+    /// The other end of a plateau, a jump or a gap.
+    pub until: Option<Place>,
     /// What becomes of the design.
     pub outcome: Option<PointOutcome>,
-}
-
-/// The measure jumps over the goal.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jump {
-    /// The last place before.
-    pub before: Place,
-    /// The first place after.
-    pub after: Place,
-}
-
-/// A stretch of the scan without a value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Gap {
-    /// First and last point of the scan in it.
-    pub from: f64,
-    /// See `from`.
-    pub to: f64,
-    /// What becomes of the designs there.
-    pub outcome: PointOutcome,
-    /// Points of the scan in it.
+    /// Points of the scan in a gap.
     pub points: usize,
+}
+
+impl Line {
+    fn new(kind: Kind, place: Place) -> Self {
+        Self { kind, place, until: None, outcome: None, points: 0 }
+    }
 }
 
 /// What was found.
@@ -84,14 +96,8 @@ pub struct Report {
     pub measure: &'static Quantity,
     /// Its wanted value.
     pub target: f64,
-    /// In order of the variable.
-    pub solutions: Vec<Solution>,
-    /// Where the measure jumps over the goal.
-    pub jumps: Vec<Jump>,
-    /// Where it has no value.
-    pub gaps: Vec<Gap>,
-    /// The nearest miss where there is no solution.
-    pub nearest: Option<Place>,
+    /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
+    pub lines: Vec<Line>,
     /// The least and the greatest value met with.
     pub range: Option<(Place, Place)>,
     /// The scan, for drawing: the variable's value and the measure's.
@@ -100,6 +106,18 @@ pub struct Report {
     pub runs: usize,
     /// Whether it was done to its end.
     pub is_complete: bool,
+}
+
+impl Report {
+    /// The solutions.
+    pub fn solutions(&self) -> impl Iterator<Item = &Line> {
+        self.lines.iter().filter(|line| line.kind.is_solution())
+    }
+
+    /// The lines of one kind.
+    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &Line> {
+        self.lines.iter().filter(move |line| line.kind == kind)
+    }
 }
 
 /// Seek.
@@ -125,45 +143,35 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     let mut root_scan = RootScan::new(goal.target, &mut function);
     let ended = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
-    let place = |(share, value): (f64, f64)| Place { at: axis.at_share(share), value };
+    let place = |point: Place| Place { at: axis.at_share(point.at), ..point };
     let outcome_at = |share: f64| {
-        outcomes
-            .iter()
-            .find(|(other, _)| other.to_bits() == share.to_bits())
-            .map(|(_, outcome)| *outcome)
+        let mut same = outcomes.iter().filter(|(other, _)| other.to_bits() == share.to_bits());
+        same.next().map(|(_, outcome)| *outcome)
     };
-    let mut report = Report {
+    let (found, jumps): (Vec<Crossing>, Vec<Crossing>) =
+        crossings.into_iter().partition(|crossing| crossing.kind.is_solution());
+    let mut lines = Vec::new();
+    for Crossing { kind, from, to } in found.into_iter().chain(jumps) {
+        let until = matches!(kind, Kind::Plateau | Kind::Jump).then(|| place(to));
+        let outcome = outcome_at(from.at).filter(|_| kind != Kind::Jump);
+        lines.push(Line { until, outcome, ..Line::new(kind, place(from)) });
+    }
+    if !lines.iter().any(|line| line.kind.is_solution()) {
+        let miss = |seen: &Place| (seen.value - goal.target).abs();
+        let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
+        lines.extend(nearest.map(|seen| Line::new(Kind::Nearest, place(*seen))));
+    }
+    lines.extend(gaps(&scanned, axis, outcome_at));
+    Ok(Report {
         axis: axis.clone(),
         measure: space.measures()[0],
         target: goal.target,
-        solutions: Vec::new(),
-        jumps: Vec::new(),
-        gaps: gaps(&scanned, axis, outcome_at),
-        nearest: None,
+        lines,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
         runs,
         is_complete: ended.is_ok(),
-    };
-    for crossing in crossings {
-        let (a, b) = (place(crossing.from), place(crossing.to));
-        let solution = |touches, until| {
-            let outcome = outcome_at(crossing.from.0);
-            Solution { place: a, touches, until, outcome }
-        };
-        match crossing.kind {
-            Kind::Root => report.solutions.push(solution(false, None)),
-            Kind::Touch => report.solutions.push(solution(true, None)),
-            Kind::Plateau => report.solutions.push(solution(false, Some(b.at))),
-            Kind::Jump => report.jumps.push(Jump { before: a, after: b }),
-        }
-    }
-    if report.solutions.is_empty() {
-        let miss = |seen: &(f64, f64)| (seen.1 - goal.target).abs();
-        let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
-        report.nearest = nearest.map(|seen| place(*seen));
-    }
-    Ok(report)
+    })
 }
 
 /// Neighbouring points of the scan without a value and with the same outcome.
@@ -171,30 +179,25 @@ fn gaps(
     scan: &[(f64, Option<f64>)],
     axis: &Axis,
     outcome_at: impl Fn(f64) -> Option<PointOutcome>,
-) -> Vec<Gap> {
-    let mut gaps: Vec<Gap> = Vec::new();
-    let mut goes_on = false;
-    for (share, value) in scan {
-        let Some(outcome) = outcome_at(*share).filter(|_| value.is_none()) else {
-            goes_on = false;
-            continue;
-        };
-        let at = axis.at_share(*share);
-        match gaps.last_mut().filter(|gap| goes_on && gap.outcome == outcome) {
-            Some(gap) => {
-                gap.to = at;
-                gap.points += 1;
-            }
-            None => gaps.push(Gap { from: at, to: at, outcome, points: 1 }),
-        }
-        goes_on = true;
+) -> Vec<Line> {
+    let mut gaps: Vec<Line> = Vec::new();
+    let outcome = |point: &(f64, Option<f64>)| outcome_at(point.0).filter(|_| point.1.is_none());
+    for points in scan.chunk_by(|a, b| outcome(a) == outcome(b)) {
+        let ([first, ..], [.., last]) = (points, points) else { continue };
+        let place = |share: f64| Place { at: axis.at_share(share), value: f64::NAN };
+        gaps.extend(outcome(first).map(|outcome| Line {
+            until: Some(place(last.0)),
+            outcome: Some(outcome),
+            points: points.len(),
+            ..Line::new(Kind::Gap, place(first.0))
+        }));
     }
     gaps
 }
 
 /// The points with the least and the greatest value.
-fn range(seen: &[(f64, f64)]) -> Option<((f64, f64), (f64, f64))> {
-    let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+fn range(seen: &[Place]) -> Option<(Place, Place)> {
+    let by = |a: &&Place, b: &&Place| a.value.total_cmp(&b.value);
     Some((*seen.iter().min_by(by)?, *seen.iter().max_by(by)?))
 }
 

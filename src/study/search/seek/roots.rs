@@ -6,6 +6,7 @@
 
 use crate::numerics::minimum;
 use crate::numerics::statistics::sorted_by;
+use crate::study::search::seek::{Kind, Place};
 
 /// Bisections of an edge: to 1e-13 of the scan's spacing.
 const EDGE_STEPS: usize = 42;
@@ -25,31 +26,15 @@ pub type Function<'a> = &'a mut dyn FnMut(&[f64]) -> Option<Vec<Option<f64>>>;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
-/// A place and the value there.
-pub type Point = (f64, f64);
-
-/// What a crossing is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// The goal is reached in passing.
-    Root,
-    /// The goal is reached at a least or greatest value.
-    Touch,
-    /// The goal is met all the way from `from` to `to`.
-    Plateau,
-    /// The goal is jumped over between `from` and `to`.
-    Jump,
-}
-
 /// A crossing of the goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// What it is.
+    /// What it is: solution, touch, plateau or jump.
     pub kind: Kind,
     /// Where; the nearer end for a root.
-    pub from: Point,
+    pub from: Place,
     /// The other end.
-    pub to: Point,
+    pub to: Place,
 }
 
 /// A search under way.
@@ -59,7 +44,7 @@ pub struct RootScan<'f> {
     /// What was found, in order.
     pub crossings: Vec<Crossing>,
     /// Every place that has a value.
-    pub seen: Vec<Point>,
+    pub seen: Vec<Place>,
     /// The scan.
     pub scan: Vec<(f64, Option<f64>)>,
     spread: f64,
@@ -96,14 +81,15 @@ impl<'f> RootScan<'f> {
 
     fn values(&mut self, shares: &[f64]) -> Result<Vec<Option<f64>>, Stopped> {
         let values = (self.function)(shares).ok_or(Stopped)?;
-        let known =
-            shares.iter().zip(&values).filter_map(|(share, value)| Some((*share, (*value)?)));
-        self.seen.extend(known);
+        let known = shares.iter().zip(&values);
+        self.seen.extend(known.filter_map(|(at, value)| Some(Place { at: *at, value: (*value)? })));
         Ok(values)
     }
 
-    fn value(&mut self, share: f64) -> Result<Option<f64>, Stopped> {
-        self.values(&[share]).map(|values| values.first().copied().flatten())
+    /// What is there; `None` where there is no value.
+    fn look(&mut self, at: f64) -> Result<Option<Place>, Stopped> {
+        let value = self.values(&[at])?.first().copied().flatten();
+        Ok(value.map(|value| Place { at, value }))
     }
 
     fn near(&self) -> f64 {
@@ -112,75 +98,76 @@ impl<'f> RootScan<'f> {
     }
 
     /// Stretches of the scan that have values throughout, each lengthened to its edges.
-    fn stretches(&mut self) -> Result<Vec<Vec<Point>>, Stopped> {
+    fn stretches(&mut self) -> Result<Vec<Vec<Place>>, Stopped> {
         let scan = self.scan.clone();
-        let mut stretches: Vec<Vec<Point>> = Vec::new();
+        let mut stretches: Vec<Vec<Place>> = Vec::new();
         let mut holes = 0;
-        for (at, (share, value)) in scan.iter().enumerate() {
-            let before = at.checked_sub(1).map(|before| scan[before]);
-            let Some(value) = value else {
-                if let Some((from, Some(known))) = before
+        for (index, (at, value)) in scan.iter().enumerate() {
+            let before = index.checked_sub(1).map(|before| scan[before]);
+            let Some(value) = *value else {
+                if let Some((at_before, Some(value))) = before
                     && holes < HOLES_MAX
                 {
                     holes += 1;
-                    let edge = self.edge((from, known), *share)?;
+                    let edge = self.edge(Place { at: at_before, value }, *at)?;
                     if let Some(stretch) = stretches.last_mut() {
                         stretch.extend(edge);
                     }
                 }
                 continue;
             };
+            let known = Place { at: *at, value };
             if let Some((gap, None)) = before {
                 let mut begun = Vec::new();
                 if holes < HOLES_MAX {
                     holes += 1;
-                    begun.extend(self.edge((*share, *value), gap)?);
+                    begun.extend(self.edge(known, gap)?);
                 }
                 stretches.push(begun);
             } else if before.is_none() {
                 stretches.push(Vec::new());
             }
             if let Some(stretch) = stretches.last_mut() {
-                stretch.push((*share, *value));
+                stretch.push(known);
             }
         }
         Ok(stretches)
     }
 
     /// The farthest place towards `gap` that still has a value, where that is farther than the known one.
-    fn edge(&mut self, known: Point, gap: f64) -> Result<Option<Point>, Stopped> {
+    fn edge(&mut self, known: Place, gap: f64) -> Result<Option<Place>, Stopped> {
         let (mut inside, mut outside) = (known, gap);
         for _ in 0..EDGE_STEPS {
-            let middle = 0.5 * (inside.0 + outside);
-            match self.value(middle)? {
-                Some(value) => inside = (middle, value),
+            let middle = 0.5 * (inside.at + outside);
+            match self.look(middle)? {
+                Some(place) => inside = place,
                 None => outside = middle,
             }
         }
-        Ok((inside.0.to_bits() != known.0.to_bits()).then_some(inside))
+        Ok((inside.at.to_bits() != known.at.to_bits()).then_some(inside))
     }
 
     /// Every crossing along points that all have values.
-    fn along(&mut self, points: &[Point]) -> Result<(), Stopped> {
-        let off = |point: &Point| point.1 - self.target;
+    fn along(&mut self, points: &[Place]) -> Result<(), Stopped> {
+        let off = |point: &Place| point.value - self.target;
         let same = SAME * self.target.abs();
-        let hits = |point: &Point| (point.1 - self.target).abs() <= same;
+        let hits = |point: &Place| (point.value - self.target).abs() <= same;
         let mut found = Vec::new();
         for (at, point) in points.iter().enumerate().filter(|(_, point)| hits(point)) {
             let joins = at > 0 && hits(&points[at - 1]);
             match found.last_mut() {
                 Some(Crossing { kind, to, .. }) if joins => (*kind, *to) = (Kind::Plateau, *point),
-                _ => found.push(Crossing { kind: Kind::Root, from: *point, to: *point }),
+                _ => found.push(Crossing { kind: Kind::Solution, from: *point, to: *point }),
             }
         }
         self.crossings.extend(found);
-        let crosses = |pair: &[Point]| off(&pair[0]) * off(&pair[1]) < 0.0;
-        let brackets: Vec<(Point, Point)> = points
+        let crosses = |pair: &[Place]| off(&pair[0]) * off(&pair[1]) < 0.0;
+        let brackets: Vec<(Place, Place)> = points
             .windows(2)
             .filter(|pair| crosses(pair) && !hits(&pair[0]) && !hits(&pair[1]))
             .map(|pair| (pair[0], pair[1]))
             .collect();
-        let valleys: Vec<(Point, Point)> = points
+        let valleys: Vec<(Place, Place)> = points
             .windows(3)
             .filter(|three| {
                 let (a, b, c) = (off(&three[0]), off(&three[1]), off(&three[2]));
@@ -199,61 +186,60 @@ impl<'f> RootScan<'f> {
     }
 
     /// A stretch on one side of the goal with a nearest place inside: it may cross the goal twice, or touch it.
-    fn valley(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+    fn valley(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
         let target = self.target;
-        let side = (a.1 - target).signum();
+        let side = (a.value - target).signum();
         let is_beyond = move |value: f64| (value - target) * side < 0.0;
         let mut best = a;
         let mut stopped = false;
-        minimum::in_bracket(a.0, b.0, |share| {
+        minimum::in_bracket(a.at, b.at, |share| {
             // Once the goal is crossed the rest is the business of the brackets.
-            if stopped || is_beyond(best.1) {
-                return (share - best.0).abs();
+            if stopped || is_beyond(best.value) {
+                return (share - best.at).abs();
             }
-            match self.value(share) {
-                Err(Stopped) => stopped = true,
-                Ok(Some(value)) if is_beyond(value) => best = (share, value),
-                Ok(Some(value)) if (value - target).abs() < (best.1 - target).abs() => {
-                    best = (share, value);
-                }
-                Ok(_) => {}
+            let found = self.look(share).unwrap_or_else(|Stopped| {
+                stopped = true;
+                None
+            });
+            let Some(found) = found else { return f64::INFINITY };
+            let (miss, least) = ((found.value - target).abs(), (best.value - target).abs());
+            if is_beyond(found.value) || miss < least {
+                best = found;
             }
-            let last = self.seen.last().filter(|seen| seen.0.to_bits() == share.to_bits());
-            last.map_or(f64::INFINITY, |seen| (seen.1 - target).abs())
+            miss
         });
         if stopped {
             return Err(Stopped);
         }
-        if is_beyond(best.1) {
+        if is_beyond(best.value) {
             self.close(a, best)?;
             return self.close(best, b);
         }
-        if (best.1 - target).abs() <= self.near() {
+        if (best.value - target).abs() <= self.near() {
             self.crossings.push(Crossing { kind: Kind::Touch, from: best, to: best });
         }
         Ok(())
     }
 
     /// Close a bracket; where the function has no value inside, both sides up to the hole.
-    fn close(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+    fn close(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
         let (mut a, mut b) = (a, b);
-        let off = |point: Point, target: f64| point.1 - target;
+        let off = |point: Place, target: f64| point.value - target;
         let (mut weight_a, mut weight_b) = (1.0, 1.0);
         for round in 0..ROUNDS {
-            if (b.0 - a.0).abs() <= WIDTH {
+            if (b.at - a.at).abs() <= WIDTH {
                 break;
             }
             let (fa, fb) = (weight_a * off(a, self.target), weight_b * off(b, self.target));
-            let secant = (a.0 * fb - b.0 * fa) / (fb - fa);
-            let inside = (secant - a.0) * (secant - b.0) < 0.0;
-            let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.0 + b.0) };
-            let Some(value) = self.value(share)? else {
+            let secant = (a.at * fb - b.at * fa) / (fb - fa);
+            let inside = (secant - a.at) * (secant - b.at) < 0.0;
+            let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.at + b.at) };
+            let Some(point) = self.look(share)? else {
                 return self.around((a, b), share);
             };
-            let point = (share, value);
             let f = off(point, self.target);
             if f == 0.0 {
-                self.crossings.push(Crossing { kind: Kind::Root, from: point, to: point });
+                self.crossings.push(Crossing { kind: Kind::Solution, from: point, to: point });
                 return Ok(());
             }
             if (f > 0.0) == (fb > 0.0) {
@@ -265,18 +251,18 @@ impl<'f> RootScan<'f> {
         let (near, far) =
             if off(a, self.target).abs() <= off(b, self.target).abs() { (a, b) } else { (b, a) };
         let kind =
-            if off(near, self.target).abs() <= self.near() { Kind::Root } else { Kind::Jump };
-        let (from, to) = if kind == Kind::Root { (near, far) } else { (a, b) };
+            if off(near, self.target).abs() <= self.near() { Kind::Solution } else { Kind::Jump };
+        let (from, to) = if kind == Kind::Solution { (near, far) } else { (a, b) };
         self.crossings.push(Crossing { kind, from, to });
         Ok(())
     }
 
     /// A bracket with a place without a value inside: each side may still cross before the hole.
-    fn around(&mut self, (a, b): (Point, Point), hole: f64) -> Result<(), Stopped> {
+    fn around(&mut self, (a, b): (Place, Place), hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
             let edge = self.edge(known, hole)?;
             if let Some(edge) =
-                edge.filter(|edge| (edge.1 - self.target) * (known.1 - self.target) < 0.0)
+                edge.filter(|edge| (edge.value - self.target) * (known.value - self.target) < 0.0)
             {
                 self.close_simply(known, edge)?;
             }
@@ -285,27 +271,31 @@ impl<'f> RootScan<'f> {
     }
 
     /// Bisection alone, for the rare bracket beside a hole.
-    fn close_simply(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+    fn close_simply(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
         let (mut a, mut b) = (a, b);
-        while (b.0 - a.0).abs() > 4.0 * WIDTH {
-            let middle = 0.5 * (a.0 + b.0);
-            if middle.to_bits() == a.0.to_bits() || middle.to_bits() == b.0.to_bits() {
+        while (b.at - a.at).abs() > 4.0 * WIDTH {
+            let middle = 0.5 * (a.at + b.at);
+            if middle.to_bits() == a.at.to_bits() || middle.to_bits() == b.at.to_bits() {
                 break;
             }
-            let Some(value) = self.value(middle)? else { return Ok(()) };
-            let point = (middle, value);
-            if (value > self.target) == (b.1 > self.target) { b = point } else { a = point }
+            let Some(point) = self.look(middle)? else { return Ok(()) };
+            if (point.value > self.target) == (b.value > self.target) {
+                b = point
+            } else {
+                a = point
+            }
         }
-        let kind = if (a.1 - self.target).abs() <= self.near() { Kind::Root } else { Kind::Jump };
+        let kind =
+            if (a.value - self.target).abs() <= self.near() { Kind::Solution } else { Kind::Jump };
         self.crossings.push(Crossing { kind, from: a, to: b });
         Ok(())
     }
 
     /// In order, each once.
     fn tidy(&mut self) {
-        self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.0);
+        self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.at);
         self.crossings.dedup_by(|b, a| {
-            a.kind != Kind::Plateau && a.kind == b.kind && (b.from.0 - a.from.0).abs() < 1e-12
+            a.kind != Kind::Plateau && a.kind == b.kind && (b.from.at - a.from.at).abs() < 1e-12
         });
     }
 }
@@ -322,7 +312,7 @@ mod tests {
     }
 
     fn roots(found: &[Crossing]) -> Vec<f64> {
-        found.iter().filter(|it| it.kind == Kind::Root).map(|it| it.from.0).collect()
+        found.iter().filter(|it| it.kind == Kind::Solution).map(|it| it.from.at).collect()
     }
 
     fn assert_near(found: &[f64], exact: &[f64]) {
@@ -350,7 +340,7 @@ mod tests {
     fn a_touch_is_told_from_a_crossing_and_from_a_miss() {
         let touch = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
         assert_eq!((touch.len(), touch[0].kind), (1, Kind::Touch));
-        assert!((touch[0].from.0 - 0.372).abs() < 1e-3);
+        assert!((touch[0].from.at - 0.372).abs() < 1e-3);
         let twice = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0 + 1e-6, 21);
         assert_near(&roots(&twice), &[0.371, 0.373]);
         assert!(scan(|s| Some((s - 0.372).powi(2) + 1.0), 0.99, 21).is_empty());
@@ -360,7 +350,7 @@ mod tests {
     fn a_jump_and_a_pole_are_no_solutions() {
         let step = scan(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
         assert_eq!((step.len(), step[0].kind), (1, Kind::Jump));
-        assert!((step[0].from.0 - 0.3217).abs() < 1e-13 && (step[0].to.0 - 0.3217).abs() < 1e-13);
+        assert!((step[0].from.at - 0.3217).abs() < 1e-13 && (step[0].to.at - 0.3217).abs() < 1e-13);
         let pole = scan(|s| Some(1.0 / (s - 0.4321)), 0.0, 17);
         assert!(pole.iter().all(|it| it.kind == Kind::Jump), "{pole:?}");
     }
@@ -383,7 +373,7 @@ mod tests {
     fn what_does_not_depend_on_the_place_is_one_plateau() {
         let flat = scan(|_| Some(7.0), 7.0, 11);
         assert_eq!(flat.len(), 1);
-        assert_eq!((flat[0].kind, flat[0].from.0, flat[0].to.0), (Kind::Plateau, 0.0, 1.0));
+        assert_eq!((flat[0].kind, flat[0].from.at, flat[0].to.at), (Kind::Plateau, 0.0, 1.0));
         assert!(scan(|_| Some(7.0), 8.0, 11).is_empty());
     }
 

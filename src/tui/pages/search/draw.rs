@@ -139,8 +139,8 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
-    let selected = report.solutions.get(app.pages.search.selected());
-    let lines = report.solutions.iter().map(|found| Mark::new(found.place.at, ""));
+    let selected = report.solutions().nth(app.pages.search.selected());
+    let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
     let chart = Chart {
         focused,
         marks: lines.collect(),
@@ -153,12 +153,12 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     };
     let layout = canvas.draw(&chart, area);
     for (x, value) in &report.scan {
-        let outcome = report.gaps.iter().find(|gap| {
-            let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
-            (a..=b).contains(x)
+        let gap = report.of(seek::Kind::Gap).find(|gap| {
+            let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
+            (a.min(b)..=a.max(b)).contains(x)
         });
         let outcome: Option<PointOutcome> =
-            outcome.map(|gap| gap.outcome).filter(|_| value.is_none());
+            gap.and_then(|gap| gap.outcome).filter(|_| value.is_none());
         let Some((outcome, cell)) = outcome.zip(layout.x.cell(*x)) else { continue };
         let foot = (cell, layout.plot.height.saturating_sub(1));
         canvas.put(layout.plot, foot, &outcome.letter().to_string(), Role::Warning);
@@ -169,7 +169,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
 pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
     match &*tab.shown()?.answer {
         Answer::Seek(report) => {
-            let about = report.solutions.get(tab.selected()).map(|it| it.place.at);
+            let about = report.solutions().nth(tab.selected()).map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
         }
         Answer::Front(_, task) => {
@@ -356,7 +356,7 @@ pub(crate) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
 }
 
 fn sought_lines(report: &seek::Report, selected: usize) -> Vec<Line> {
-    let solutions = report.solutions.iter().enumerate().map(|(index, found)| {
+    let solutions = report.solutions().enumerate().map(|(index, found)| {
         let mark = if index == selected { ">" } else { " " };
         note(format!("{mark} {}", report::seek::solution(report, found)))
     });

@@ -127,7 +127,7 @@ impl Searching {
     /// How many things the cursor can stand on.
     pub fn choices(&self) -> usize {
         match self.shown().map(|found| &*found.answer) {
-            Some(Answer::Seek(report)) => report.solutions.len(),
+            Some(Answer::Seek(report)) => report.solutions().count(),
             Some(Answer::Front(front, _)) => front.designs.len(),
             Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => 0,
         }
@@ -250,7 +250,7 @@ impl App {
         let mut scene = (*self.scene).clone();
         match &*found.answer {
             Answer::Seek(report) => {
-                let Some(solution) = report.solutions.get(tab.selected()) else {
+                let Some(solution) = report.solutions().nth(tab.selected()) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
                 Ok(placed(scene, [(&report.axis, solution.place.at)]))
@@ -278,7 +278,7 @@ impl App {
         let found = tab.shown()?;
         match &*found.answer {
             Answer::Seek(report) => {
-                let solution = report.solutions.get(tab.selected())?;
+                let solution = report.solutions().nth(tab.selected())?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
                 Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
