@@ -163,10 +163,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
     for (row, candidate) in challengers.rows.iter().zip(&front.candidates) {
         let mut object = challengers.object(row, is_own);
         object.remove("outcome");
-        let by = match candidate.standing {
-            Standing::Dominated { by } => Some(by),
-            _ => None,
-        };
+        let by = if let Standing::Dominated { by } = candidate.standing { Some(by) } else { None };
         object.extend([
             ("name".to_owned(), candidate.name.into()),
             ("source".to_owned(), candidate.source.into()),

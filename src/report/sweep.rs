@@ -133,9 +133,9 @@ impl Sheet<'_> {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });
         }
-        table.with("error", "", "", |row| match rows.outcome(*row) {
-            PointOutcome::Failed(failure) => Some(failure.words()),
-            _ => None,
+        table.with("error", "", "", |row| {
+            let PointOutcome::Failed(failure) = rows.outcome(*row) else { return None };
+            Some(failure.words())
         })
     }
 

@@ -235,7 +235,7 @@ fn parameters(scene: &Scene) -> String {
             )
         }
         ContactModel::Appendix => format!("dt = {}", show(contact.appendix.step_s, "s")),
-        _ => String::new(),
+        ContactModel::Hydrodynamic | ContactModel::InitialVelocity => String::new(),
     }
 }
 

@@ -95,7 +95,13 @@ impl Verdict {
     pub fn error(self) -> Option<f64> {
         match self {
             Self::Accurate(error) | Self::Inaccurate(error) => Some(error),
-            _ => None,
+            Self::WrongEnding
+            | Self::BlownUp
+            | Self::Stuck
+            | Self::TooManySteps
+            | Self::NotApplicable
+            | Self::NoReference
+            | Self::CutOff => None,
         }
     }
 }
@@ -175,7 +181,15 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw => {
             Verdict::NotApplicable
         }
-        _ => Verdict::Stuck,
+        Refusal::LeavesStop
+        | Refusal::NeedsSimulation
+        | Refusal::StepUnderflow
+        | Refusal::NoEnd
+        | Refusal::TooStiff
+        | Refusal::EndedEarly
+        | Refusal::Rattles
+        | Refusal::NoReference
+        | Refusal::TooSlow => Verdict::Stuck,
     }
 }
 
