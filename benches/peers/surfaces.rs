@@ -9,12 +9,12 @@
 use std::io::Write;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use cmra::files::preset;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::study::context::Stop;
 use cmra::study::parallel::Parallel;
 use cmra::study::quantities::named;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
@@ -127,7 +127,7 @@ fn seconds(work: impl FnOnce()) -> f64 {
 
 /// The engine, all of it: placing, contacts, threads, results in order.
 fn rows(plan: &Plan, parallel: Parallel) -> Vec<Rows> {
-    let stop = AtomicBool::new(false);
+    let stop = Stop::default();
     let mut all = Vec::new();
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);

@@ -5,9 +5,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::outlook::say_if_long;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, say_if_long};
+use crate::cli::search::{Random, Threads};
 use crate::cli::table::TableArguments;
 use crate::cli::text::width;
 use crate::cli::{CliError, output};
@@ -84,7 +85,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space(&preset.scene, &task)?, task.samples, threads);
+    say_if_long(&space(&preset.scene, &task)?, (task.samples as u64, "runs"), threads);
     let report = pace.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);

@@ -7,9 +7,10 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::CliError;
+use crate::cli::outlook::say_if_long;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, bounds, say_if_long};
+use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
@@ -144,7 +145,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space, task.runs(), threads);
+    say_if_long(&space, (task.runs() as u64, "runs"), threads);
     let fronts = pace.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();

@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
+use crate::study::context::Context;
+use crate::study::search::design_space::DesignSpace;
 
 /// What is expected to take longer is announced.
 const LONG: Duration = Duration::from_secs(60);
@@ -17,14 +19,27 @@ const FIRST: u64 = 8;
 const GROWTH: u64 = 4;
 
 /// Asked by a trial now and then: `Break` when it takes too long.
-pub(super) type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
+type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
-/// Try batches of so many runs, the way and on the threads all of them will take, and say how long that will be where it is long.
-/// `attempt` makes the runs of these numbers, and gives how many it finished.
-pub(super) fn say_if_long(
-    (runs, what): (u64, &str),
-    mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64,
-) {
+/// Say how long so many runs of designs spread over the bounds will take, where that is long.
+pub(super) fn say_if_long(space: &DesignSpace, (runs, what): (u64, &str), threads: usize) {
+    by_batches((runs, what), |tried, go_on| {
+        // Shares that do not fall on one line through the box.
+        let share =
+            |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
+        let design = |at: u64| {
+            let axes = space.axes().iter().enumerate();
+            axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
+        };
+        let designs: Vec<Vec<f64>> = tried.map(design).collect();
+        let watch = &mut |_, _: Option<&()>| go_on();
+        space.evaluate(&designs, &mut Context::new(threads, watch)).len() as u64
+    });
+}
+
+/// Try batches of so many runs, the way and on the threads all of them will take. `attempt` makes the runs of these numbers, and
+/// gives how many it finished.
+fn by_batches((runs, what): (u64, &str), mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64) {
     let start = Instant::now();
     let is_time = || start.elapsed() < TRYING;
     let go_on = &mut || if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
@@ -60,13 +75,13 @@ mod tests {
     #[test]
     fn batches_grow_and_end_at_a_quarter() {
         let mut seen = Vec::new();
-        say_if_long((100, "runs"), |numbers, _| {
+        by_batches((100, "runs"), |numbers, _| {
             seen.push(numbers.clone());
             numbers.end - numbers.start
         });
         assert_eq!(seen, [0..8, 8..25]);
         seen.clear();
-        say_if_long((3, "runs"), |numbers, _| {
+        by_batches((3, "runs"), |numbers, _| {
             seen.push(numbers);
             1
         });

@@ -14,7 +14,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 use crate::cli::output;
-use crate::study::context::{Context, Progress};
+use crate::study::context::{Context, Progress, Stop};
 
 /// Set by the first interrupt. Signals are the process's, and so is this.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
@@ -28,7 +28,7 @@ pub(super) struct Pace {
     told: Instant,
     shown: bool,
     wanted: bool,
-    stop: Arc<AtomicBool>,
+    stop: Stop,
 }
 
 impl Pace {
@@ -38,7 +38,7 @@ impl Pace {
     }
 
     /// It begins now, and ends when this flag is set.
-    pub(super) fn stopped_by(stop: Arc<AtomicBool>) -> Self {
+    pub(super) fn stopped_by(stop: Stop) -> Self {
         let now = Instant::now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
@@ -52,8 +52,7 @@ impl Pace {
             self.shown = true;
             output::progress(&text(self.start.elapsed().as_secs_f64()));
         }
-        let stopped = self.stop.load(Ordering::Relaxed);
-        if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        self.stop.flow()
     }
 
     /// Make a study on so many threads, and show how many of these things are done.
@@ -80,7 +79,7 @@ impl Pace {
 
     /// 0 where all is well, 1 where not, or after an interrupt, which is then said below the result.
     pub(super) fn exit_code(&self, good: bool) -> ExitCode {
-        let stopped = self.stop.load(Ordering::Relaxed);
+        let stopped = self.stop.is_set();
         if stopped {
             output::note("interrupted: what was finished is shown");
         }
@@ -89,7 +88,7 @@ impl Pace {
 }
 
 /// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
-pub(super) fn interruptible() -> Arc<AtomicBool> {
+pub(super) fn interruptible() -> Stop {
     let stop = STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
         let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
@@ -100,7 +99,7 @@ pub(super) fn interruptible() -> Arc<AtomicBool> {
         }
         stop
     });
-    Arc::clone(stop)
+    Stop::from(Arc::clone(stop))
 }
 
 /// A file beyond the limit of its size (`ulimit -f`) is an error of writing, as on a full disk, and not the end of the process.

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
@@ -206,7 +205,7 @@ fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
     if plan.axes().len() > 2 || plan.points() > KEPT_MAX {
         return Ok(Vec::new());
     }
-    let stop: Arc<AtomicBool> = interruptible();
+    let stop = interruptible();
     let found = Evaluator::new(&plan, &stop).rows(0..plan.points());
     let rows: Vec<Row> = Row::all(&found).collect();
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&plan, output, &rows));

@@ -1,14 +1,12 @@
-//! What the commands that look for designs have in common: reading bounds, and saying how long it will take.
+//! What the commands that look for designs have in common: reading bounds.
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
-use crate::cli::{CliError, outlook};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
-use crate::study::context::Context;
 use crate::study::parallel::Parallel;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS};
 
@@ -71,20 +69,4 @@ pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliEr
         ));
     }
     Ok(axes)
-}
-
-/// Say how long so many runs of designs spread over the bounds will take, where that is long.
-pub(super) fn say_if_long(space: &DesignSpace, runs: usize, threads: usize) {
-    outlook::say_if_long((runs as u64, "runs"), |tried, go_on| {
-        // Shares that do not fall on one line through the box.
-        let share =
-            |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
-        let design = |at: u64| {
-            let axes = space.axes().iter().enumerate();
-            axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
-        };
-        let designs: Vec<Vec<f64>> = tried.map(design).collect();
-        let watch = &mut |_, _: Option<&()>| go_on();
-        space.evaluate(&designs, &mut Context::new(threads, watch)).len() as u64
-    });
 }

@@ -7,9 +7,10 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::outlook::say_if_long;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, bounds, say_if_long};
+use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
 use crate::report::sensitivity;
 use crate::study::search::design_space::DesignSpace;
@@ -70,7 +71,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
     if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
-        say_if_long(&space, effort.runs(axes.len()), threads);
+        say_if_long(&space, (effort.runs(axes.len()) as u64, "runs"), threads);
     }
     let report = pace.study(threads, "runs", |context| {
         study(&preset.scene, axes, &arguments.output, effort, context)

@@ -5,34 +5,32 @@
 pub(super) mod axes;
 pub(super) mod page;
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
 
+use crate::cli::outlook::say_if_long;
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, outlook, output};
+use crate::cli::{CliError, output};
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
-use crate::study::parallel::Parallel;
+use crate::study::context::{Context, Progress, Stop, Work};
 use crate::study::quantities;
+use crate::study::search::design_space::DesignSpace;
+use crate::study::sweep::grid::PIECE;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
 use axes::{Asked, DesignWord};
-
-/// Pieces that a sweep has at the least, when its time is estimated from some of them.
-const PIECES_MIN: u64 = 16;
 
 #[derive(Debug, Args)]
 #[command(
@@ -108,9 +106,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     if let Some(set) = arguments.scene.set_of(is_swept) {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
     }
-    let parallel = Parallel { threads: arguments.threads.count(), ..Parallel::of_machine() };
+    let threads = arguments.threads.count();
     let stop = interruptible();
-    let job = Job { plan: &plan, shard, parallel, stop: &stop, preset: &preset };
+    let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
     let start = Instant::now();
     let columns = if all { Columns::All } else { Columns::Chosen };
     let mut kept = page::Kept::of(&plan, job.points(), draws || !rows_wanted);
@@ -137,8 +135,8 @@ struct Page {
 struct Job<'a> {
     plan: &'a Plan,
     shard: Shard,
-    parallel: Parallel,
-    stop: &'a Arc<AtomicBool>,
+    threads: usize,
+    stop: &'a Stop,
     preset: &'a Preset,
 }
 
@@ -185,7 +183,8 @@ impl Job<'_> {
     }
 
     fn page(&self, kept: &mut page::Kept) -> Result<Page, CliError> {
-        self.say_if_long();
+        let count = self.points().end - self.points().start;
+        say_if_long(&DesignSpace::of(self.plan.clone()), (count, "points"), self.threads);
         let name = &self.preset.name;
         let (columns, texts) = (Columns::Chosen, Texts::default());
         let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
@@ -195,7 +194,7 @@ impl Job<'_> {
             Ok(())
         })?;
         let took_s = start.elapsed().as_secs_f64();
-        let head = page::Head { name, threads: self.parallel.threads, took_s };
+        let head = page::Head { name, threads: self.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
         let text = at_top(&page::text(self.plan, &head, &summary, kept), &warnings);
         Ok(Page { text, summary })
@@ -212,7 +211,8 @@ impl Job<'_> {
             Target::File(to) => Some(to.begin().map_err(exists)?),
             Target::None | Target::Stdout => None,
         };
-        self.say_if_long();
+        let count = self.points().end - self.points().start;
+        say_if_long(&DesignSpace::of(self.plan.clone()), (count, "points"), self.threads);
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
@@ -275,64 +275,30 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut pace = Pace::stopped_by(Arc::clone(self.stop));
-        let all = self.points().end - self.points().start;
+        let mut pace = Pace::stopped_by(self.stop.clone());
+        let all = self.points();
+        let (first, count) = (all.start, all.end - all.start);
         let worker = || {
             let mut evaluator = Evaluator::new(self.plan, self.stop);
-            move |points: Range<u64>| sheet.piece(&mut evaluator, points)
-        };
-        let _ = self.parallel.map(self.points(), worker, |news| {
-            let mut is_whole = true;
-            if let Some((points, piece)) = news {
-                summary.add(points.start, &piece.rows);
-                is_whole = piece.rows.len() as u64 == points.end - points.start;
-                problem = take(&piece).err();
+            move |piece: Range<u64>| {
+                sheet.piece(&mut evaluator, first + piece.start..first + piece.end)
             }
+        };
+        let watch = &mut |Progress { done, .. }, _: Option<&()>| {
+            pace.watch(|gone_s| so_far(done as u64, count, gone_s))
+        };
+        let work = Work { count, at_once: PIECE };
+        Context::new(self.threads, watch).each(work, worker, |context, piece, found| {
+            summary.add(first + piece.start, &found.rows);
+            context.count(found.rows.len());
+            let is_whole = found.rows.len() as u64 == piece.end - piece.start;
+            problem = take(&found).err();
             // A piece by the contact kernel is done before it looks whether it should stop.
-            let goes_on = pace.watch(|gone_s| so_far(summary.points(), all, gone_s));
-            if is_whole && problem.is_none() { goes_on } else { ControlFlow::Break(()) }
+            context.goes_on() && is_whole && problem.is_none()
         });
         pace.clear();
         problem.map_or(Ok(summary), Err)
     }
-
-    /// Try pieces spread over the sweep, and say how long it will take where that is long.
-    fn say_if_long(&self) {
-        let points = self.points();
-        let count = points.end - points.start;
-        let piece = self.parallel.piece.min(count / PIECES_MIN).max(1);
-        let parallel = Parallel { threads: self.parallel.threads, piece: 1 };
-        outlook::say_if_long((count, "points"), |tried, go_on| {
-            let stop = AtomicBool::new(false);
-            let worker = || {
-                let mut evaluator = Evaluator::new(self.plan, &stop);
-                let (points, stop) = (&points, &stop);
-                move |number: Range<u64>| {
-                    if stop.load(Ordering::Relaxed) {
-                        return 0;
-                    }
-                    let start = points.start + spread(number.start, count - piece + 1);
-                    evaluator.rows(start..start + piece).len() as u64
-                }
-            };
-            let mut done = 0;
-            let pieces = tried.start.div_ceil(piece)..tried.end.div_ceil(piece);
-            // Whoever is at work when time is up hands in what is finished.
-            let _ = parallel.map(pieces, worker, |news| {
-                done += news.map_or(0, |(_, rows)| rows);
-                stop.fetch_or(go_on().is_break(), Ordering::Relaxed);
-                ControlFlow::Continue(())
-            });
-            done
-        });
-    }
-}
-
-/// The number `at` of places below `count` that are spread over all of it.
-fn spread(at: u64, count: u64) -> u64 {
-    // The golden section of 2^64: multiples of it fill the range evenly.
-    let place = at.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    u64::try_from((u128::from(place) * u128::from(count)) >> 64).unwrap_or(0)
 }
 
 /// How far a sweep is, and how long it will yet take at this pace.

@@ -1,7 +1,5 @@
 //! The measurements, computed from their presets.
 
-use std::sync::atomic::AtomicBool;
-
 use crate::files::error::FileError;
 use crate::files::preset;
 use crate::study::context::Context;
@@ -17,10 +15,8 @@ pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
         .map(|case| Ok((case, preset::resolve(case.preset, None)?.scene)))
         .collect::<Result<_, FileError>>()?;
     context.expect(all.len());
-    let stop = AtomicBool::new(false);
     Ok(context.map_items(
         &all,
-        &stop,
         |(case, scene)| Some(compute(case, scene)),
         |context, _| context.goes_on(),
     ))

@@ -1,6 +1,7 @@
 //! What every study is given besides its task: whom to report its progress to, whether to stop, and on how many threads to run.
 
 use std::ops::{ControlFlow, Range};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::study::parallel::Parallel;
@@ -30,18 +31,45 @@ pub struct Progress {
 /// keeps what it has.
 pub type Watch<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<()>;
 
+/// The flag that stops a study, as its workers see it: they hand in what they have done.
+#[derive(Clone, Debug, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl From<Arc<AtomicBool>> for Stop {
+    fn from(flag: Arc<AtomicBool>) -> Self {
+        Self(flag)
+    }
+}
+
+impl Stop {
+    /// Whether it is set.
+    pub fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// `Break` where it is set.
+    pub fn flow(&self) -> ControlFlow<()> {
+        if self.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Set it, or take it back.
+    pub fn store(&self, is_set: bool) {
+        self.0.store(is_set, Ordering::Relaxed);
+    }
+}
+
 /// The context of a study whose parts are `P`.
 pub struct Context<'w, P: ?Sized = ()> {
     watch: Watch<'w, P>,
     threads: usize,
     progress: Progress,
-    is_stopped: bool,
+    stop: Stop,
 }
 
 impl<'w, P: ?Sized> Context<'w, P> {
     /// A context on so many threads.
     pub fn new(threads: usize, watch: Watch<'w, P>) -> Self {
-        Self { watch, threads, progress: Progress::default(), is_stopped: false }
+        Self { watch, threads, progress: Progress::default(), stop: Stop::default() }
     }
 
     /// Threads to run on; no digit depends on it.
@@ -51,7 +79,12 @@ impl<'w, P: ?Sized> Context<'w, P> {
 
     /// Whether the study was stopped.
     pub fn is_stopped(&self) -> bool {
-        self.is_stopped
+        self.stop.is_set()
+    }
+
+    /// The flag that is set then.
+    pub fn stop(&self) -> Stop {
+        self.stop.clone()
     }
 
     /// That so many pieces of work are still to come, at least.
@@ -75,17 +108,18 @@ impl<'w, P: ?Sized> Context<'w, P> {
     }
 
     fn look(&mut self, part: Option<&P>) -> bool {
-        if !self.is_stopped {
+        if !self.is_stopped() {
             let Progress { done, total } = self.progress;
             let shown = Progress { done: done.min(total), total };
-            self.is_stopped = (self.watch)(shown, part).is_break();
+            self.stop.store((self.watch)(shown, part).is_break());
         }
-        !self.is_stopped
+        !self.is_stopped()
     }
 
     /// The same as [`Context::goes_on`] where a control flow is asked for.
     pub fn flow(&mut self) -> ControlFlow<()> {
-        if self.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        self.goes_on();
+        self.stop.flow()
     }
 
     /// Observes a run: stops it when the study is stopped.
@@ -97,12 +131,10 @@ impl<'w, P: ?Sized> Context<'w, P> {
         }
     }
 
-    /// Work on all threads. `take` is given each result in order, and says whether to go on. The flag is set when the study is
-    /// stopped: workers look at it, and hand in what they have done.
+    /// Work on all threads. `take` is given each result in order, and says whether to go on.
     pub fn each<T: Send, W: FnMut(Range<u64>) -> T>(
         &mut self,
         work: Work,
-        stop: &AtomicBool,
         worker: impl Fn() -> W + Sync,
         mut take: impl FnMut(&mut Self, Range<u64>, T) -> bool,
     ) {
@@ -112,8 +144,8 @@ impl<'w, P: ?Sized> Context<'w, P> {
                 Some((piece, result)) => take(self, piece, result),
                 None => self.goes_on(),
             };
-            stop.store(!goes_on, Ordering::Relaxed);
-            if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            self.stop.store(!goes_on);
+            self.stop.flow()
         });
     }
 
@@ -122,12 +154,11 @@ impl<'w, P: ?Sized> Context<'w, P> {
     pub fn map<T: Send, W: FnMut(Range<u64>) -> Vec<T>>(
         &mut self,
         work: Work,
-        stop: &AtomicBool,
         worker: impl Fn() -> W + Sync,
         mut show: impl FnMut(&mut Self, &[T]) -> bool,
     ) -> Vec<T> {
         let mut all = Vec::new();
-        self.each(work, stop, worker, |context, piece, found| {
+        self.each(work, worker, |context, piece, found| {
             let is_whole = found.len() as u64 == piece.end - piece.start;
             context.count(found.len());
             all.extend(found);
@@ -140,7 +171,6 @@ impl<'w, P: ?Sized> Context<'w, P> {
     pub fn map_items<I: Sync, T: Send>(
         &mut self,
         items: &[I],
-        stop: &AtomicBool,
         make: impl Fn(&I) -> Option<T> + Sync,
         show: impl FnMut(&mut Self, &[T]) -> bool,
     ) -> Vec<T> {
@@ -149,7 +179,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
             let at = usize::try_from(piece.start).ok();
             at.and_then(|at| make(items.get(at)?)).into_iter().collect()
         };
-        self.map(work, stop, || &one, show)
+        self.map(work, || &one, show)
     }
 
     /// Work whose own pieces do not count, since it is one piece of this study.

@@ -4,7 +4,6 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::contact_phase::{Ending, Scheme};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
@@ -14,7 +13,7 @@ use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::larger;
 use crate::study::accuracy::reference::stored;
-use crate::study::context::Context;
+use crate::study::context::{Context, Stop};
 use cases::Case;
 use others::{Contact, Other, Verdict};
 
@@ -120,17 +119,7 @@ pub struct Clock<'a> {
     /// After this no other method is started, s.
     pub until_s: f64,
     /// Whether to stop, looked at before every step of a run.
-    pub stop: &'a AtomicBool,
-}
-
-impl Clock<'_> {
-    fn is_stopped(self) -> bool {
-        self.stop.load(Ordering::Relaxed)
-    }
-
-    fn watch(self) -> ControlFlow<()> {
-        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
+    pub stop: &'a Stop,
 }
 
 /// The cases of a battery; the quick one has every fifth.
@@ -148,7 +137,7 @@ pub fn run(
     now_s: &(dyn Fn() -> f64 + Sync),
     context: &mut Context<'_, [Row]>,
 ) -> Result<Vec<Row>, VariableError> {
-    let stop = AtomicBool::new(false);
+    let stop = context.stop();
     let clock = Clock { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
     for case in cases {
         case.scene()?;
@@ -156,7 +145,7 @@ pub fn run(
     let examine = |case: &&'static Case| examine(case, clock).ok().flatten();
     context.expect(cases.len());
     let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
-    Ok(context.map_items(cases, &stop, examine, show))
+    Ok(context.map_items(cases, examine, show))
 }
 
 /// Run one scene of the battery; `None` when stopped.
@@ -166,7 +155,7 @@ pub fn run(
 pub fn examine(case: &'static Case, clock: Clock<'_>) -> Result<Option<Row>, VariableError> {
     let scene = case.scene()?;
     let start_s = (clock.now_s)();
-    let run = bare(&scene, false, &mut |_| clock.watch())?;
+    let run = bare(&scene, false, &mut |_| clock.stop.flow())?;
     let took_s = (clock.now_s)() - start_s;
     let (reference, contact) = reference(&scene, &run, clock);
     let error = reference.and_then(|(value, _)| {
@@ -175,7 +164,7 @@ pub fn examine(case: &'static Case, clock: Clock<'_>) -> Result<Option<Row>, Var
     });
     let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
     let others = Other::ALL.map(|other| {
-        if (clock.now_s)() > clock.until_s || clock.is_stopped() {
+        if (clock.now_s)() > clock.until_s || clock.stop.is_set() {
             return Verdict::CutOff;
         }
         // Those that the reference may come from are judged by the engine, which shares no code with them.
@@ -189,7 +178,7 @@ pub fn examine(case: &'static Case, clock: Clock<'_>) -> Result<Option<Row>, Var
     let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
     let row = Row { case, run, took_s, error, basis, stiffness, others, shortfall };
-    Ok((!clock.is_stopped()).then_some(row))
+    Ok((!clock.stop.is_set()).then_some(row))
 }
 
 fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Run, VariableError> {
@@ -256,7 +245,7 @@ fn second_form(scene: &Scene) -> Option<(Contact, Basis)> {
 fn tighter(scene: &Arc<Scene>, clock: Clock<'_>) -> Option<Run> {
     let mut own = Scene::clone(scene);
     own.run.tolerance = TIGHTER_TOLERANCE;
-    let run = bare(&Arc::new(own), true, &mut |_| clock.watch()).ok()?;
+    let run = bare(&Arc::new(own), true, &mut |_| clock.stop.flow()).ok()?;
     let agrees = run.error_estimate.is_some_and(|estimate| estimate.relative < 0.1 * ERROR_MAX);
     (run.end.is_complete() && agrees).then_some(run)
 }

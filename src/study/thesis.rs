@@ -3,8 +3,7 @@
 //! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
 //! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use crate::model::scene::Scene;
 use crate::study::context::Context;
@@ -140,15 +139,15 @@ pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
 /// Check claims, in their order, and show the rows as they come. A stop ends a claim at its next step: it has no row,
 /// nor have those after it.
 pub fn check_all(claims: &[&'static Claim], context: &mut Context<'_, [Row]>) -> Vec<Row> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let shared = SharedRuns::stopped_by(&stop);
+    let stop = context.stop();
+    let shared = SharedRuns::stopped_by(stop.clone());
     let check = |claim: &&'static Claim| {
         let row = row(claim, &shared);
-        (!stop.load(Ordering::Relaxed)).then_some(row)
+        (!stop.is_set()).then_some(row)
     };
     context.expect(claims.len());
     let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
-    context.map_items(claims, &stop, check, show)
+    context.map_items(claims, check, show)
 }
 
 /// Where the verdicts of these rows differ from the expected ones, in words.
@@ -181,6 +180,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use super::*;
+    use crate::study::context::Stop;
 
     #[test]
     fn the_file_of_claims_is_right() {
@@ -191,9 +191,10 @@ mod tests {
     /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
     #[test]
     fn a_claim_that_is_stopped_ends_quietly() {
-        let stop = Arc::new(AtomicBool::new(true));
+        let stop = Stop::default();
+        stop.store(true);
         for claim in claims() {
-            assert_eq!(row(claim, &SharedRuns::stopped_by(&stop)).claim.id, claim.id);
+            assert_eq!(row(claim, &SharedRuns::stopped_by(stop.clone())).claim.id, claim.id);
         }
         let watch = &mut |_, _: Option<&[Row]>| ControlFlow::Break(());
         assert!(reproduce(&mut Context::new(2, watch)).len() <= 1);

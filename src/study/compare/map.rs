@@ -1,7 +1,6 @@
 //! A map of the mass efficiency over two variables, and the line on which it is 1.
 
 use std::ops::Range;
-use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::Scene;
 use crate::study::compare::sized::{Absence, sized};
@@ -60,9 +59,8 @@ impl Map {
             }
         };
         context.expect(usize::try_from(plan.points()).unwrap_or(0));
-        let stop = AtomicBool::new(false);
         let work = Work { count: plan.points(), at_once: PIECE };
-        let cells = context.map(work, &stop, worker, |context, _| context.goes_on());
+        let cells = context.map(work, worker, |context, _| context.goes_on());
         Ok(Self { plan, cells })
     }
 

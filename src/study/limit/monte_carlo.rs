@@ -1,8 +1,6 @@
 //! The limit when the inputs scatter: V50, its spread, and the chance that the scene's own shot goes through.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::scene::Scene;
 use crate::numerics::random::Random;
@@ -88,16 +86,13 @@ pub(super) fn sample(
         points: POINTS,
         width: WIDTH,
     };
-    let stop = AtomicBool::new(false);
+    let stop = context.stop();
     let limit_of = |sample: &[f64]| {
         let mut own = (**scene).clone();
         for (tolerance, value) in tolerances.iter().zip(sample) {
             (tolerance.number().set)(&mut own, Some(*value));
         }
-        let watch = &mut |_, _: Option<&()>| {
-            let is_stopped = stop.load(Ordering::Relaxed);
-            if is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
+        let watch = &mut |_, _: Option<&()>| stop.flow();
         let context = &mut Context::new(1, watch);
         let limit = Range { scene: &Arc::new(own), criterion, context }.limit(scan);
         (!context.is_stopped() && limit != Limit::Unknown).then_some(limit)
@@ -105,7 +100,7 @@ pub(super) fn sample(
     let mut draw = Draw::new(scene, &tolerances, sampling.seed);
     let drawn = draw.each_batch(sampling.samples, context, |samples, context| {
         let limit_of = |sample: &Vec<f64>| limit_of(sample);
-        for limit in context.map_items(samples, &stop, limit_of, |context, _| context.goes_on()) {
+        for limit in context.map_items(samples, limit_of, |context, _| context.goes_on()) {
             let factor = sampling.model.factor(&mut errors);
             match limit {
                 Limit::Found { velocity_m_s, .. } => {

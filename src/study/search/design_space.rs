@@ -5,11 +5,10 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
-use crate::study::context::{Context, Work};
+use crate::study::context::{Context, Stop, Work};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Evaluator, Failure, Plan, PointOutcome, SweepError};
@@ -49,7 +48,12 @@ impl DesignSpace {
         let names: Vec<&str> = measures.iter().map(AsRef::as_ref).collect();
         // A plan refuses all that a sweep over these axes would refuse.
         let plan = Plan::for_points(scene, axes, &names)?;
-        Ok(Self { plan, steps_max: None })
+        Ok(Self::of(plan))
+    }
+
+    /// The space of a sweep.
+    pub fn of(plan: Plan) -> Self {
+        Self { plan, steps_max: None }
     }
 
     /// A space whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
@@ -94,7 +98,7 @@ impl DesignSpace {
             return Vec::new();
         }
         let plan = self.plan.over_points(designs);
-        let stop = AtomicBool::new(false);
+        let stop = context.stop();
         let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
         let worker = || {
             let mut evaluator = Evaluator::new(&plan, &stop).limited(self.steps_max);
@@ -102,13 +106,13 @@ impl DesignSpace {
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
         let work = Work { count: designs.len() as u64, at_once: piece };
-        context.map(work, &stop, worker, |context, _| context.goes_on())
+        context.map(work, worker, |context, _| context.goes_on())
     }
 
     fn piece<'p>(
         &self,
         plan: &'p Plan,
-        stop: &'p AtomicBool,
+        stop: &'p Stop,
         evaluator: &mut Evaluator<'p>,
         points: Range<u64>,
     ) -> Vec<Found> {

@@ -6,11 +6,11 @@
 use std::ops::{ControlFlow, Range};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
+use crate::study::context::Stop;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
@@ -153,7 +153,7 @@ impl Rows {
 /// Computes points; one for each thread.
 pub struct Evaluator<'p> {
     plan: &'p Plan,
-    stop: &'p AtomicBool,
+    stop: &'p Stop,
     scene: Arc<Scene>,
     kernel: Option<Kernel<'p>>,
     settings: Settings,
@@ -162,7 +162,7 @@ pub struct Evaluator<'p> {
 
 impl<'p> Evaluator<'p> {
     /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
-    pub fn new(plan: &'p Plan, stop: &'p AtomicBool) -> Self {
+    pub fn new(plan: &'p Plan, stop: &'p Stop) -> Self {
         let estimate = plan.outputs().iter().any(|output| output.name == "error_estimate");
         Self {
             plan,
@@ -224,13 +224,13 @@ impl<'p> Evaluator<'p> {
         index: u64,
         rows: &mut Rows,
     ) -> Option<(PointOutcome, Result<Run, Failure>)> {
-        if self.stop.load(Ordering::Relaxed) {
+        if self.stop.is_set() {
             return None;
         }
         let run = self.run(index);
         let outcome = match &run {
             Ok(run) if run.end == EndReason::Cancelled => {
-                if self.stop.load(Ordering::Relaxed) {
+                if self.stop.is_set() {
                     return None;
                 }
                 PointOutcome::Failed(Failure::Early(EndReason::StepBudget))
@@ -251,7 +251,7 @@ impl<'p> Evaluator<'p> {
         let (stop, mut steps, most) = (self.stop, 0, self.steps_max);
         let mut observer = |_t_s: f64| {
             steps += 1;
-            if stop.load(Ordering::Relaxed) || most.is_some_and(|most| steps > most) {
+            if stop.is_set() || most.is_some_and(|most| steps > most) {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())

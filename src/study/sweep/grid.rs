@@ -6,7 +6,6 @@
 
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::study::context::{Context, Work};
 use crate::study::quantities::{Needs, Quantity};
@@ -169,7 +168,7 @@ impl Grid {
     #[must_use]
     pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
         let plan = Arc::clone(&self.plan);
-        let stop = AtomicBool::new(false);
+        let stop = context.stop();
         context.expect(self.outcomes.len());
         for stride in self.strides() {
             let points = self.pass(stride);
@@ -183,7 +182,7 @@ impl Grid {
             };
             let all = points.len() as u64;
             let work = Work { count: all, at_once };
-            context.each(work, &stop, worker, |context, piece, rows: Rows| {
+            context.each(work, worker, |context, piece, rows: Rows| {
                 let whole = rows.len() == slice(&piece).len();
                 self.put(slice(&piece), &rows);
                 context.count(rows.len());
@@ -193,7 +192,7 @@ impl Grid {
                 }
                 whole && if finished { context.show(&self) } else { context.goes_on() }
             });
-            if stop.load(Ordering::Relaxed) {
+            if context.is_stopped() {
                 break;
             }
         }

@@ -2,13 +2,12 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::simulate::{Settings, simulate};
 use crate::study::changed;
-use crate::study::context::{Context, to_its_end, until};
+use crate::study::context::{Context, Stop, to_its_end, until};
 use crate::study::parallel::Parallel;
 
 const NONE: [&str; 0] = [];
@@ -22,7 +21,7 @@ fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
 }
 
 fn rows(plan: &Plan) -> Rows {
-    let stop = AtomicBool::new(false);
+    let stop = Stop::default();
     Evaluator::new(plan, &stop).rows(0..plan.points())
 }
 
@@ -184,7 +183,7 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
 
 /// Every bit of what threads make of a plan.
 fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(PointOutcome, u64)> {
-    let stop = AtomicBool::new(false);
+    let stop = Stop::default();
     let mut all = Vec::new();
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
@@ -283,7 +282,7 @@ fn a_hypercube_is_kept_as_a_row_of_points() {
     let axes = vec![axis("gamma", 0.8, 7.0, 5), axis("k", 0.0, 7.5e6, 5)];
     let design = Design::LatinHypercube { points: 37, seed: 3 };
     let plan = Arc::new(Plan::new(&Scene::default(), axes, design, &USUAL_OUTPUTS).unwrap());
-    let stop = AtomicBool::new(false);
+    let stop = Stop::default();
     let empty = Grid::new(Arc::clone(&plan)).unwrap();
     assert_eq!((empty.counts(), empty.is_full()), ((37, 1), false));
     let filled = empty.fill(4, &mut Context::new(2, &mut to_its_end));

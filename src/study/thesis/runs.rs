@@ -2,14 +2,13 @@
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Mount, Plate, Scene};
 use crate::model::simulate::{self, Settings};
 use crate::model::variables::{self, Value};
+use crate::study::context::Stop;
 
 /// Longer than any contact here, s.
 const CONTACT_S: f64 = 1e-3;
@@ -27,13 +26,13 @@ pub(super) enum Method {
 pub(super) struct SharedRuns {
     known: Mutex<HashMap<String, Arc<Run>>>,
     /// Once it is set every run ends at its next step, and what is found from then on is not kept.
-    stop: Arc<AtomicBool>,
+    stop: Stop,
 }
 
 impl SharedRuns {
     /// Shared runs that this flag stops.
-    pub(super) fn stopped_by(stop: &Arc<AtomicBool>) -> Self {
-        Self { stop: Arc::clone(stop), ..Self::default() }
+    pub(super) fn stopped_by(stop: Stop) -> Self {
+        Self { stop, ..Self::default() }
     }
 }
 
@@ -61,7 +60,7 @@ impl<'a> Runs<'a> {
 
     /// Whether it was stopped: then nothing found by it counts.
     pub(super) fn is_stopped(&self) -> bool {
-        self.shared.stop.load(Ordering::Relaxed)
+        self.shared.stop.is_set()
     }
 
     pub(super) fn impacts(&self) -> usize {
@@ -100,9 +99,7 @@ impl<'a> Runs<'a> {
 
     fn simulated(&self, scene: Scene, series: bool) -> Run {
         let settings = Settings { series, estimate: false };
-        let observer = &mut |_t_s: f64| {
-            if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
+        let observer = &mut |_t_s: f64| self.shared.stop.flow();
         simulate::simulate(&Arc::new(scene), &settings, observer)
             .expect("the scenes of this study make physical sense")
     }

@@ -280,9 +280,9 @@ impl<'f> RootScan<'f> {
             }
             let Some(point) = self.look(middle)? else { return Ok(()) };
             if (point.value > self.target) == (b.value > self.target) {
-                b = point
+                b = point;
             } else {
-                a = point
+                a = point;
             }
         }
         let kind =
