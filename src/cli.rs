@@ -67,7 +67,7 @@ pub use output::fail;
     disable_help_subcommand = true,
     max_term_width = 100,
     after_help = "SCENE is a preset's name (see `cmra presets`) or the path of a TOML file.\n\
-                  Exit status: 0 done, 1 the computation fell short, 2 the command line or an\n\
+                  Exit status: 0 done, 1 the computation failed, 2 the command line or an\n\
                   input file is wrong."
 )]
 pub(crate) struct Arguments {

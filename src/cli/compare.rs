@@ -54,7 +54,7 @@ pub(super) struct CompareArguments {
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
-    /// The same with an option for each of the two variables
+    /// Name one of the two variables of the map; give it twice instead of --map
     #[arg(
         long,
         value_name = "NAME[=LO..HI:COUNT[:log]]",

@@ -17,7 +17,7 @@ use crate::study::quantities::QUANTITIES;
 
 #[derive(Debug, Args)]
 pub(super) struct CompletionsArguments {
-    /// Which shell
+    /// The shell
     shell: Shell,
 }
 

@@ -17,9 +17,7 @@ pub enum CliError {
     #[error(transparent)]
     File(#[from] FileError),
     /// A file is there already.
-    #[error(
-        "`{path}` exists and was left alone: add --force to replace it, or choose another name"
-    )]
+    #[error("`{path}` already exists: add --force to replace it, or choose another name")]
     Exists {
         /// The file.
         path: String,

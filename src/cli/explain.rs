@@ -42,7 +42,7 @@ fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
     }
     let Ok(variable) = find(name).or_else(|_| find(&spelled)) else {
         return Err(CliError::Option(format!(
-            "`{name}` is neither a variable nor a quantity: variables: {}; quantities: {}",
+            "`{name}` is neither a variable ({}) nor a quantity ({})",
             nearest(name),
             quantities::nearest(name)
         )));
@@ -95,7 +95,7 @@ fn list() -> String {
         let _ = writeln!(page, "  {name:<33} {:<7} {meaning}", quantity.needs().word());
     }
     page.push_str(
-        "\nscene: nothing but the scene; run: a run; course: a run and its course in time; limit: many shots, on request alone\n",
+        "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n",
     );
     page
 }

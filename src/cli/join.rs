@@ -14,7 +14,7 @@ use crate::files::join::Whole;
 #[derive(Debug, Args)]
 #[command(
     after_help = "The parts may be named in any order. Each needs the .toml file beside it, which says what part it is.\n\
-                  A missing part, a part that is named twice, a part of another sweep and a changed part are refused.\n\
+                  Missing, repeated and changed parts, and parts of another sweep, are errors.\n\
                   `cmra help sweeps` shows how parts are computed."
 )]
 pub(super) struct JoinArguments {
@@ -24,7 +24,7 @@ pub(super) struct JoinArguments {
     /// Write the table to this file and its scene beside it; without it, or with `-`, to standard output
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Replace what exists
+    /// Replace an existing file
     #[arg(long, requires = "csv")]
     force: bool,
 }

@@ -15,7 +15,7 @@ use crate::report::run::of_variable;
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
-    /// Only this library
+    /// Show only this library
     library: Option<LibraryWord>,
     /// Print one JSON object: library, name, values in SI units, status and source
     #[arg(long)]

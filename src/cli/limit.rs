@@ -32,10 +32,10 @@ pub(super) struct LimitArguments {
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 skips this
     #[arg(long, alias = "scatter", value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
     monte_carlo: f64,
-    /// Mean of model over measurement, less 1, from `cmra validate` (-0.04 or -4%); corrects V50
+    /// Mean ratio of model to measurement, minus 1, from `cmra validate` (-0.04 or -4%); corrects V50
     #[arg(long, value_name = "PART", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
     model_bias: f64,
-    /// Standard deviation of model over measurement (0.08 or 8%): widens the band of V50
+    /// Standard deviation of the ratio of model to measurement (0.08 or 8%); widens the band of V50
     #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0", value_parser = part)]
     model_spread: f64,
     /// Number of Monte Carlo samples
@@ -62,8 +62,9 @@ impl LimitArguments {
     fn sampling(&self) -> Result<Option<Sampling>, CliError> {
         let deviation = self.monte_carlo;
         if !(0.0..=0.5).contains(&deviation) {
-            let text =
-                format!("--monte-carlo {deviation} is outside 0..0.5: it is a part, 0.02 for 2 %");
+            let text = format!(
+                "--monte-carlo {deviation} is outside 0..0.5: write a fraction, for example 0.02 or 2%"
+            );
             return Err(CliError::Option(text));
         }
         if !(2..=SAMPLES_MAX).contains(&self.samples) {
@@ -92,7 +93,7 @@ fn part(text: &str) -> Result<f64, String> {
     };
     match number.parse::<f64>() {
         Ok(number) => Ok(number / whole),
-        Err(_) => Err("a part is a number like 0.02, or 2%".to_owned()),
+        Err(_) => Err("write a fraction, for example 0.02 or 2%".to_owned()),
     }
 }
 

@@ -25,7 +25,7 @@ use crate::study::validity;
     after_help = "DISTRIBUTION is normal:WIDTH (a standard deviation), lognormal:WIDTH, uniform:WIDTH (a half width) or uniform:LO..HI, \
     triangular:LO..HI, about the scene's own value; WIDTH is a percentage of it or a value with a unit: normal:2%, uniform:0.1mm. \
     A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
-    Memory: eight bytes a sample and result; at most 10 million samples."
+    Memory: eight bytes for each sample and result; at most 10 million samples."
 )]
 pub(super) struct MonteCarloArguments {
     #[command(flatten)]
@@ -42,7 +42,7 @@ pub(super) struct MonteCarloArguments {
     /// Results, separated by commas [default: all but those about the computation]
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Samples
+    /// Number of samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 10_000)]
     samples: usize,
     #[command(flatten)]

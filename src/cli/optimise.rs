@@ -37,11 +37,11 @@ pub(super) enum Laws {
 
 #[derive(Debug, Args)]
 #[command(after_help = "RESULT is any quantity: `cmra explain quantities` lists all. \
-    Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
-    Only feasible designs count (`--no-feasibility` counts all): the interface demand is at most 1, no beam yields, no spring \
+    Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
+    Only feasible designs count (`--no-feasibility` switches this off): the interface demand is at most 1, no beam yields, no spring \
     leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\
-    Several objectives: NSGA-II, the whole front. One objective: the same, then COBYLA from the best design.\n\
-    Exit status 1 when no design keeps every constraint.")]
+    Several objectives: NSGA-II finds the Pareto front. One objective: NSGA-II, then COBYLA from the best design.\n\
+    Exit status 1 when no design satisfies every constraint.")]
 pub(super) struct OptimiseArguments {
     #[command(flatten)]
     scene: SceneArguments,
@@ -68,10 +68,10 @@ pub(super) struct OptimiseArguments {
     /// Interface laws to search
     #[arg(long, value_enum, default_value = "both")]
     laws: Laws,
-    /// Designs in a generation, even; also the most that the front can have
+    /// Number of designs in a generation, even; also the maximum size of the front
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     population: usize,
-    /// Generations after the first
+    /// Number of generations after the first
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     generations: usize,
     #[command(flatten)]

@@ -35,7 +35,7 @@ const DIGITS: usize = 6;
 #[derive(Debug, Args)]
 #[command(
     after_help = "The report has the changed inputs, the results with their estimated errors, charts, the ballistic limit, the scene's \
-                  own sweep where it has one of one or two axes, every warning, and how to run it again. It links to nothing."
+                  own sweep (one or two axes), every warning, and how to run it again. The file is self-contained."
 )]
 pub(super) struct ReportArguments {
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub(super) struct ReportArguments {
     /// Where to write the report: FILE.html has its charts as SVG, FILE.md as text
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Replace what exists
+    /// Replace an existing file
     #[arg(long)]
     force: bool,
 }

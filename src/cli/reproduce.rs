@@ -19,7 +19,7 @@ use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
 pub(super) struct ReproduceArguments {
     #[command(flatten)]
     table: TableArguments,
-    /// Only the rows whose name, place, sentence or verdict contains this
+    /// Show only the rows whose name, place, sentence or verdict contains this text
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
 }

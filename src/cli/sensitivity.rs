@@ -31,10 +31,10 @@ pub(super) struct SensitivityArguments {
     /// The result: a key of `cmra run --json`
     #[arg(long, alias = "outputs", value_name = "NAME", default_value = "percent_of_baseline")]
     output: String,
-    /// Rows of the design for Sobol's indices, a power of two; each costs one run per variable and two more
+    /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024)]
     samples: usize,
-    /// Trajectories for Morris's effects; each costs one run per variable and one more
+    /// Trajectories for Morris's elementary effects; each takes one run and one more per variable
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     trajectories: usize,
     #[command(flatten)]

@@ -21,7 +21,7 @@ const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Exit status 1 if auto fails on any scene of the battery. SCENE and --set are for --map."
+    after_help = "Without --map, runs stiff and extreme scenes of its own with the default solver (`auto`). Exit status 1 if it fails on any of them.\nSCENE and --set are for --map."
 )]
 pub(super) struct StabilityArguments {
     #[command(flatten)]
@@ -34,7 +34,7 @@ pub(super) struct StabilityArguments {
     /// The method of the map
     #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&Method::ALL, Method::word, Method::about))]
     method: Method,
-    /// A fifth of the battery, or a coarser map
+    /// Check a fifth of the stiff scenes, or compute a coarser map
     #[arg(long)]
     quick: bool,
 }
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     }
     if arguments.scene.is_given() {
         return Err(CliError::Option(
-            "SCENE and --set belong to --map: the battery has its own scenes; add --map k (or n, b), or omit SCENE and --set"
+            "SCENE and --set belong to --map: the check of stiff scenes has its own scenes; add --map k (or n, b), or omit SCENE and --set"
                 .to_owned(),
         ));
     }

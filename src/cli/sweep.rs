@@ -36,7 +36,7 @@ use axes::{Asked, DesignWord};
 #[command(
     after_help = format!(
         "Without --over, computes the scene's own [sweep], for example `cmra sweep figure-9.7`.\n\
-        Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which differs \
+        Columns: the axes' values, then every key of `cmra run --json` except run_time_s (which differs \
          from run to run); \
         with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
         keeps its row and says why.\n\
@@ -53,10 +53,10 @@ pub(super) struct SweepArguments {
     /// or with a list of values; may be repeated
     #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// Which points
+    /// How the sample points are chosen
     #[arg(long, value_enum, default_value = "factorial")]
     design: DesignWord,
-    /// Points of --design lhs or sobol [default: as many as the full grid]
+    /// Number of points of --design lhs or sobol [default: as many as the full grid]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     points: Option<u64>,
     /// Seed of the design: the same seed gives the same points [default: 0]

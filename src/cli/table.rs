@@ -27,7 +27,7 @@ pub(super) struct TableArguments {
     /// Write the table to this file; `-` writes it to standard output instead of the page
     #[arg(long, value_name = "FILE", group = "files")]
     csv: Option<PathBuf>,
-    /// Replace what exists
+    /// Replace an existing file
     #[arg(long, requires = "files")]
     force: bool,
     /// CSV dialect

@@ -19,7 +19,7 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     let commands: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
     let named = written.get(1).and_then(|word| word.to_str()).filter(|it| commands.contains(it));
     let command = command_of(error, named);
-    // Behind a misspelt command nothing is understood.
+    // After a misspelt command the other arguments have no meaning.
     if command == "cmra"
         && let Some(word) = written.get(1).and_then(|word| word.to_str())
         && !commands.contains(&word)
@@ -43,16 +43,27 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
             format!("`{name}` is not a subcommand of `{command}`: {hint}")
         }
         ErrorKind::MissingRequiredArgument => {
-            format!("{} is missing", all(error, ContextKind::InvalidArg).join(" and "))
+            let missing = all(error, ContextKind::InvalidArg);
+            format!(
+                "{} {} missing",
+                missing.join(" and "),
+                if missing.len() > 1 { "are" } else { "is" }
+            )
         }
         ErrorKind::ArgumentConflict => match all(error, ContextKind::PriorArg).as_slice() {
             [] => format!("{argument} cannot be used here"),
-            [same] if *same == argument => format!("{argument} stands twice: write it once"),
+            [same] if *same == argument => format!("{argument} is given twice: write it once"),
             others => {
-                format!("{argument} cannot be used with {}: leave one out", others.join(" or "))
+                format!("{argument} cannot be used with {}: omit one", others.join(" or "))
             }
         },
-        // All others say it in their first line.
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let own =
+                command.split_whitespace().skip(1).try_fold(program, Command::find_subcommand);
+            let names = own.into_iter().flat_map(Command::get_subcommands).map(Command::get_name);
+            format!("a subcommand is missing: use one of {}", names.collect::<Vec<_>>().join(", "))
+        }
+        // All others are explained by their first line.
         _ => {
             let text = error.to_string();
             let first = text.lines().next().unwrap_or_default();
@@ -62,7 +73,7 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     Some(format!("{}; see `{command} --help`", problem.trim_end_matches([' ', ':', ';'])))
 }
 
-/// The texts of a part of an error.
+/// The texts of one kind in the context of an error.
 fn all(error: &Error, kind: ContextKind) -> Vec<String> {
     match error.get(kind) {
         Some(ContextValue::String(text)) => vec![text.clone()],
@@ -71,7 +82,7 @@ fn all(error: &Error, kind: ContextKind) -> Vec<String> {
     }
 }
 
-/// The command that the error is about: `cmra run`; where the error does not say it, the one that was named.
+/// The command that the error is about, such as `cmra run`; if the error does not name it, the command that was typed.
 fn command_of(error: &Error, named: Option<&str>) -> String {
     let usage = match error.get(ContextKind::Usage) {
         Some(ContextValue::StyledStr(usage)) => usage.to_string(),
@@ -86,12 +97,12 @@ fn command_of(error: &Error, named: Option<&str>) -> String {
     words.join(" ")
 }
 
-/// A value that is missing, or none of those allowed.
+/// Describes a value that is missing or not allowed.
 fn value(error: &Error, argument: &str) -> String {
     let valid = all(error, ContextKind::ValidValue);
     let written = all(error, ContextKind::InvalidValue).concat();
     let list =
-        if valid.is_empty() { String::new() } else { format!("it may be {}", valid.join(", ")) };
+        if valid.is_empty() { String::new() } else { format!("use one of {}", valid.join(", ")) };
     if written.is_empty() {
         return format!("{argument} has no value: {list}");
     }
@@ -100,7 +111,7 @@ fn value(error: &Error, argument: &str) -> String {
     format!("`{written}` is not a value of {argument}: {hint}{list}")
 }
 
-/// An option that the command does not have, or a word too many.
+/// Describes an unknown option, or an argument too many.
 fn unknown(error: &Error, program: &Command, command: &str) -> String {
     let argument = all(error, ContextKind::InvalidArg).concat();
     let own = command.split_whitespace().skip(1).try_fold(program, Command::find_subcommand);

@@ -68,7 +68,7 @@ fn named(variable: &Variable) -> String {
 
 fn page() -> String {
     let mut page =
-        "symbol, default, name and meaning; `cmra explain SYMBOL` tells all of one\n".to_owned();
+        "symbol, default, name and meaning; `cmra explain SYMBOL` explains one\n".to_owned();
     for group in Group::ALL {
         let own: Vec<&Variable> = VARIABLES.iter().filter(|it| it.group == group).collect();
         // As narrow as the group allows: the meaning has the rest of the line.

@@ -24,9 +24,9 @@ pub struct Config {
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
 #[serde(untagged)]
 pub enum Keys {
-    /// One.
+    /// A single key.
     One(String),
-    /// Several, the one to show first.
+    /// Several keys; help shows the first one.
     Several(Vec<String>),
 }
 
@@ -41,10 +41,10 @@ impl Config {
     }
 }
 
-/// Reads the configuration; one that is not there is empty.
+/// Reads the configuration; empty if there is no file.
 ///
 /// # Errors
-/// In words: what cannot be read, where, and what is allowed.
+/// A sentence with the place, the problem and what is allowed.
 pub fn load(path: &Path) -> Result<Config, String> {
     let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
         Ok(text) => text,
@@ -56,7 +56,7 @@ pub fn load(path: &Path) -> Result<Config, String> {
     toml::from_str(&text).map_err(|error| {
         let first = error.message().lines().next().unwrap_or_default().to_owned();
         let line = error.span().map_or(0, |span| text[..span.start].matches('\n').count() + 1);
-        format!("{}, line {line}: {first}; the rest of the file is left alone", path.display())
+        format!("{}, line {line}: {first}; the file is ignored", path.display())
     })
 }
 

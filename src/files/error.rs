@@ -42,11 +42,11 @@ pub enum FileError {
         /// The nearest names, or what to write.
         hint: String,
     },
-    /// The file is there already and was left alone.
-    #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", shown(.0))]
+    /// The file exists already and was not replaced.
+    #[error("`{}` already exists: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
     /// A preset is to be replaced whose file is no readable scene; what is in it would be lost.
-    #[error("`{}` was left alone, since it is no readable scene: mend it, remove it, or save under another name\n{problem}", shown(.path))]
+    #[error("`{}` is not a readable scene and was not replaced: correct it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {
         /// The file.
         path: PathBuf,
@@ -145,7 +145,7 @@ impl fmt::Display for SceneErrors {
             write!(f, "{file}:{line}:{column}: {text}")?;
         }
         if self.more {
-            write!(f, "\n{file}: and more: mend these first")?;
+            write!(f, "\n{file}: and more: correct these first")?;
         }
         Ok(())
     }

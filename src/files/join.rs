@@ -46,7 +46,7 @@ impl Whole {
         let mut found = paths.iter().map(|path| found(path)).collect::<Result<Vec<_>, _>>()?;
         found.sort_by_key(|one| one.part.shard.place());
         let Some((first, others)) = found.split_first() else {
-            return Err(refuse("there is no part to join".to_owned()));
+            return Err(refuse("no part is given to join".to_owned()));
         };
         for other in others {
             if let Some(difference) = difference(first, other) {
@@ -118,7 +118,7 @@ fn found(path: &Path) -> Result<Found, FileError> {
     std::fs::metadata(path).map_err(|source| FileError::read(path, source))?;
     if !beside.exists() {
         return Err(refuse(format!(
-            "`{}` has no `{}` beside it, which says what part it is: make the parts with --shard and without --meta inline",
+            "`{}` has no `{}` beside it, which names its part: make the parts with --shard and without --meta inline",
             shown(path),
             shown(&beside)
         )));
@@ -174,7 +174,7 @@ fn each_once(found: &[Found]) -> Result<(), FileError> {
     for pair in found.windows(2) {
         if number(&pair[0]) == number(&pair[1]) {
             return Err(refuse(format!(
-                "`{}` and `{}` are both part {}: leave one out",
+                "`{}` and `{}` are both part {}: omit one",
                 shown(&pair[0].path),
                 shown(&pair[1].path),
                 pair[0].part.shard

@@ -80,11 +80,15 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     }
     let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
     let list = format!("`cmra libraries` lists the {}", library.file());
-    let mut hint = format!("{} ({list})", nearest(name, &names, "write one of"));
+    let mut hint = format!("{} ({list})", nearest(name, &names, "use one of"));
     for problem in problems {
         hint = format!("{hint}\n{problem}");
     }
-    Err(FileError::Refused(format!("`{}` is no {}: {hint}", clean::line(name), library.word())))
+    Err(FileError::Refused(format!(
+        "`{}` is not one of the {}s: {hint}",
+        clean::line(name),
+        library.word()
+    )))
 }
 
 /// The entries of a text, and the problems of those that cannot be read. `file` is the name used in errors.
@@ -124,7 +128,7 @@ fn entry(
 ) -> Option<Entry> {
     let (word, scene_table) = (library.word(), library.table());
     let DeValue::Table(table) = value.get_ref() else {
-        let text = format!("`{name}` is no {word}: write [{name}] and its keys below it");
+        let text = format!("`{name}` is not a {word}: write [{name}] and its keys below it");
         reader.problem(value.span(), text);
         return None;
     };

@@ -350,7 +350,7 @@ mod tests {
         let (_, problems) = list(Some(&paths));
         assert!(problems[0].to_string().contains("hurt.toml:3:1"), "{}", problems[0]);
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
-        assert!(error.to_string().contains("left alone"), "{error}");
+        assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
     }
 

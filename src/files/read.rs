@@ -84,7 +84,7 @@ fn text_up_to(source: impl Read, path: &Path, limit: u64) -> Result<String, File
     }
     String::from_utf8(bytes).map_err(|_not_text| {
         FileError::Refused(format!(
-            "`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8",
+            "`{}` is not UTF-8 text, as every scene is: is this the right file? if so, save it as UTF-8",
             shown(path)
         ))
     })

@@ -95,7 +95,7 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
             (None, None) if index == 0 => {}
             _ => {
                 return Err(format!(
-                    "`{shown}`, line {line}: `{}` is no point: write displacement in m and force in N, separated by a comma, \
+                    "`{shown}`, line {line}: `{}` is not a point: write displacement in m and force in N, separated by a comma, \
                      as in 0.01,1000",
                     clean::line(
                         &row.iter()

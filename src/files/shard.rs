@@ -84,7 +84,7 @@ impl Part {
         if let Some(missing) = note("not complete") {
             return Err(format!("it is not complete ({missing}): compute it again"));
         }
-        let shard = note("shard").ok_or("it is no part of a sweep: make parts with --shard I/N")?;
+        let shard = note("shard").ok_or("not a part of a sweep: make parts with --shard I/N")?;
         let broken = |key: &str| format!("its line `# {key}:` is missing or was changed");
         let design = || {
             let words: Vec<&str> = note("design")?.split(' ').collect();

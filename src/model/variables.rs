@@ -294,7 +294,12 @@ impl Variable {
                 let rule = number.allowed.describe(number.quantity);
                 number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
-            Kind::Choice(choice) => choice.words.join(" or "),
+            Kind::Choice(choice) => match choice.words {
+                [first @ .., last] if !first.is_empty() => {
+                    format!("{} or {last}", first.join(", "))
+                }
+                words => words.concat(),
+            },
             Kind::Switch { .. } => "true or false".to_owned(),
         }
     }

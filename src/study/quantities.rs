@@ -78,11 +78,11 @@ enumeration! {
         words: &'static str,
     }
     /// Nothing.
-    Scene { word: "scene", words: "nothing but the scene" }
+    Scene { word: "scene", words: "no simulation" }
     /// A run.
     Run { word: "run", words: "a run" }
     /// A run with its course in time.
-    Course { word: "course", words: "a run and its course in time" }
+    Course { word: "course", words: "one simulation and its time series" }
     /// Many shots.
     Limit { word: "limit", words: "many shots (a limit search)" }
 }

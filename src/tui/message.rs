@@ -82,7 +82,7 @@ pub enum EffectReport {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExportOutcome {
     Written(Vec<PathBuf>),
-    /// The file exists and was left alone.
+    /// The file exists and was not replaced.
     Exists(PathBuf),
     Failed(String),
 }

@@ -381,7 +381,7 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
         (ExportOutcome::Failed(text), Some(Dialog::Ask(ask))) => ask.text.error = Some(text),
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
         (ExportOutcome::Exists(path), _) => {
-            app.refuse(format!("{} exists and was left alone", path.display()));
+            app.refuse(format!("{} already exists and was not replaced", path.display()));
         }
         (ExportOutcome::Failed(text), _) => app.refuse(text),
     }

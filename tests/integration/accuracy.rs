@@ -103,7 +103,7 @@ fn a_file_is_written_once_and_bad_input_is_told() {
     assert!(cmra(&write).status.success());
     let again = cmra(&write);
     assert_eq!(again.status.code(), Some(2));
-    assert!(text(&again.stderr).contains("was left alone"));
+    assert!(text(&again.stderr).contains("already exists"));
     assert!(Path::new(path).exists());
     let beside = std::fs::read_to_string(Path::new(path).with_extension("toml")).unwrap();
     assert!(beside.contains("# again: cmra accuracy ./accuracy.toml --quick --csv -"), "{beside}");

@@ -23,7 +23,7 @@ fn what_is_no_scene_is_refused_in_a_short_line() {
     let long_key = format!("format = 1\n{} = 1\n", "k".repeat(100_000));
     let huge = format!("format = 1\nnotes = \"{}\"\n", "x".repeat(2 << 20));
     let cases = [
-        (b"\xff\xfe\x00binary".to_vec(), "is no text"),
+        (b"\xff\xfe\x00binary".to_vec(), "is not UTF-8 text"),
         (deep.into_bytes(), "recursion"),
         (long_key.into_bytes(), "is not a key of a scene"),
         (huge.into_bytes(), "is this the right file"),
@@ -170,7 +170,7 @@ fn where_a_table_cannot_go_is_told_before_the_work_and_not_after_it() {
     ];
     for (subcommand, arguments) in long {
         for (path, code, expected) in
-            [(&mine, 2, "was left alone"), (&nowhere, 1, "no such file or directory")]
+            [(&mine, 2, "already exists"), (&nowhere, 1, "no such file or directory")]
         {
             let arguments = [arguments, &["--csv", path.to_str().unwrap()]].concat();
             let (out, error) = says(subcommand, &arguments, code);

@@ -114,7 +114,7 @@ fn check_model(scene: &Scene) -> Result<(), VariableError> {
         return Ok(());
     }
     refuse(format!(
-        "model (contact.model) = appendix is made for a power law, and {} is none: set model = hydrodynamic, or spring = power-law, \
+        "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or spring = power-law, \
          combine = alone, own_mass = ignored",
         described(mechanism)
     ))

@@ -165,7 +165,7 @@ impl Tolerance {
             }
             other => {
                 return Err(format!(
-                    "`{other}` is no distribution: write normal:2%, lognormal:5%, uniform:LO..HI or triangular:LO..HI"
+                    "`{other}` is not a distribution: write normal:2%, lognormal:5%, uniform:LO..HI or triangular:LO..HI"
                 ));
             }
         };

@@ -53,7 +53,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
         bench.effects
     );
     // What is wrong with the file is said where its name was typed, and nothing is lost.
-    report(&mut bench, Err("`curve.csv`, line 3: `0.002;900` is no point"));
+    report(&mut bench, Err("`curve.csv`, line 3: `0.002;900` is not a point"));
     assert!(bench.screen().contains("line 3"), "{}", bench.screen());
     report(&mut bench, Ok(&[[0.0, 0.0], [0.0, 900.0]]));
     assert!(bench.screen().contains("must rise in x"), "{}", bench.screen());

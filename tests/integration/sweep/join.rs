@@ -64,7 +64,7 @@ fn gaps_doubles_mixtures_and_changed_parts_are_refused_in_one_line() {
         ("p1 sobol2 p3", &["different sweeps", "the design is Factorial"]),
         ("half p2 p3", &["different sweeps", "the number of parts is 2 in one and 3"]),
         ("p1 inline p3", &["`inline.csv` has no `inline.toml` beside it"]),
-        ("p1 whole p3", &["`whole.csv`: it is no part of a sweep"]),
+        ("p1 whole p3", &["`whole.csv`: not a part of a sweep"]),
         ("p1 short p3", &["`short.csv` has 2 of the 5 rows of part 2/3"]),
         ("p1 swapped p3", &["`swapped.csv`: row 1 is not the row of its point"]),
         ("p1 none p3", &["`none.csv`", "no such file"]),

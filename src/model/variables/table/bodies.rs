@@ -54,17 +54,17 @@ pub(super) const ROWS: &[Variable] = &[
     number!(Density, Allowed::Positive, projectile.density_kg_m3)
         .named("rho_p", "density")
         .when(is_oblique)
-        .means("projectile density, for the warning of ricochet alone")
+        .means("projectile density, used for the ricochet warning only")
         .from("assumption: steel"),
     number!(Pressure, Allowed::Positive, projectile.strength_pa)
         .named("Y_p", "yield strength")
         .when(is_oblique)
-        .means("projectile strength, for the warning of ricochet alone")
+        .means("projectile strength, used for the ricochet warning only")
         .from("assumption: 1 GPa"),
     choice!(Nose, projectile.nose)
     .named("nose", "nose shape")
     .listed_when(|scene| scene.projectile.nose != Nose::Hemispherical)
-    .means("shape of the nose; the law is for a hemisphere, the others only earn a warning")
+    .means("shape of the nose; the law is for a hemisphere, other shapes cause a warning")
     .from("assumption of the model"),
     sizing!(Length, target.thickness_m)
         .named("h", "plate thickness")

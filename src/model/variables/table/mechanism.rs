@@ -27,12 +27,10 @@ pub(super) const DAMPER: &[Variable] = &[
 /// Whether there is a second spring, and what the springs weigh for what they take up.
 pub(super) const COMBINATION: &[Variable] = &[
     choice!(Combination, mechanism.combination)
-    .named("combine", "second spring")
-    .used_when(is_sprung)
-    .means(
-        "whether a second spring acts with the first: none, side by side, or one behind the other",
-    )
-    .from("thesis section 6.2.8; one spring in chapter 9"),
+        .named("combine", "second spring")
+        .used_when(is_sprung)
+        .means("a second spring: none (alone), parallel to the first one, or in series with it")
+        .from("thesis section 6.2.8; one spring in chapter 9"),
     optional!(SpecificEnergy, Allowed::Positive, "auto", mechanism.energy_j_kg)
         .named("e_spring", "specific energy")
         .visible_when(Visible {

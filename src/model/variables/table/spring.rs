@@ -56,7 +56,7 @@ macro_rules! spring_rows {
                     .from("thesis Table 9.2 (range searched)");
             }
             |spring| spring.kind != SpringKind::PowerLaw || !spring.is_single(), always => {
-                number(Number, Allowed::Positive) count: "N_spring", "springs", "how many equal springs act side by side"
+                number(Number, Allowed::Positive) count: "N_spring", "springs", "number of equal springs that act in parallel"
                     .from("thesis Figure 6.9; 1 unless given");
             }
             always, always => {

@@ -268,7 +268,7 @@ pub(crate) fn models(app: &mut App) {
     let rest =
         if refused.is_some() { "; models that cannot run this scene are not drawn" } else { "" };
     app.tell(format!(
-        "{} and the other models side by side (the same again takes them away){rest}",
+        "{} is pinned beside the other models (repeat to unpin them){rest}",
         own.word()
     ));
 }
