@@ -117,11 +117,11 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
         ),
         ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
         ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
-        ("energy left then", left, "J", "of both bodies"),
+        ("energy after it", left, "J", "kinetic energy of both bodies, moving together"),
         ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
         ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
         (
-            "energy drawn into the spring",
+            "energy stored by cocking",
             drawn,
             "J",
             "the integral of its force; k d^(n+1)/(n+1) of a power law",

@@ -30,13 +30,13 @@ pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 skips this
-    #[arg(long, alias = "scatter", value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
+    #[arg(long, alias = "scatter", value_name = "FRACTION", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
     monte_carlo: f64,
     /// Mean ratio of model to measurement, minus 1, from `cmra validate` (-0.04 or -4%); corrects V50
-    #[arg(long, value_name = "PART", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
     model_bias: f64,
     /// Standard deviation of the ratio of model to measurement (0.08 or 8%); widens the band of V50
-    #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0", value_parser = part)]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, default_value = "0", value_parser = part)]
     model_spread: f64,
     /// Number of Monte Carlo samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
@@ -159,10 +159,10 @@ fn head(page: &mut String, report: &Report) {
     }
     *page += &hanging("criterion       ", report.criterion.label(), LABEL);
     if let Some(margin) = report.margin() {
-        let side = if margin < 0.0 { "it perforates" } else { "it is stopped" };
+        let side = if margin < 0.0 { "which perforates" } else { "which is stopped" };
         let _ = writeln!(
             page,
-            "margin          {:+.1} % over the scene's own {}: {side}",
+            "margin          {:+.1} % relative to the scene's {}: {side}",
             100.0 * margin,
             velocity(own)
         );

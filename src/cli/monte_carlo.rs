@@ -111,7 +111,7 @@ fn page(name: &str, report: &Report) -> String {
         let unit = tolerance.variable().unit().trim_matches('-');
         let again = match redrawn {
             0 => String::new(),
-            count => format!("   truncated: {count} impossible draws made again"),
+            count => format!("   truncated: {count} impossible samples drawn again"),
         };
         let words = format!("{} {unit}", tolerance.distribution.words());
         let _ = writeln!(page, "  {:8}{}{again}", tolerance.symbol(), words.trim_end());

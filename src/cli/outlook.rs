@@ -52,7 +52,7 @@ fn by_batches((runs, what): (u64, &str), mut attempt: impl FnMut(Range<u64>, GoO
     if done == 0 {
         if tried > 0 {
             output::note(&format!(
-                "none of the {what} was finished in {} ms, all {runs} of them take long; an interrupt keeps what is finished",
+                "none of the {what} was finished in {} ms, all {runs} will take long; an interrupt keeps what is finished",
                 TRYING.as_millis()
             ));
         }

@@ -81,7 +81,7 @@ impl Pace {
     pub(super) fn exit_code(&self, good: bool) -> ExitCode {
         let stopped = self.stop.is_set();
         if stopped {
-            output::note("interrupted: what was finished is shown");
+            output::note("interrupted: partial results are shown");
         }
         if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
     }

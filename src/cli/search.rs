@@ -22,8 +22,8 @@ pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Opti
     }
     scene.interface.law = InterfaceLaw::Plastic;
     Some(
-        "searched with interface=plastic: a fused interface may have to carry more than it can; --set interface=fused searches \
-         with it"
+        "searched with interface=plastic: a fused interface has no limit of strength; --set interface=fused \
+         searches with fused"
             .to_owned(),
     )
 }

@@ -148,7 +148,7 @@ fn numbers(page: &mut String, run: &Run) {
     if let Some(ratio) = run.interface_demand_ratio {
         let _ = writeln!(
             page,
-            "{:<LABEL$}{} of the A S_y it can push",
+            "{:<LABEL$}{} of its strength A S_y",
             "interface demand",
             units::fixed_significant(ratio, 4)
         );
@@ -250,7 +250,7 @@ fn estimates(page: &mut String, run: &Run) {
     {
         let _ = writeln!(
             page,
-            "all results within {:.1e} of themselves (the greatest estimate: {})",
+            "largest error estimate of all results {:.1e} ({})",
             error.relative,
             column.title()
         );

@@ -97,7 +97,7 @@ impl TableArguments {
     pub(super) fn check_stdout(&self) -> Result<(), CliError> {
         if self.json && matches!(self.target(), Target::Stdout) {
             return Err(CliError::Option(
-                "--json and --csv - both write to standard output: leave one of them out, or name a file for --csv".to_owned(),
+                "--json and --csv - both write to standard output: omit one of them, or name a file for --csv".to_owned(),
             ));
         }
         Ok(())

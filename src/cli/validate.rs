@@ -103,7 +103,7 @@ fn page(report: &[Row]) -> String {
 fn summary(report: &[Row]) -> String {
     let mut table = format!(
         "{:<38}{:>7}{:>9}{:>9}   {}\n",
-        "computed over measured, less 1", "points", "bias", "scatter", "least to greatest"
+        "computed over measured, minus 1", "points", "bias", "scatter", "least to greatest"
     );
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
     for it in biases(report) {

@@ -83,8 +83,8 @@ impl Meta {
     /// What it is, in words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Beside => "beside it, as a .toml to run again",
-            Self::Inline => "in # lines at its head",
+            Self::Beside => "in a .toml file beside it, which runs it again",
+            Self::Inline => "in # lines at the top of the table",
         }
     }
 }

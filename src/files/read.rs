@@ -309,7 +309,7 @@ impl<'t> Reader<'t> {
     fn wrong_type(&self, variable: &Variable, value: &Spanned<DeValue<'_>>) -> String {
         let defaults = Scene::default();
         let example = match variable.value(&defaults) {
-            Value::Absent => "leave the key out to do without".to_owned(),
+            Value::Absent => "omit the key to have none".to_owned(),
             Value::Word(word) => format!("write for example \"{word}\""),
             Value::Number(_) | Value::Switch(_) => {
                 format!("write for example {}", variable.show(&defaults))

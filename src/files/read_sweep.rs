@@ -49,7 +49,7 @@ impl AxisRow {
             }
             (.., Some(_)) => {
                 return Err(format!(
-                    "{name} has `values` and a range: an axis has one of them; leave out the other"
+                    "{name} has `values` and a range: an axis has one of them; omit the other"
                 ));
             }
         };

@@ -36,7 +36,7 @@ pub(super) fn points(
                 .map_err(|error| (file.span(), error.to_string()))
         }
         Ok(Curve { points: Some(_), file: Some(_) }) => {
-            let text = format!("{key} has both file and points: leave one of them out");
+            let text = format!("{key} has both file and points: omit one of them");
             Err((value.span(), text))
         }
         Ok(Curve { points: None, file: None }) => return None,

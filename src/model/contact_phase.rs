@@ -66,23 +66,23 @@ worded! {
     pub enum Refusal: words {
         NoClosedForm = "no closed form: a mechanism acts",
         /// The method knows the power law `k |x|^n` of the thesis only.
-        NoPowerLaw = "refused: it knows massless k |x|^n only",
+        NoPowerLaw = "not applicable: only a massless spring k |x|^n",
         /// The plate meets its stop within the contact, which these equations do not contain.
-        StopWithinContact = "refused: it knows no stop, and one acts",
+        StopWithinContact = "not applicable: a stop acts",
         /// The plate may leave the stop it rests on before the contact ends, which is not followed.
         LeavesStop = "gave up: the plate may leave its stop again",
         NeedsSimulation = "left to the simulation, as in a sweep",
         StepBudget = "gave up: step budget used up",
         StepUnderflow = "gave up: steps too small to move time",
-        NonFinite = "blew up: a value is not finite",
-        Separated = "wrong: projectile leaves the way it came",
+        NonFinite = "diverged: a value is not finite",
+        Separated = "wrong: projectile leaves through the entry face",
         NoEnd = "gave up: neither arrest nor perforation",
         TooStiff = "gave up: too stiff for Taylor steps",
-        OtherEnding = "wrong: another ending than the reference",
+        OtherEnding = "wrong: the outcome differs from the reference",
         EndedEarly = "the run ended early",
         Rattles = "gave up: the velocity changes sign too often",
         /// Nothing that shares no code with the method could be computed to judge it by.
-        NoReference = "not run: nothing independent judges it",
+        NoReference = "not run: no independent reference",
         /// It has taken so long that coarser points are all this report waits for.
         TooSlow = "not run: would take too long",
     }

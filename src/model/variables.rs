@@ -340,7 +340,7 @@ impl Variable {
             _ => {
                 let default = (number.get)(&Scene::default());
                 default.map_or_else(
-                    || "leave it out to do without".to_owned(),
+                    || "omit it to have none".to_owned(),
                     |value| format!("the default is {}", units::shortest(value)),
                 )
             }

@@ -26,10 +26,10 @@ fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
     table
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
-        .with("sized_thickness_m", "thickness just enough", "m", |it| {
+        .with("sized_thickness_m", "thickness to just stop", "m", |it| {
             Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
         })
-        .with("sized_areal_mass_kg_m2", "areal mass just enough", "kg/m^2", |it| {
+        .with("sized_areal_mass_kg_m2", "areal mass to just stop", "kg/m^2", |it| {
             Some(it.sized.as_ref().ok()?.areal_kg_m2)
         })
         .with("solid_areal_mass_kg_m2", "areal mass of the solid", "kg/m^2", |it| {
@@ -42,7 +42,7 @@ fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
         .shown(beyond)
         .with("perforation_velocity_m_s", "perforation", "m/s", |it| it.perforation.velocity_m_s())
         .shown(beyond)
-        .with("equivalent_thickness_m", "solid of this limit", "m", |it| it.equivalent_m)
+        .with("equivalent_thickness_m", "solid of equal limit", "m", |it| it.equivalent_m)
         .with("stroke_m", "stroke", "m", |it| it.load.stroke_m)
         .with("stored_energy_j", "stored energy", "J", |it| it.load.stored_j)
         .with("peak_mount_force_n", "mount force", "N", |it| it.load.mount_force_n)

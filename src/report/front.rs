@@ -19,12 +19,10 @@ pub fn law(law: InterfaceLaw) -> &'static str {
 /// A candidate's standing in a sentence.
 pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
     match &candidate.standing {
-        Standing::OnFront => Remark::new("", "on the front: no design of it is better"),
-        Standing::Dominated { by } => {
-            Remark::new("", format!("off the front: design {} is better throughout", by + 1))
-        }
+        Standing::OnFront => Remark::new("", "on the Pareto front: not dominated"),
+        Standing::Dominated { by } => Remark::new("", format!("dominated by design {}", by + 1)),
         Standing::Breaks(at) => {
-            Remark::caution("", format!("breaks {}", task.constraints[*at].words()))
+            Remark::caution("", format!("violates {}", task.constraints[*at].words()))
         }
         Standing::NoValue(outcome) => {
             let is_at_rest = matches!(outcome, PointOutcome::Arrested | PointOutcome::Separated);
@@ -32,14 +30,14 @@ pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
             let missing = measures.zip(&candidate.measures).find(|(_, value)| value.is_none());
             let why = match missing.map(|it| it.0) {
                 Some(it) if it.name == "peak_mount_force_n" && is_at_rest => {
-                    "a rigid stop is hit, the force has no bound"
+                    "a rigid stop is hit, the force is unbounded"
                 }
                 Some(it) => outcome.without_value(it),
                 None => outcome.word(),
             };
-            Remark::caution("", format!("off the front: {why}"))
+            Remark::caution("", format!("not on the front: {why}"))
         }
-        Standing::Impossible => Remark::caution("", "cannot be made of this scene"),
+        Standing::Impossible => Remark::caution("", "not possible with this scene"),
     }
 }
 
@@ -47,8 +45,8 @@ pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
 fn word_of(standing: &Standing) -> &'static str {
     match standing {
         Standing::OnFront => "on the front",
-        Standing::Dominated { .. } => "beaten",
-        Standing::Breaks(_) => "breaks a constraint",
+        Standing::Dominated { .. } => "dominated",
+        Standing::Breaks(_) => "violates a constraint",
         Standing::NoValue(_) => "no value",
         Standing::Impossible => "impossible",
     }

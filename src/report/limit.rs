@@ -38,11 +38,11 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     }
     remarks.extend(carried(report).map(|text| Remark::new("note", text)));
     if report.lambert_jonas.is_some() {
-        remarks.push(Remark::new("laws", "left of v: v_r = a (v^p - v_bl^p)^(1/p)"));
+        remarks.push(Remark::new("laws", "residual velocity v_r = a (v^p - v_bl^p)^(1/p)"));
     }
     if let Some(law) = report.recht_ipson {
         let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-        let text = format!("a {a}, p 2, this v_bl; RMS error {misfit} m/s");
+        let text = format!("a {a}, p 2, same v_bl; RMS error {misfit} m/s");
         remarks.push(Remark::new("Recht-Ipson", text));
     }
     if let Some(law) = report.lambert_jonas {
@@ -107,7 +107,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         velocity(high),
     );
     if found.without > 0 {
-        let _ = write!(v50, "; {} samples have no limit near", found.without);
+        let _ = write!(v50, "; {} samples have no limit in the searched range", found.without);
     }
     let through = format!(
         "{} % of shots at the scene's {} (95 %: {} to {} %)",
@@ -127,7 +127,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         let _ =
             write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
     }
-    [("V50", v50), ("goes through", through), ("scatter", inputs)]
+    [("V50", v50), ("perforation", through), ("scatter", inputs)]
         .map(|(about, text)| Remark::new(about, text))
 }
 

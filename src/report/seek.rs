@@ -11,9 +11,9 @@ use crate::study::sweep::{PointOutcome, Spacing};
 pub fn solution(report: &Report, solution: &Line) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
-    let until = solution.until.map(|it| format!(" to {}, all of it", axis.show(it.at, 6)));
+    let until = solution.until.map(|it| format!(" to {} (whole interval)", axis.show(it.at, 6)));
     let is_touch = solution.kind == Kind::Touch;
-    let touch = if is_touch { ", a least or greatest value" } else { "" };
+    let touch = if is_touch { ", a minimum or maximum" } else { "" };
     let outcome = solution.outcome.map_or("", PointOutcome::word);
     let reached = report.measure.show(solution.place.value, 6);
     format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
@@ -30,7 +30,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     for jump in report.of(Kind::Jump) {
         let (from, to) =
             (place(jump.place), jump.until.map_or_else(String::new, |it| shown(it.value)));
-        let text = format!("no solution, a jump over the goal: {from}, then {to}");
+        let text = format!("no solution: the result jumps over the goal: {from}, then {to}");
         remarks.push(Remark::caution("", text));
     }
     if report.solutions().next().is_none() {
@@ -38,7 +38,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let nearest = report.of(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));
         let range = report
             .range
-            .map(|(least, most)| format!("least: {}; most: {}", place(least), place(most)));
+            .map(|(least, most)| format!("minimum: {}; maximum: {}", place(least), place(most)));
         remarks.extend(nearest.chain(range).map(|text| Remark::new("", text)));
     }
     for gap in report.of(Kind::Gap) {

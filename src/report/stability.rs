@@ -72,7 +72,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
     table
         .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))
         .shown(|row, _| Some(if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()))
-        .with("why_hard", "what makes it hard", "", |row| row.case.why)
+        .with("why_hard", "difficulty", "", |row| row.case.why)
 }
 
 /// The whole battery.

@@ -424,7 +424,7 @@ pub static LINES: &[Line] = &[
     everywhere(&[
         (A::FarLeft, "far-left", &[plain('H'), shifted(C::Left)]),
         (A::FarRight, "far-right", &[plain('L'), shifted(C::Right)]),
-    ], "ten steps at once"),
+    ], "move or change by ten steps"),
     everywhere(&[
         (A::First, "first", &[plain('g'), special(C::Home)]),
         (A::Last, "last", &[plain('G'), special(C::End)]),
@@ -445,18 +445,18 @@ pub static LINES: &[Line] = &[
     everywhere(&[(A::FullPane, "full-pane", &[plain('z')])], "show this pane alone"),
     everywhere(&[(A::Quit, "quit", &[plain('q')]), (A::QuitWithSummary, "quit-with-summary", &[plain('Q')])], "quit (the session is kept), quit and print a summary"),
     everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),
-    everywhere(&[(A::Suspend, "suspend", &[ctrl('z')]), (A::Redraw, "redraw", &[ctrl('l')])], "suspend (`fg` comes back), redraw the screen"),
+    everywhere(&[(A::Suspend, "suspend", &[ctrl('z')]), (A::Redraw, "redraw", &[ctrl('l')])], "suspend (`fg` resumes), redraw the screen"),
 
-    with(Part::Form, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "a tenth of a step less, more"),
+    with(Part::Form, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "change by a tenth of a step: less, more"),
     with(Part::Form, &[(A::Reset, "reset", &[plain('d'), special(C::Delete)])], "reset this row"),
     with(Part::Chart, &[(A::ZoomIn, "zoom-in", &[plain('+'), plain('=')]), (A::ZoomOut, "zoom-out", &[plain('-')])], "zoom in, zoom out"),
     with(Part::Chart, &[(A::ZoomFit, "zoom-fit", &[plain('0')])], "show everything"),
     with(Part::Chart, &[(A::PanLeft, "pan-left", &[plain('[')]), (A::PanRight, "pan-right", &[plain(']')])], "pan left, pan right"),
-    with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear axis: across, upward"),
+    with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear x axis, y axis"),
     listed(&[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
-    listed(&[(A::Window, "window", &[plain('c')])], "contact only, or the whole response"),
-    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "another quantity on an axis at the right, at last none"),
-    listed(&[(A::Difference, "difference", &[plain('D')])], "curves as differences to the first pinned run"),
+    listed(&[(A::Window, "window", &[plain('c')])], "show the contact only, or the whole response"),
+    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "show the next quantity on a right-hand axis; after the last none"),
+    listed(&[(A::Difference, "difference", &[plain('D')])], "show curves as differences to the first pinned run"),
     listed(&[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
     with(Part::Table, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
 ];

@@ -361,7 +361,11 @@ fn nothing_is_overwritten_unasked() {
     place.write("out.csv", "mine");
     let done = place.cmra("run --csv out.csv");
     assert_eq!((done.code, done.out.as_str()), (2, ""));
-    assert!(done.err.contains("`out.csv` exists") && done.err.contains("--force"), "{}", done.err);
+    assert!(
+        done.err.contains("`out.csv` already exists") && done.err.contains("--force"),
+        "{}",
+        done.err
+    );
     assert_eq!(place.read("out.csv"), "mine");
     assert!(!place.path("out.toml").exists());
 
@@ -373,7 +377,7 @@ fn nothing_is_overwritten_unasked() {
     fs::remove_file(place.path("out.csv")).unwrap();
     let done = place.cmra("run --csv out.csv");
     assert_eq!(done.code, 2);
-    assert!(done.err.contains("out.toml` exists"), "{}", done.err);
+    assert!(done.err.contains("out.toml` already exists"), "{}", done.err);
     assert!(!place.path("out.csv").exists());
 }
 

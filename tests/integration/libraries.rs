@@ -69,7 +69,10 @@ fn every_command_that_takes_a_scene_has_the_options() {
 #[test]
 fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
     let (_, error) = says("run", &["--threat", "m80bal"], 2);
-    assert!(error.contains("`m80bal` is not one of the threats: did you mean `m80-ball`?"), "{error}");
+    assert!(
+        error.contains("`m80bal` is not one of the threats: did you mean `m80-ball`?"),
+        "{error}"
+    );
     let (_, error) = says("run", &["--material", "unobtainium"], 2);
     assert!(error.contains("aa6061-t6511") && error.contains("cmra libraries"), "{error}");
     let (_, error) = says("run", &["--threat", "fsp-22"], 0);

@@ -31,7 +31,7 @@ fn valid_limits_of_the_model_page_come_with_their_margin() {
 fn the_page_says_what_there_is_and_what_there_is_not() {
     let page = output(&["--set", "v_i=400", "--samples", "20"]);
     for words in
-        ["limit velocity  344.328", "it perforates", "Lambert-Jonas", "V50", "common velocity"]
+        ["limit velocity  344.328", "which perforates", "Lambert-Jonas", "V50", "common velocity"]
     {
         assert!(page.contains(words), "{words}: {page}");
     }
@@ -82,7 +82,7 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     assert_eq!(sampled("3%"), sampled("0.03"));
     for (option, value, told) in [
         ("--scatter", "2", "outside 0..0.5"),
-        ("--scatter", "wide", "a number like 0.02, or 2%"),
+        ("--scatter", "wide", "write a fraction, for example 0.02 or 2%"),
         ("--samples", "1", "outside 2.."),
     ] {
         let refused = cmra("limit", &[option, value]).assert().code(2);

@@ -73,7 +73,7 @@ fn a_model_is_set_by_name_and_what_it_cannot_be_is_said() {
     assert!((peak / 30_892.328 - 1.0).abs() < 1e-6, "{peak}");
     let (text, status) = cmra(&["run", "--set", "model=magic"]);
     assert_eq!(status, 2);
-    assert!(text.contains("hydrodynamic or half-sine or initial-velocity"), "{text}");
+    assert!(text.contains("hydrodynamic, half-sine, initial-velocity"), "{text}");
     let (text, status) = cmra(&["run", "--set", "t_d=0"]);
     assert_eq!(status, 2);
     assert!(text.contains("t_d (contact.duration_s) = 0 s is impossible"), "{text}");

@@ -51,7 +51,7 @@ fn the_page_tells_inputs_outcomes_and_quantiles_and_a_seed_gives_its_digits() {
 fn bad_tolerances_are_refused_before_anything_runs() {
     for (arguments, told) in [
         (&["--vary", "v_i"][..], "NAME=DISTRIBUTION"),
-        (&["--vary", "v_i=gauss:2%"], "no distribution"),
+        (&["--vary", "v_i=gauss:2%"], "not a distribution"),
         (&["--vary", "d=normal:2%"], "a percentage of 0"),
         (&["--vary", "v_i=2%", "--vary", "v_i=1%"], "scatters twice"),
         (&["--samples", "1"], "outside 2 to"),

@@ -57,7 +57,7 @@ fn what_cannot_be_kept_exits_1_and_bad_requests_are_refused() {
     let over = ["--over", "gamma=0.8..7", "--laws", "fused"];
     let impossible = ["--subject-to", "percent_of_baseline<=1"];
     let (page, _) = out(&[&over[..], &impossible, &QUICK].concat(), 1);
-    assert!(page.contains("no design keeps every constraint"), "{page}");
+    assert!(page.contains("no design satisfies every constraint"), "{page}");
     for (arguments, told) in [
         (&["--population", "7"][..], "even number"),
         (&["--subject-to", "stroke_m<5"], "RESULT<=VALUE"),

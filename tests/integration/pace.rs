@@ -40,7 +40,7 @@ fn whatever_takes_long_tells_how_far_it_is() {
     ] {
         let arguments: Vec<&str> = words.split(' ').collect();
         let (page, _) = interrupted(&arguments, said);
-        assert!(page.contains("interrupted: what was finished is shown"), "{words}: {page}");
+        assert!(page.contains("interrupted: partial results are shown"), "{words}: {page}");
     }
 }
 

@@ -85,7 +85,7 @@ fn variables_and_quantities_are_explained() {
         assert!(text.contains(name), "{text} lacks {name}");
     }
     let (_, error) = says("explain", &["thicknes"], 2);
-    assert!(error.contains("neither a variable nor a quantity"), "{error}");
+    assert!(error.contains("neither a variable ("), "{error}");
 }
 
 /// The closure's yield strength stands in the place of `S_y`, a beam's own measures in that of k.

@@ -99,7 +99,7 @@ fn a_stack_without_a_base_is_refused_and_so_are_studies_of_one_plate() {
     let cases = [
         (
             "elements=3",
-            vec!["elements", "= 3", "h_base", "must end in a base plate", "leave the stack out"],
+            vec!["elements", "= 3", "h_base", "must end in a base plate", "omit the stack"],
         ),
         ("elements=2.5 base=0.01", vec!["stack.elements", "2.5", "not whole"]),
         ("model=half-sine base=0.01", vec!["half-sine", "stack.base_thickness_m", "hydrodynamic"]),

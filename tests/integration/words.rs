@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::support::{files_below, in_repository};
 
 /// Words and phrases of a private dialect, in small letters, each with what to write instead.
-const BANNED: [(&str, &str); 41] = [
+const BANNED: &[(&str, &str)] = &[
     ("left out", "omitted, ignored or neglected"),
     ("leaves out", "omits"),
     ("worth the name", "say what is meant"),
@@ -43,11 +43,16 @@ const BANNED: [(&str, &str); 41] = [
     ("heeded", "say what happens"),
     ("told", "given or reported"),
     ("is said", "is reported"),
-    ("left alone", "not replaced, ignored"),
     ("side by side", "in parallel, compared"),
-    ("blown up", "diverged"),
-    ("stuk", "stuck"),
     ("of themselves", "relative error"),
+    ("goes through", "perforates"),
+    ("no rival", "not an alternative"),
+    ("left alone", "not replaced"),
+    ("all of one", "explains one"),
+    ("gets there", "reaches it"),
+    ("grew beyond", "diverged"),
+    ("looked at", "searched or computed"),
+    ("at last none", "after the last, none"),
 ];
 
 /// The texts of a line of Rust: its string literals. A doc comment is a text, too: in `src/cli` it is what `--help` prints.

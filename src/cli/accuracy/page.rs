@@ -61,7 +61,7 @@ fn counts(page: &mut String, report: &Report) {
 
 fn chart(report: &Report) -> String {
     error_over_time(report).map_or_else(
-        || "no method gave a result that could be judged\n".to_owned(),
+        || "no method gave a result to compare\n".to_owned(),
         |chart| draw::chart(&chart, SIZE, Theme::PLAIN),
     )
 }
@@ -78,10 +78,11 @@ fn table(report: &Report) -> String {
 
 /// What some accuracies cost here, and what they would cost with no term omitted.
 fn answers(page: &mut String, report: &Report) {
-    let _ = writeln!(page, "\n{:<55}{:>23}", "what an accuracy costs here", "with no term omitted");
+    let _ =
+        writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "with no term omitted");
     for target in ANSWERS {
         let found = report.cheapest(target).map_or_else(
-            || "no method gets there".to_owned(),
+            || "no method reaches it".to_owned(),
             |found| format!("{} {}", seconds(found.min_s), by(&found)),
         );
         let full = report.cheapest_in_full(target);

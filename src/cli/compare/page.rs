@@ -59,7 +59,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
     page += &table(name, report).turned(&LINES, width());
     if report.entries.iter().any(|entry| !entry.is_held) {
         page.push_str(
-            "* nothing stops plate and projectile: no rival, only what mass ratio alone does\n",
+            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
         );
     }
     page.push('\n');
@@ -91,7 +91,7 @@ fn masses(page: &mut String, report: &Report) {
         gram(report.hardware.mount_kg)
     );
     if report.has_stop {
-        page.push_str("stop: takes up energy, and its mass is missing; count it in --mount-mass\n");
+        page.push_str("stop: absorbs energy, and its mass is not known; add it to --mount-mass\n");
     }
 }
 

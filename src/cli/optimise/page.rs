@@ -27,7 +27,7 @@ pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
     if !feasible.is_empty() {
         let words: Vec<String> = feasible.iter().map(|constraint| constraint.words()).collect();
         let _ = writeln!(page, "  feasible: {}", words.join(", "));
-        page.push_str("            (--no-feasibility leaves this out)\n");
+        page.push_str("            (--no-feasibility switches this off)\n");
     }
     for axis in &task.axes {
         let (low, high) = axis.ends();
@@ -44,7 +44,7 @@ pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
 fn one(page: &mut String, task: &Task, front: &Front) {
     let count = front.designs.len();
     let kind = match (task.objectives.len(), count) {
-        (_, 0) => "no design keeps every constraint".to_owned(),
+        (_, 0) => "no design satisfies every constraint".to_owned(),
         (1, _) => "the best design".to_owned(),
         (_, _) => format!("a front of {count} designs"),
     };
@@ -61,7 +61,7 @@ fn one(page: &mut String, task: &Task, front: &Front) {
         let count = front.given_up;
         let _ = writeln!(
             page,
-            "  {count} runs given up after {STEPS_MAX} steps: such designs count as failed"
+            "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
         );
     }
     // Spread over the front, the first and the last among them.

@@ -36,15 +36,15 @@ pub(super) fn battery(rows: &[Row], took_s: f64, width: usize) -> String {
 fn legend(text: &mut String) {
     text.push_str(
         "ends   arrested, perforated, separated, moving (undecided at the horizon), or CUT\n\
-         error  of final depth (exit time, perforated), against s stored digits, D DOP853\n\
-         \x20      or R Radau IIA at 1e-13 on equations written a second time, t the engine\n\
-         \x20      at 1e-12, where what follows the contact decides or neither gets through\n\
+         error  of final depth (of exit time if perforated), against s stored digits, D DOP853\n\
+         \x20      or R Radau IIA at 1e-13 on a second implementation of the equations, or t this\n\
+         \x20      solver at 1e-12 (where motion after the contact decides, or D and R fail)\n\
          stiff  largest rate of spring or damper times the contact's duration\n\
          expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps\n\
          th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s\n\
-         \x20      ok (1e-6, thesis 1e-2), else the error, or: end! another ending,\n\
-         \x20      BLOW blown up, stuk stuck, many too many steps, late out of time,\n\
-         \x20      - no equations for this scene, or nothing to compare with\n\n",
+         \x20      ok (error below 1e-6, thesis 1e-2), else the error, or: end! wrong outcome,\n\
+         \x20      DIV diverged, stop no progress, many too many steps, late out of time,\n\
+         \x20      - not applicable, or nothing to compare with\n\n",
     );
 }
 
@@ -54,7 +54,7 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     let without = rows.iter().filter(|row| row.basis == Basis::None).count();
     let _ = writeln!(
         text,
-        "{} of {} scenes hold (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
+        "{} of {} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
         rows.len() - short.len(),
         rows.len(),
         took_s
@@ -67,7 +67,7 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
 /// The map, and the largest step of the scene.
 pub(super) fn map(map: &Map, scene: &str) -> String {
     let largest = map.largest_stable_dt_s.map_or_else(
-        || "nothing limits it".to_owned(),
+        || "no limit".to_owned(),
         |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
     );
     let picture = draw::map(&figures::stability::map(map), draw::MAP, Theme::PLAIN);

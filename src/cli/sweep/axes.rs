@@ -242,7 +242,7 @@ mod tests {
             ("gamma", &["--over gamma", "NAME=LO..HI:COUNT"][..]),
             ("gamma=1:5", &["NAME=LO..HI:COUNT", "NAME=A,B,C"]),
             ("gamma=1,two", &["the list", "not a number"]),
-            ("gamma=1,2,1", &["1 stands twice"]),
+            ("gamma=1,2,1", &["1 occurs twice"]),
             ("gamma=1,", &["the list"]),
             ("gamma=1..2", &["COUNT is missing"]),
             ("gamma=1..2:many", &["COUNT = `many`", "whole number"]),

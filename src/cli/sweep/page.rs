@@ -66,8 +66,8 @@ impl Kept {
 /// Why a sweep cannot be drawn.
 pub(super) fn undrawable() -> String {
     format!(
-        "--svg: a picture shows one or two axes, every combination of their values, and at most {KEPT_MAX} points; leave --svg out \
-         or sweep less"
+        "--svg: a picture shows one or two axes, every combination of their values, and at most {KEPT_MAX} points; omit --svg \
+         or use fewer points"
     )
 }
 
@@ -118,13 +118,13 @@ fn drawn(page: &mut String, plan: &Plan, output: usize, rows: &[Row]) {
     let column = plan.outputs()[output];
     let Some(picture) = picture(plan, output, rows) else {
         let where_to = if plan.axes().len() == 1 { "axis" } else { "grid" };
-        let _ = writeln!(page, "{}: exists nowhere on this {where_to}\n", column.title());
+        let _ = writeln!(page, "{}: no value anywhere on this {where_to}\n", column.title());
         return;
     };
     page.push_str(&draw::picture(&picture));
     let gone = rows.iter().filter(|row| row.shown(output, column).is_none()).count();
     if gone > 0 && plan.axes().len() == 1 {
-        let _ = writeln!(page, "{gone} of {} points have no such value: gaps", rows.len());
+        let _ = writeln!(page, "{gone} of {} points have no value and are left blank", rows.len());
     }
     page.push('\n');
 }

@@ -195,7 +195,7 @@ fn notes(
 fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
     let closed = matches!(problem.answer, Answer::Rigid | Answer::Fixed | Answer::Free);
     let (method, reason) = match (closed, track.control.steps, track.control.stiff_steps) {
-        (true, 0, _) => ("closed form", "nothing but inertia answers the projectile"),
+        (true, 0, _) => ("closed form", "only inertia resists the projectile"),
         (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
         (_, _, 0) => ("Taylor 16", "smooth between events"),
         (_, steps, stiff) if steps == stiff => ("Radau IIA 5", "stiff"),

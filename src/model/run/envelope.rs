@@ -391,6 +391,6 @@ mod tests {
         light.plate.cocking_m = 0.5;
         let found = of_run(&run(&light));
         let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
-        assert!(breach.to_string().contains("must push 2.8"), "{breach}");
+        assert!(breach.to_string().contains("must carry 2.8"), "{breach}");
     }
 }

@@ -46,7 +46,7 @@ impl StackRun {
             (Outcome::Separated, Some(depth)) => {
                 format!("stack: thrown back by the {last}, {:.4} mm in all", depth * 1e3)
             }
-            (Outcome::Perforated, _) => "stack: perforated, base plate and all".to_owned(),
+            (Outcome::Perforated, _) => "stack: perforated, including the base plate".to_owned(),
             (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
                 format!("stack: undecided in the {last}")
             }

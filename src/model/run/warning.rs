@@ -47,8 +47,8 @@ fn still_moving(outcome: Outcome, at_least: &AtLeast) -> String {
     };
     if bounds.is_empty() {
         format!(
-            "still oscillating at the end of the run; {decided}, but nothing later can exceed the depth and the greatest displacement \
-             given"
+            "still oscillating at the end of the run; {decided}, and depth and greatest displacement cannot \
+             grow later"
         )
     } else {
         let bounds = bounds.join(" and ");
@@ -73,19 +73,19 @@ impl fmt::Display for Warning {
         match self {
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
-                "the fused interface must push {ratio:.3} times the A S_y it can, first at t = {:.4} ms: penetration would \
+                "the fused interface must carry {ratio:.3} times its strength A S_y in compression, first at t = {:.4} ms: penetration would \
                  resume; try interface = plastic",
                 t_s * 1e3
             ),
             Self::InterfacePull { ratio, t_s } if !ratio.is_finite() => write!(
                 f,
-                "the fused interface must pull, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
+                "the fused interface must carry tension, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
                  would be pulled out; try interface = plastic",
                 t_s * 1e3
             ),
             Self::InterfacePull { ratio, t_s } => write!(
                 f,
-                "the fused interface must pull {ratio:.3} times the g A S_y it can (grip g is an assumption), first at \
+                "the fused interface must carry {ratio:.3} times its strength g A S_y in tension (grip g is an assumption), first at \
                  t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
                 t_s * 1e3
             ),
@@ -98,10 +98,10 @@ impl fmt::Display for Warning {
                 t_s * 1e3
             ),
             Self::EnergyDrift { residual } if !residual.is_finite() => f.write_str(
-                "the numbers grew beyond all bounds: the method does not resolve this scene, and nothing it gives is to be trusted",
+                "the solution diverged: the method does not resolve this scene; its results are invalid",
             ),
             Self::EnergyDrift { residual } => {
-                write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
+                write!(f, "the energy balance has an error of {residual:.1e} of the energy at the start")
             }
             Self::EndedEarly(reason) => f.write_str(reason.words()),
             Self::StillMoving { outcome, at_least } => {
@@ -131,7 +131,7 @@ impl fmt::Display for Warning {
                 limit.what
             ),
             Self::NoBaseline => f.write_str(
-                "the same shot perforates the plate on a rigid mount, too: there is no baseline depth",
+                "the same shot also perforates the plate on a rigid mount: there is no depth to compare with",
             ),
         }
     }

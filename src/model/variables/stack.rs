@@ -20,7 +20,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
             let elements = stack.elements + stack.layers.len() as f64;
             return Err(VariableError(format!(
                 "elements (stack.elements, stack.layer) = {} without h_base (stack.base_thickness_m): a stack must end in a \
-                 base plate; write its thickness, for example stack.base_thickness_m = 0.01, or leave the stack out",
+                 base plate; write its thickness, for example stack.base_thickness_m = 0.01, or omit the stack",
                 units::shortest(elements)
             )));
         }
@@ -28,7 +28,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     }
     if scene.contact.model != ContactModel::Hydrodynamic {
         return Err(VariableError(format!(
-            "model (contact.model) = {} tells no velocity behind a plate, which a stack (stack.base_thickness_m) needs: set \
+            "model (contact.model) = {} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set \
              model = hydrodynamic, or h_base = none",
             scene.contact.model.word()
         )));

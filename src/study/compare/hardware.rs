@@ -35,9 +35,9 @@ impl Failure {
     /// What happens, as the end of a sentence.
     pub fn words(self) -> String {
         match self {
-            Self::Energy => "the spring is full: its mass stores no more energy".to_owned(),
+            Self::Energy => "the spring reaches its energy capacity".to_owned(),
             Self::Range(what) => what.to_owned(),
-            Self::Stroke => "the stroke is longer than the room there is".to_owned(),
+            Self::Stroke => "the stroke exceeds the available stroke".to_owned(),
         }
     }
 

@@ -45,7 +45,7 @@ impl Absence {
     pub fn words(self) -> String {
         match self {
             Self::NoSolid => "no solid plate to compare with".to_owned(),
-            Self::NoThickness => "no thickness is just enough for the shot".to_owned(),
+            Self::NoThickness => "no thickness just stops the shot".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
         }

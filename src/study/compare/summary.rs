@@ -8,7 +8,7 @@ pub fn sentences(report: &Report) -> Vec<String> {
     let mut lines = Vec::new();
     let design = velocity(report.scene.projectile.velocity_m_s);
     let Some(own) = report.of(Candidate::Scene) else {
-        return vec!["cancelled before the scene itself was judged".to_owned()];
+        return vec!["cancelled before the scene itself was computed".to_owned()];
     };
     let verdict = report.verdict();
     match (verdict, own.mass_efficiency()) {
@@ -56,7 +56,7 @@ fn sized(own: &Entry, verdict: Verdict) -> String {
         }
     };
     format!(
-        "just enough for the shot: this armour with {} mm and {} g of spring, {} kg/m^2; a solid plate of {} mm, {} kg/m^2{efficiency}",
+        "sized to just stop the shot: this armour with {} mm and {} g of spring, {} kg/m^2; a solid plate of {} mm, {} kg/m^2{efficiency}",
         fixed_significant(1e3 * sized.scene.target.thickness_m, 4),
         fixed_significant(1e3 * sized.spring_kg, 4),
         fixed_significant(sized.areal_kg_m2, 4),
@@ -72,7 +72,10 @@ fn as_built(own: &Entry) -> Option<String> {
     let limit = velocity(own.limit_m_s?);
     let factor = own.sized.as_ref().ok().map(|sized| 1.0 / sized.factor);
     let needs = factor.map_or_else(String::new, |factor| {
-        format!("; its {thickness} mm are {} times what the shot needs", significant(factor, 3))
+        format!(
+            "; its {thickness} mm are {} times the thickness that just stops the shot",
+            significant(factor, 3)
+        )
     });
     Some(format!(
         "as built mass efficiency {} at its own limit velocity of {limit}{needs}",
@@ -87,7 +90,7 @@ fn limits(report: &Report) -> Vec<String> {
         let word = entry.candidate.word();
         if let (Some(failure), Some(limit)) = (entry.failure, entry.limit_m_s) {
             let plate = entry.perforation.velocity_m_s().map_or_else(
-                || "beyond the range looked at".to_owned(),
+                || "beyond the searched range".to_owned(),
                 |plate| format!("at {}", velocity(plate)),
             );
             lines.push(format!(
@@ -98,7 +101,7 @@ fn limits(report: &Report) -> Vec<String> {
         }
         lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
         if !entry.is_held {
-            lines.push(format!("{word}: nothing stops plate and projectile, they fly on"));
+            lines.push(format!("{word}: nothing stops plate and projectile"));
         }
     }
     lines

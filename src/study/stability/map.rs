@@ -122,7 +122,7 @@ enumeration! {
     /// The plate swings as it should not.
     Oscillating { word: "oscillating", words: "oscillating", letter: 'o' }
     /// Values grow without bound.
-    BlownUp { word: "blown up", words: "blown up", letter: 'X' }
+    BlownUp { word: "blown up", words: "diverged", letter: 'X' }
     /// The step budget was used up.
     TooManySteps { word: "too many steps", words: "too many steps", letter: '.' }
     /// There is nothing to compare with.

@@ -98,7 +98,7 @@ impl Axis {
             let high = if from > to { from } else { to };
             let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
             return Err(SweepError(format!(
-                "axis {axis}: {} to {} at equal ratios: both ends must be greater than 0; leave out log, or start above 0, for \
+                "axis {axis}: {} to {} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
                  example at {start}",
                 shown(from),
                 shown(to)
@@ -127,7 +127,7 @@ impl Axis {
             if values[..at].iter().any(|other| units::shortest(*other) == units::shortest(*value)) {
                 let value = units::shortest(*value);
                 let text =
-                    format!("axis {axis}: {value} stands twice in the list; leave one of them out");
+                    format!("axis {axis}: {value} occurs twice in the list; omit one of them");
                 return Err(SweepError(text));
             }
         }

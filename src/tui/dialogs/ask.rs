@@ -101,7 +101,7 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
         Purpose::Table(_) => {
             let path = path_of(app, state.text.value(), "table.csv")?;
             let table = pages::of(app.tab).table(app);
-            let table = table.ok_or_else(|| "there is nothing to write any more".to_owned())?;
+            let table = table.ok_or_else(|| "the result to write no longer exists".to_owned())?;
             let existing = Existing::replaced(overwrite);
             FileTask::Export(Destination { path, existing, meta: Meta::Beside }, table.content)
         }
@@ -231,7 +231,7 @@ pub(crate) fn curve_hint(app: &App, second: bool) -> String {
     let mechanism = &app.scene.mechanism;
     let spring = if second { &mechanism.second } else { &mechanism.spring };
     format!(
-        "displacement in m, force in N, a point a line, as in 0.01,1000. Now: {} (Esc keeps them)",
+        "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
         extent(&spring.table.points)
     )
 }

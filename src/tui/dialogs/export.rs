@@ -380,8 +380,8 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
     let text = format!("to {}", app.directory.join(state.path().trim()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
     let note = match state.meta() {
-        Meta::Beside => "and beside it a .toml that runs it again to the same digits",
-        Meta::Inline => "with the scene in # lines at its head, which not every program skips",
+        Meta::Beside => "with a .toml file beside it that reproduces the same digits",
+        Meta::Inline => "with the scene in # lines at the top, which some programs cannot read",
     };
     canvas.put(area, (0, 2), &clip(note, width), Role::Dim);
     let lines: Vec<(String, Role)> = if state.question {

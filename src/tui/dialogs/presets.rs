@@ -93,7 +93,7 @@ fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> 
     let differing = App::differing(&app.scene, &scene);
     if differing.is_empty() {
         let same = if entry.scene.sweep == app.scene.sweep {
-            "changes nothing: the same scene"
+            "no change: the same scene"
         } else {
             "the same variables; its own sweep"
         };

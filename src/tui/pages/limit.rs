@@ -33,7 +33,7 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "compute V50 and its spread with every input scattered by 2 %, or leave it out"),
+        key(A::View, "V50", "show or hide V50 and its spread (every input varies by 2 %)"),
         key(A::Enter, "load", "load the impact velocity under the cursor into the scene (u undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },

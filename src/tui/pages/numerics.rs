@@ -38,12 +38,12 @@ const PANES: &[PaneSpec] = &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "set the scene's tolerance to what reaches 1e-6 with this method (u undoes)"),
         key(A::Right, "cursor", "move the cursor in run time"),
-        key(A::ShowHide, "show/hide", "draw this method or leave it out"),
+        key(A::ShowHide, "show/hide", "show or hide this method"),
         key(A::View, "columns", "show the next columns of the table"),
         key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
-        key(A::Right, "cursor", "move the cursor: a greater step, another value"),
+        key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (u undoes)"),
     ] },
@@ -61,7 +61,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
     Command::new(Call::In(ACCURACY, A::SlopeGuides), "Toggle reference slopes", "order guides"),
-    Command::new(Call::In(ACCURACY, A::SpreadBars), "Toggle bars of the timings", "spread"),
+    Command::new(Call::In(ACCURACY, A::SpreadBars), "Toggle error bars of the run times", "spread"),
 ];
 
 pub(crate) struct NumericsTab;

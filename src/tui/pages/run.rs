@@ -24,7 +24,7 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type the value: 25.4mm, 7.5MN/m, 1/3, *2, +5%; of a choice, list its words"),
+        key(A::Enter, "type", "type the value: 25.4mm, 7.5MN/m, 1/3, *2, +5%; for a choice, show the list"),
         key(A::Right, "change", "change the value by a step (H L ten steps, , . a tenth)"),
         key(A::Down, "move", "move to another variable"),
         key(A::Find, "find", "find a variable by symbol or word"),
@@ -39,13 +39,13 @@ const PANES: &[PaneSpec] = &[
         key(A::Window, "window", "show the contact only, or the whole response"),
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
-        key(A::SecondAxis, "2nd axis", "show another quantity of the same run on an axis at the right, at last none"),
+        key(A::SecondAxis, "2nd axis", "show another quantity on a right-hand axis; after the last none"),
         key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
     PaneSpec { pane: RUNS, label: "Runs", has: &[Part::Table], keys: &[
         key(A::Enter, "load", "load this pinned run's scene"),
         key(A::Mark, "pin/unpin", "pin the current run, or unpin the selected one"),
-        key(A::ShowHide, "show/hide", "draw this run or leave it out"),
+        key(A::ShowHide, "show/hide", "show or hide this run"),
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
         key(A::Sort, "sort", "sort the table by the next column"),

@@ -112,7 +112,7 @@ impl Page for SearchTab {
             Action::View => view(app),
             Action::Sort => app.pages.search.sort_next(),
             Action::LogX if app.pages.search.page != state::Page::Front => {
-                app.tell("only the chart of the Pareto front has a scale across to choose");
+                app.tell("only the chart of the Pareto front has a choice of horizontal scale");
             }
             Action::LogY
                 if !matches!(app.pages.search.page, state::Page::Front | state::Page::Seek) =>
@@ -236,7 +236,7 @@ const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000
 /// The next pair of objectives on the axes of a front.
 fn view(app: &mut App) {
     if app.pages.search.page != state::Page::Front {
-        return app.tell("one view here: only the Pareto front has axes to choose");
+        return app.tell("only one view here: the Pareto front has a choice of axes");
     }
     let count = app.chosen_objectives().len();
     let before = app.pages.search.setup.clone();
@@ -375,7 +375,7 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             setup.goal.1 = column.parse(text)?;
         }
         Row::Bound(at) => {
-            let old = bounds.get(at).ok_or("this variable is not there any more")?;
+            let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = read_bound(old, text)?;
             setup.bounds.clone_from(&bounds);
             setup.bounds[at] = new;

@@ -49,7 +49,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Right, "weight", "change the weight by a percent"),
         key(A::Down, "criterion", "select another criterion"),
         key(A::Reset, "printed", "reset the weight to the printed one"),
-        key(A::Enter, "open", "load the preset nearest to the first concept"),
+        key(A::Enter, "open", "load the preset of the concept that ranks first"),
     ] },
 ];
 
@@ -114,7 +114,7 @@ impl Page for ThesisTab {
                 let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
                 weights[at] = WEIGHTS_PERCENT[at];
                 weigh(app, weights, None);
-                app.tell("the weight is that of Table 7.1 again (u undoes)");
+                app.tell("weight reset to that of Table 7.1 (u undoes)");
             }
             _ => return false,
         }

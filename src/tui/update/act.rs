@@ -30,7 +30,7 @@ pub(crate) fn act(app: &mut App, action: Action) {
         return;
     }
     if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
-        return app.tell("nothing is drawn yet that could be zoomed");
+        return app.tell("nothing to zoom yet");
     }
     anywhere(app, action);
 }

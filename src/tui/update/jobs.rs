@@ -178,7 +178,7 @@ fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
         return show(app, run, Some(took));
     }
     app.jobs.cancelled = true;
-    app.tell("cancelled: what was finished is shown");
+    app.tell("cancelled: partial results are shown");
     show(app, run, None);
 }
 

@@ -502,7 +502,7 @@ fn an_export_is_spelt_as_chosen_with_its_scene_where_chosen() {
     bench.press("e");
     // The last two rows: style, and where the scene goes.
     bench.press(&"<Down>".repeat(30));
-    assert!(bench.screen().contains("scene    < beside it"), "{}", bench.screen());
+    assert!(bench.screen().contains("scene    < in a .toml file beside it"), "{}", bench.screen());
     bench.press("l<Up>hl l");
     assert!(bench.screen().contains("style    < for Excel"), "{}", bench.screen());
     assert!(bench.screen().contains("time_s;mode;penetration_m"), "{}", bench.screen());
@@ -539,7 +539,7 @@ fn the_palette_and_help_execute() {
 #[test]
 fn an_action_of_another_tab_enters_it() {
     for (typed, tab) in [
-        ("bars of the timings", Tab::Numerics),
+        ("error bars", Tab::Numerics),
         ("stability", Tab::Numerics),
         ("claims", Tab::Thesis),
         ("pareto", Tab::Search),
@@ -645,7 +645,7 @@ fn the_second_axis_goes_through_the_other_quantities_and_off() {
         let second = bench.app.charts.second[0].expect("a quantity");
         assert_ne!(second, first);
         assert!(seen.insert(second.symbol()));
-        assert!(bench.message().contains("at last none"), "{}", bench.message());
+        assert!(bench.message().contains("after the last none"), "{}", bench.message());
     }
     bench.keys("w");
     assert_eq!(bench.app.charts.second[0], None);

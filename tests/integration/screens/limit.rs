@@ -169,7 +169,7 @@ fn the_crosshair_walks_from_shot_to_shot() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("l");
     let first = bench.message();
-    assert!(first.starts_with("232.9 m/s: through, "), "{first}");
+    assert!(first.starts_with("232.9 m/s: residual velocity "), "{first}");
     assert!(first.contains("; Recht-Ipson "), "{first}");
     bench.keys("h");
     assert!(bench.message().contains("m/s: stopped"), "{}", bench.message());
@@ -206,7 +206,7 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
     assert!(curve.contains("Residual velocity") && curve.contains("j: laws"), "{curve}");
     bench.keys("j");
     let words = bench.screen();
-    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "goes through"] {
+    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "perforation"] {
         assert!(words.contains(text), "{text}: {words}");
     }
     assert_snapshot!("limit_in_words_60x16", &words);

@@ -87,7 +87,7 @@ fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.message().contains("accurate (1 %); analytic limit 0.0015 s; the scene"));
     bench.keys("kkkkkkkkkkkkLL");
-    assert!(bench.message().contains(": blown up;"), "{}", bench.message());
+    assert!(bench.message().contains(": diverged;"), "{}", bench.message());
     bench.keys("HHHHHHHHjjjjjjjjjjjjjjjjjjjjjjjj");
     assert!(bench.message().starts_with("dt 1e-9 s, k 1000: accurate"), "{}", bench.message());
 }
@@ -134,7 +134,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     assert!(study.asked.of::<StiffScenes>().is_some());
     let part = Finding::new(RowsSoFar { rows: rows(4), is_complete: false });
     bench.part(study.id, (4, 62), part);
-    assert!(bench.screen().contains("running the battery: 4 of 62 (Esc cancels)"));
+    assert!(bench.screen().contains("checking the stiff scenes: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     let body = ended(Finding::new(RowsSoFar { rows: rows(5), is_complete: false }));

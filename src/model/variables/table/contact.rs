@@ -73,7 +73,7 @@ pub(super) const ROWS: &[Variable] = &[
         afterwards,
         "after",
         "after contact",
-        "both bodies are one afterwards, or (corrected) not after a perforation",
+        "the bodies stay joined afterwards, or (corrected) not after a perforation",
         "A.5 and A.7"
     ),
     quirk!(
@@ -99,7 +99,7 @@ pub(super) const ROWS: &[Variable] = &[
         .named("interface", "interface law")
         .also(&["law"])
         .used_when(is_hydrodynamic)
-        .means("fused: together for good once at common speed; plastic: it carries what its strength allows")
+        .means("fused: joined for good after the first arrest; plastic: carries forces up to its strength")
         .from("fused: the thesis; plastic: a rigid-plastic interface"),
     number!(Number, Allowed::NonNegative, interface.grip)
         .named("g", "grip")
@@ -107,13 +107,13 @@ pub(super) const ROWS: &[Variable] = &[
         .used_when(|scene| {
             is_hydrodynamic(scene) && scene.interface.law == InterfaceLaw::Plastic
         })
-        .means("grip: the greatest pull of the interface is g A S_y")
+        .means("grip: the greatest tension of the interface is g A S_y")
         .from("assumption: 0.1"),
     number!(Number, Allowed::Between(1e-14, 1e-2), run.tolerance)
         .named("tol", "tolerance")
         .also(&["tolerance"])
         .log()
-        .means("relative accuracy asked of depth and time")
+        .means("relative error tolerance of depth and time")
         .from("default of this program"),
     optional!(Time, Allowed::Positive, "auto", run.horizon_s)
         .named("horizon", "end of the run")

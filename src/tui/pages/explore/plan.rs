@@ -40,7 +40,7 @@ impl Study for PictureSweep {
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         grid::fits(&self.plan)?;
         let grid = Grid::new(Arc::clone(&self.plan));
-        let grid = grid.ok_or("a picture has one axis or two: take fewer axes")?;
+        let grid = grid.ok_or("a chart has one axis and a map two: use fewer axes")?;
         let watch = &mut |progress, pass: Option<&Grid>| {
             let pass = pass.filter(|grid| !grid.is_complete());
             reporter.tell(progress, &|| pass.map(|grid| Finding::new(grid.clone())))

@@ -116,7 +116,7 @@ impl Ballistic {
         let mut facts = remarks(report);
         if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
             let percent = significant(100.0 * SAMPLING.deviation, 2);
-            let text = format!("v: V50 and spread with every input scattered by {percent} %");
+            let text = format!("v: V50 and spread for inputs that vary by {percent} %");
             facts.push(Remark::new("V50", text));
         }
         facts
@@ -145,7 +145,7 @@ fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
 fn ends(shot: &Shot) -> String {
     match (shot.outcome, shot.residual_m_s) {
         (Outcome::Perforated, Some(left)) => {
-            format!("through, {} left", fixed_significant(left, 4))
+            format!("residual velocity {}", fixed_significant(left, 4))
         }
         (Outcome::Perforated, None) => "through".to_owned(),
         (Outcome::Arrested | Outcome::Separated, _) => "stopped".to_owned(),
@@ -200,12 +200,13 @@ impl App {
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
         let ends = match (margin < 0.0, stopped_at_m_s) {
             (false, _) => format!(": {own} m/s is stopped"),
-            (true, None) => format!(": {own} m/s goes through"),
+            (true, None) => format!(": {own} m/s perforates"),
             (true, Some(_)) => format!(" at {own} m/s"),
         };
         let limit = format!("v_bl {} m/s{of}", fixed_significant(velocity_m_s, 6));
         let short = format!("{limit}, margin {:+.1} %", 100.0 * margin);
-        Some(fitting([format!("{short}{ends}"), short, limit], width))
+        let full = format!("{short}{ends}");
+        Some(fitting([format!("limit {full}"), full, short, limit], width))
     }
 
     /// The shot at the crosshair in words, with what the laws say there.
@@ -322,7 +323,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let text = match (app.jobs.running::<LimitSearch>(), &app.pages.limit.report) {
         (Some(_), _) => "finding the limit",
         (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
-        (None, Some(_)) => "no shot goes through: there is no curve",
+        (None, Some(_)) => "no shot perforates: no curve to draw",
         (None, None) => "no results yet: press r",
     };
     canvas.put_centred(inner, text);

@@ -260,7 +260,7 @@ impl App {
         if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
             let sure = first.uncertainty.map_or_else(
                 || "uncertainty unknown".to_owned(),
-                |uncertainty| format!("good to {uncertainty:.0e}"),
+                |uncertainty| format!("uncertainty {uncertainty:.0e}"),
             );
             let words = first.basis.words();
             parts.push((
@@ -465,7 +465,7 @@ fn look(app: &mut App, action: Action) {
         _ => {
             view.bars = !view.bars;
             if view.bars {
-                "bars: from the least of the timings to their median and its deviation".to_owned()
+                "error bars: from the shortest run time to the median plus its deviation".to_owned()
             } else {
                 "no bars".to_owned()
             }

@@ -196,7 +196,7 @@ impl App {
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             let kept = tab.battery.as_ref().map(|battery| battery.is_complete);
             let running =
-                progress::<StiffScenes>(self, "running the battery", "of", "", false, kept);
+                progress::<StiffScenes>(self, "checking the stiff scenes", "of", "", false, kept);
             parts.extend(running.map(Progress::part));
             if tab.battery.is_some() {
                 parts.push(part(severity, holds));
@@ -213,7 +213,7 @@ impl App {
                 Severity::Note,
                 match map.largest_stable_dt_s {
                     Some(dt_s) => format!("largest stable dt of this scene: {}", seconds(dt_s)),
-                    None => "largest stable dt of this scene: nothing limits it".to_owned(),
+                    None => "largest stable dt of this scene: no limit".to_owned(),
                 },
             ));
             parts.push(part(Severity::Note, map.method.name().to_owned()));
@@ -375,7 +375,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let height = usize::from(area.height.saturating_sub(3));
     let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
-    let title = if area.width < 70 { "Battery" } else { "Battery of stiff and extreme scenes" };
+    let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
     let title = if rows.len() > height {
         let last = (first + height).min(rows.len());
         format!("{title} {}-{last}/{}", first + 1, rows.len())

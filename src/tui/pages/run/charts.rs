@@ -319,7 +319,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn second_axis(app: &mut App) {
     let text = match app.next_second() {
         Some(quantity) => format!(
-            "at the right: {} (w: the next quantity, at last none)",
+            "right-hand axis: {} (w: the next quantity; after the last none)",
             quantity.title().to_lowercase()
         ),
         None => "no second axis: w puts a quantity there".to_owned(),

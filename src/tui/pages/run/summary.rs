@@ -83,7 +83,7 @@ pub fn results(run: &Run) -> Vec<String> {
         add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
     }
     if let Some(ratio) = run.interface_demand_ratio {
-        add("interface", format!("{} of the A S_y it can push", times(ratio)));
+        add("interface", format!("{} of its strength A S_y", times(ratio)));
     }
     lines
 }

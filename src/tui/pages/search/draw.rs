@@ -199,7 +199,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let x = self::across(tab).map(|(x, _)| x);
     let y = measure_axis(measures[up], all(up).into_iter(), tab.log.1, String::new());
     let Some((x, y)) = x.zip(y) else {
-        let text = "no design keeps every constraint".to_owned();
+        let text = "no design satisfies every constraint".to_owned();
         return lines_below(app, &[(Severity::Warning, text)], area, canvas);
     };
     let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
@@ -404,9 +404,9 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     let own = shown(output, report.own);
     let mut lines =
         vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
-    lines.push(note("one at a time, low to high end".to_owned()));
+    lines.push(note("one variable at a time, from low to high end".to_owned()));
     if is_empty(report) {
-        let text = "nothing to compare: no run of these has this result; Tab, then Of: another one";
+        let text = "nothing to compare: no run has this result; Tab, then Of: choose another one";
         return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
     }
     let keys = ["variable", "output_at_low", "output_at_high"];
@@ -430,7 +430,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line
     lines.extend(perforation(report).map(note));
     let again: usize = report.redrawn.iter().sum();
     let again =
-        if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };
+        if again > 0 { format!("; {again} impossible samples drawn again") } else { String::new() };
     lines.push(note(format!("{}{again}", report.outcomes)));
     let mut table = table("", report);
     table.rows.retain(|summary| !summary.quantiles.is_empty());

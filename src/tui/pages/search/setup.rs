@@ -201,12 +201,13 @@ impl App {
                 let shown = |value| units::Engineering { value, unit: "m", digits: 4 }.to_string();
                 let bound = setup.stroke_m.map_or_else(|| "none".to_owned(), shown);
                 Line { takes_unit: true, ..Line::typed("stroke at most", bound) }
-                    .means("designs with a greater stroke do not count; none: no bound")
+                    .means("designs with a greater stroke are infeasible; none: no bound")
             }
-            Row::Feasible => Line::switch("feasible", setup.feasible)
-                .means("yes: interface, yield, travel, rigid stop and plate face count"),
+            Row::Feasible => Line::switch("feasible", setup.feasible).means(
+                "yes: only designs within the limits of interface, yield, travel, stop, face",
+            ),
             Row::Population => Line::typed("designs", setup.effort.0.to_string())
-                .means("designs of a generation: the front has as many at the most"),
+                .means("designs in a generation; also the maximum size of the front"),
             Row::Generations => Line::typed("generations", setup.effort.1.to_string())
                 .means("generations after the first"),
             Row::Across => Line::word("across", self.axis_title(setup.axes.0)).means(AXIS),
@@ -219,7 +220,7 @@ impl App {
                     .means("standard deviation of every input, lognormal")
             }
             Row::Samples => Line::typed("samples", setup.samples.to_string())
-                .means("random scenes: the interval narrows with their root"),
+                .means("number of samples; the confidence interval narrows with its square root"),
         }
     }
 
