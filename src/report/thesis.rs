@@ -16,7 +16,7 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
         .with("as_printed", "as printed", "", move |row| text(&row.found.printed))
         .with("verdict", "verdict", "", |row| row.found.verdict.words())
         .with("cause", "cause", "", |row| row.claim.cause)
-        .with("preset", "preset", "", |row| match row.claim.opens {
+        .with("preset", "preset", "", |row| match row.claim.opens() {
             Opens::Preset(name) => Some(name),
             Opens::Nothing | Opens::Scene(_) => None,
         })

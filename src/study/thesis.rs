@@ -122,7 +122,7 @@ pub fn find(id: &str) -> Option<&'static Claim> {
 
 fn row(claim: &'static Claim, shared: &SharedRuns) -> Row {
     let runs = Runs::new(shared);
-    let found = check::check(claim, &runs);
+    let found = check::check(claim, &file().scenes, &runs);
     Row { claim, found, runs: runs.impacts() }
 }
 

@@ -54,7 +54,7 @@ fn claims_have_names_of_their_own_and_open_what_exists() {
     let mut ids = HashSet::new();
     for claim in thesis::claims() {
         assert!(ids.insert(claim.id), "{} twice", claim.id);
-        if let Opens::Preset(name) = claim.opens {
+        if let Opens::Preset(name) = claim.opens() {
             assert!(BUNDLED.iter().any(|preset| preset.name == name), "{}: {name}", claim.id);
         }
     }

@@ -1,20 +1,19 @@
-//! Checking a claim: its expressions evaluated, its texts filled in, its verdict found.
+//! Checking a claim: its expressions computed, its texts filled in, its verdict found.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::model::scene::Scene;
-use crate::model::units::Bare;
-use crate::model::variables::{self, VARIABLES, Variable};
-use crate::study::thesis::claim::Claim;
-use crate::study::thesis::expression::{Expression, Query, Setting, Values};
+use crate::model::variables::VARIABLES;
+use crate::study::thesis::claim::{CURVE, Claim};
+use crate::study::thesis::expression::{Evaluated, Query, Reader};
 use crate::study::thesis::runs::{Method, Runs};
-use crate::study::thesis::text::{Template, ends};
-use crate::study::thesis::value::{Curve, Value, join};
+use crate::study::thesis::text::{ends, filled};
+use crate::study::thesis::value::Value;
 use crate::study::thesis::{Basis, Found, Verdict};
 
-pub(super) fn check(claim: &Claim, runs: &Runs<'_>) -> Found {
-    let evaluation = Evaluation { claim, runs, known: RefCell::default() };
+pub(super) fn check(claim: &Claim, scenes: &BTreeMap<String, Scene>, runs: &Runs<'_>) -> Found {
+    let evaluation = Evaluation { claim, scenes, runs, known: RefCell::default() };
     evaluation.found().unwrap_or_else(|problem| Found {
         sound: format!("this claim is written wrongly: {problem}"),
         printed: String::new(),
@@ -23,57 +22,58 @@ pub(super) fn check(claim: &Claim, runs: &Runs<'_>) -> Found {
     })
 }
 
-struct Evaluation<'a> {
+pub(super) struct Evaluation<'a> {
     claim: &'a Claim,
-    runs: &'a Runs<'a>,
-    /// The claim's values that were computed, by method.
-    known: RefCell<HashMap<(String, Method), Value>>,
+    /// The scenes of the file, by name.
+    pub(super) scenes: &'a BTreeMap<String, Scene>,
+    pub(super) runs: &'a Runs<'a>,
+    /// The claim's values that were computed, by method; `None` while one is.
+    known: RefCell<HashMap<(String, Method), Option<Value>>>,
 }
-
-type Evaluated<T = Value> = Result<T, String>;
 
 impl Evaluation<'_> {
     fn found(&self) -> Evaluated<Found> {
-        let check = &self.claim.check;
-        let verdict = if check.is_read { self.claim.expected } else { self.verdict()? };
-        let (sound, printed) = if check.is_trend {
+        let claim = self.claim;
+        let verdict = if claim.read.is_some() { claim.expected } else { self.verdict()? };
+        let (sound, printed) = if claim.trend.is_some() {
             self.trend()?
         } else {
-            let computed = self.filled(check.computed.as_ref(), Method::Sound)?;
-            (computed, self.filled(check.as_printed.as_ref(), Method::Printed)?)
+            let computed = claim.read.or(claim.computed).or(claim.both);
+            let printed = claim.as_printed.or(claim.both);
+            (self.filled(computed, Method::Sound)?, self.filled(printed, Method::Printed)?)
         };
         let basis = match verdict {
-            _ if check.is_read => Basis::Read,
+            _ if claim.read.is_some() => Basis::Read,
             Verdict::Unchecked if sound.is_empty() => Basis::None,
             _ => Basis::Computed,
         };
         Ok(Found { sound, printed, verdict, basis })
     }
 
-    fn filled(&self, template: Option<&Template>, method: Method) -> Evaluated<String> {
-        template.map_or(Ok(String::new()), |it| it.filled(&|own| self.value(own, method)))
+    fn filled(&self, text: Option<&str>, method: Method) -> Evaluated<String> {
+        filled(text.unwrap_or_default(), &|own| self.value(own, method))
     }
 
+    /// The verdict of the first condition that is true; without conditions there is none.
     fn verdict(&self) -> Evaluated<Verdict> {
-        let conditions = &self.claim.check.conditions;
-        for (verdict, condition) in conditions {
+        for (verdict, condition) in self.claim.conditions() {
             if self.value(condition, Method::Sound)?.holds()? {
-                return Ok(*verdict);
+                return Ok(verdict);
             }
         }
-        Ok(if conditions.is_empty() { Verdict::Unchecked } else { Verdict::TrendFails })
+        let is_checked = self.claim.conditions().next().is_some();
+        Ok(if is_checked { Verdict::TrendFails } else { Verdict::Unchecked })
     }
 
     /// The ends of the claim's curve by both methods, with what its scene has of its own, and where the verdicts differ.
     fn trend(&self) -> Evaluated<(String, String)> {
-        let check = &self.claim.check;
-        let (Some(Expression::Query(query)), Some((_, condition))) =
-            (check.values.get("curve"), check.conditions.first())
-        else {
+        let text = self.claim.trend.unwrap_or_default();
+        let query = Reader::new(self, text, Method::Sound)?.only_query()?;
+        let Some((query, (_, condition))) = query.zip(self.claim.conditions().next()) else {
             return Err("a trend is a quantity along a variable, with a condition".to_owned());
         };
         let by = |method| {
-            let Value::Curve(curve) = self.named("curve", method)? else {
+            let Value::Curve(curve) = self.named(CURVE, method)? else {
                 return Err("a trend is one curve".to_owned());
             };
             Ok((ends(&curve), self.value(condition, method)?.holds()?))
@@ -85,136 +85,44 @@ impl Evaluation<'_> {
             (false, true) => "; there it fails",
             (true, true) | (false, false) => "",
         };
-        Ok((format!("{}{sound}", self.settings(query)?), format!("{printed}{differs}")))
+        Ok((format!("{}{sound}", settings(&query)?), format!("{printed}{differs}")))
     }
 
-    /// How a curve's scene differs from the one of chapter 9's figures: `d = 0.25 m: `.
-    fn settings(&self, query: &Query) -> Evaluated<String> {
-        let base = Scene::default();
-        let mut scene = query.scenes[0].clone();
-        for setting in &query.settings {
-            if let (Values::Of(value), Some(variable)) = (&setting.values, setting.variable) {
-                set(&mut scene, variable, &self.value(value, Method::Sound)?)?;
-            }
-        }
-        let own: Vec<String> = VARIABLES
-            .iter()
-            .filter(|it| it.value(&scene) != it.value(&base))
-            .map(|it| {
-                let unit = if it.unit() == "-" { String::new() } else { format!(" {}", it.unit()) };
-                format!("{} = {}{unit}", it.symbol, it.show(&scene))
-            })
-            .collect();
-        Ok(if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) })
+    fn value(&self, text: &str, method: Method) -> Evaluated {
+        let value = Reader::new(self, text, method).and_then(Reader::value);
+        value.map_err(|problem| format!("`{text}`: {problem}"))
     }
 
-    fn value(&self, expression: &Expression, method: Method) -> Evaluated {
-        let all = |own: &[Expression]| {
-            own.iter().map(|it| self.value(it, method)).collect::<Evaluated<Vec<_>>>()
-        };
-        match expression {
-            Expression::Number(number) => Ok(Value::Number(*number)),
-            Expression::Text(text) => Ok(Value::Text(text.clone())),
-            Expression::Name(name) => self.named(name, method),
-            Expression::List(list) => Ok(Value::List(all(list)?)),
-            Expression::Item(list, at) => match self.value(list, method)? {
-                Value::List(list) => {
-                    list.get(*at).cloned().ok_or_else(|| format!("there is no value [{at}]"))
-                }
-                other => Err(format!("a list is expected, not {other:?}")),
-            },
-            Expression::Not(inner) => self.value(inner, method)?.not(),
-            Expression::Binary(operator, operands) => {
-                let [left, right] = &**operands;
-                join(*operator, &[self.value(left, method)?, self.value(right, method)?])
-            }
-            Expression::Call(function, arguments) => function.of(&all(arguments)?),
-            Expression::By(other, inner) => self.value(inner, *other),
-            Expression::Query(query) => {
-                let of =
-                    |scene: &Scene| self.along(query, &Case::of(scene), &query.settings, method);
-                match query.scenes.as_slice() {
-                    [scene] => of(scene),
-                    scenes => Ok(Value::List(scenes.iter().map(of).collect::<Evaluated<_>>()?)),
-                }
-            }
+    /// A value of the claim, which is computed once for a method.
+    pub(super) fn named(&self, name: &str, method: Method) -> Evaluated {
+        let key = (name.to_owned(), method);
+        match self.known.borrow().get(&key) {
+            Some(Some(value)) => return Ok(value.clone()),
+            Some(None) => return Err(format!("`{name}` needs itself")),
+            None => {}
         }
-    }
-
-    fn named(&self, name: &str, method: Method) -> Evaluated {
-        if let Some(value) = self.known.borrow().get(&(name.to_owned(), method)) {
-            return Ok(value.clone());
-        }
-        let Some(expression) = self.claim.check.values.get(name) else {
-            return Err(format!("`{name}` is no value of this claim"));
-        };
-        let value = self.value(expression, method)?;
-        self.known.borrow_mut().insert((name.to_owned(), method), value.clone());
+        let text = self.claim.value(name);
+        let text = text.ok_or_else(|| format!("`{name}` is no value of this claim"))?;
+        self.known.borrow_mut().insert(key.clone(), None);
+        let value = self.value(text, method)?;
+        self.known.borrow_mut().insert(key, Some(value.clone()));
         Ok(value)
     }
-
-    /// A quantity for all values of the settings that are left: lists give lists, a range a curve.
-    fn along(&self, query: &Query, case: &Case, settings: &[Setting], method: Method) -> Evaluated {
-        let Some((setting, rest)) = settings.split_first() else {
-            return Ok(query.quantity.of(self.runs, method, &case.scene, case.x_m));
-        };
-        let with = |value: &Value| self.along(query, &case.with(setting, value)?, rest, method);
-        match &setting.values {
-            Values::Of(value) => match self.value(value, method)? {
-                Value::List(list) => {
-                    let all: Vec<Value> = list.iter().map(with).collect::<Evaluated<_>>()?;
-                    Ok(Value::flat(all))
-                }
-                value => with(&value),
-            },
-            Values::Range([from, to], count) => {
-                let from = self.value(from, method)?.number()?;
-                let to = self.value(to, method)?.number()?;
-                let mut points = Vec::new();
-                for i in 0..*count {
-                    let place = from + (to - from) * i as f64 / (count - 1) as f64;
-                    let value = with(&Value::Number(place))?.number()?;
-                    if value.is_finite() {
-                        points.push((place, value));
-                    }
-                }
-                let along = setting.variable.map_or("x", |it| it.symbol);
-                Ok(Value::Curve(Curve { points, along, unit: query.quantity.unit() }))
-            }
-        }
-    }
 }
 
-/// What a quantity is asked of.
-#[derive(Clone)]
-struct Case {
-    scene: Scene,
-    /// The displacement, m.
-    x_m: f64,
-}
-
-impl Case {
-    fn of(scene: &Scene) -> Self {
-        Self { scene: scene.clone(), x_m: f64::NAN }
-    }
-
-    fn with(&self, setting: &Setting, value: &Value) -> Evaluated<Self> {
-        let mut own = self.clone();
-        match setting.variable {
-            Some(variable) => set(&mut own.scene, variable, value)?,
-            None => own.x_m = value.number()?,
-        }
-        Ok(own)
-    }
-}
-
-fn set(scene: &mut Scene, variable: &Variable, value: &Value) -> Evaluated<()> {
-    let value = match value {
-        Value::Text(word) => variable.parse(scene, word, Bare::Si),
-        other => Ok(variables::Value::Number(other.number()?)),
-    };
-    let set = value.and_then(|value| variable.set(scene, value));
-    set.map_err(|error| error.to_string())
+/// How a curve's scene differs from the one of chapter 9's figures: `d = 0.25 m: `.
+fn settings(query: &Query) -> Evaluated<String> {
+    let base = Scene::default();
+    let scene = query.scene()?;
+    let own: Vec<String> = VARIABLES
+        .iter()
+        .filter(|it| it.value(&scene) != it.value(&base))
+        .map(|it| {
+            let unit = if it.unit() == "-" { String::new() } else { format!(" {}", it.unit()) };
+            format!("{} = {}{unit}", it.symbol, it.show(&scene))
+        })
+        .collect();
+    Ok(if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) })
 }
 
 #[cfg(test)]
@@ -228,14 +136,14 @@ mod tests {
     /// What is found for a claim with these values and checks.
     fn found(checks: &[(&str, &str)]) -> Found {
         let mut text =
-            "[scenes]\n[[claim]]\nid = \"a\"\nplace = \"1\"\nsays = \"b\"\ncause = \"c\"\n\
+            "[scenes]\nrigid = { mount = \"rigid\" }\n[[claim]]\nid = \"a\"\nplace = \"1\"\nsays = \"b\"\ncause = \"c\"\n\
                         verdict = \"misprint\"\n"
                 .to_owned();
         for (name, value) in checks {
             let _ = writeln!(text, "{name} = \"{value}\"");
         }
-        let claims = claim::read(&text).map_err(|problem| panic!("{problem}")).unwrap();
-        check(&claims.all[0], &Runs::new(&SharedRuns::default()))
+        let claims = claim::read(text.leak()).map_err(|problem| panic!("{problem}")).unwrap();
+        check(&claims.all[0], &claims.scenes, &Runs::new(&SharedRuns::default()))
     }
 
     fn value(expression: &str) -> String {
@@ -285,5 +193,29 @@ mod tests {
         let wrong = found(&[("computed", "{1 + 'a'}")]);
         assert!(wrong.sound.starts_with("this claim is written wrongly"), "{}", wrong.sound);
         assert_eq!(wrong.verdict, Verdict::Unchecked);
+    }
+
+    #[test]
+    fn a_wrong_expression_is_refused_by_its_name() {
+        for (wrong, named) in [
+            ("dept(rigid)", "`dept`"),
+            ("depth(rigit)", "`rigit`"),
+            ("depth(rigid, gama=2)", "gama"),
+            ("depth() | kg", "`kg`"),
+            ("other", "`other`"),
+            ("near(1, 2)", "3 arguments"),
+            ("b", "`b` needs itself"),
+            ("depth(x=1..2)", "`:` is expected"),
+            ("a[1.5]", "a whole number"),
+            ("1 2", "not expected after"),
+            ("(1", "missing at the end"),
+            ("1 +", "missing at the end"),
+        ] {
+            let text = format!("{{{wrong}}}");
+            let values = ("values.b", "c");
+            let found =
+                found(&[values, ("values.c", "b"), ("values.a", "[1, 2]"), ("computed", &text)]);
+            assert!(found.sound.contains(named), "{wrong}: {}", found.sound);
+        }
     }
 }

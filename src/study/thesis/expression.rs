@@ -1,92 +1,120 @@
-//! The expressions of the claims: numbers, lists, texts, arithmetic, conditions, functions, and quantities of scenes.
-//!
-//! Parsed when the claims are read, with all names resolved: a wrong one is refused then, not when a claim is checked.
-
-use std::collections::BTreeMap;
+//! The expressions of the claims: numbers, lists, texts, arithmetic, conditions, functions, and quantities of scenes; computed as
+//! they are read.
 
 use crate::model::scene::Scene;
+use crate::model::units::Bare;
 use crate::model::variables::{self, Variable};
-use crate::study::thesis::functions::{FUNCTIONS, Function};
+use crate::study::thesis::check::Evaluation;
+use crate::study::thesis::functions::FUNCTIONS;
 use crate::study::thesis::quantities::Quantity;
-use crate::study::thesis::runs::Method;
+use crate::study::thesis::runs::{Method, Runs};
+use crate::study::thesis::value::{Curve, Value, join};
 
-pub(super) enum Expression {
-    Number(f64),
-    Text(String),
-    /// A value of the claim.
-    Name(String),
-    List(Vec<Self>),
-    /// One of a list.
-    Item(Box<Self>, usize),
-    /// The contrary of a condition.
-    Not(Box<Self>),
-    /// Two operands.
-    Binary(Operator, Box<[Self; 2]>),
-    Call(&'static Function, Vec<Self>),
-    /// A value by a certain method.
-    By(Method, Box<Self>),
-    /// A quantity of one or more scenes.
-    Query(Query),
-}
+/// A value, or what is wrong with the expression.
+pub(super) type Evaluated<T = Value> = Result<T, String>;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Operator {
-    Or,
-    And,
-    Equal,
-    Unequal,
-    Less,
-    AtMost,
-    Greater,
-    AtLeast,
-    Plus,
-    Minus,
-    Times,
-    Over,
-    Power,
-}
-
-/// A quantity of scenes with some variables changed.
+/// A quantity of one or more scenes, with variables changed.
 pub(super) struct Query {
-    /// Which quantity.
-    pub quantity: Quantity,
-    /// Of which scenes; one at least.
-    pub scenes: Vec<Scene>,
-    /// What is changed in them, in order.
-    pub settings: Vec<Setting>,
+    quantity: Quantity,
+    scenes: Vec<Scene>,
+    /// Those with a list come before the one that makes a curve.
+    settings: Vec<Setting>,
 }
 
-/// A variable that is changed.
-pub(super) struct Setting {
+struct Setting {
     /// Which; `None` is the displacement that some quantities depend on.
-    pub variable: Option<&'static Variable>,
-    /// Its values.
-    pub values: Values,
+    variable: Option<&'static Variable>,
+    values: Values,
 }
 
 /// The values of a variable.
-pub(super) enum Values {
+enum Values {
     /// One, or a list.
-    Of(Expression),
-    /// Equally spaced ones: a curve.
-    Range([Expression; 2], usize),
+    Of(Value),
+    /// Equally spaced ones from the first to the last: a curve of so many points.
+    Range { from: f64, to: f64, count: usize },
 }
 
-/// What binds weakest comes first.
-const LEVELS: [&[(&str, Operator)]; 5] = [
-    &[("or", Operator::Or)],
-    &[("and", Operator::And)],
-    &[
-        ("==", Operator::Equal),
-        ("!=", Operator::Unequal),
-        ("<=", Operator::AtMost),
-        (">=", Operator::AtLeast),
-        ("<", Operator::Less),
-        (">", Operator::Greater),
-    ],
-    &[("+", Operator::Plus), ("-", Operator::Minus)],
-    &[("*", Operator::Times), ("/", Operator::Over)],
-];
+/// A scene on its way to a query's value, and the displacement asked for.
+#[derive(Clone)]
+struct Case {
+    scene: Scene,
+    x_m: f64,
+}
+
+impl Case {
+    fn with(&self, setting: &Setting, value: &Value) -> Evaluated<Self> {
+        let mut own = self.clone();
+        match setting.variable {
+            Some(variable) => set(&mut own.scene, variable, value)?,
+            None => own.x_m = value.number()?,
+        }
+        Ok(own)
+    }
+}
+
+fn set(scene: &mut Scene, variable: &Variable, value: &Value) -> Evaluated<()> {
+    let value = match value {
+        Value::Text(word) => variable.parse(scene, word, Bare::Si),
+        other => Ok(variables::Value::Number(other.number()?)),
+    };
+    let set = value.and_then(|value| variable.set(scene, value));
+    set.map_err(|error| error.to_string())
+}
+
+impl Query {
+    fn value(&self, runs: &Runs<'_>, method: Method) -> Evaluated {
+        let of = |scene: &Scene| {
+            let case = Case { scene: scene.clone(), x_m: f64::NAN };
+            self.along(&case, &self.settings, &|case| {
+                self.quantity.of(runs, method, &case.scene, case.x_m)
+            })
+        };
+        match self.scenes.as_slice() {
+            [scene] => of(scene),
+            scenes => Ok(Value::List(scenes.iter().map(of).collect::<Evaluated<_>>()?)),
+        }
+    }
+
+    /// The values of a query for the settings that are not yet made, a value for each combination.
+    fn along(&self, case: &Case, settings: &[Setting], of: &dyn Fn(&Case) -> Value) -> Evaluated {
+        let Some((setting, rest)) = settings.split_first() else { return Ok(of(case)) };
+        let with = |value: &Value| self.along(&case.with(setting, value)?, rest, of);
+        match &setting.values {
+            Values::Of(Value::List(list)) => {
+                Ok(Value::flat(list.iter().map(with).collect::<Evaluated<_>>()?))
+            }
+            Values::Of(value) => with(value),
+            Values::Range { from, to, count } => {
+                let mut points = Vec::new();
+                for i in 0..*count {
+                    let place = from + (to - from) * i as f64 / (count - 1) as f64;
+                    let value = with(&Value::Number(place))?.number()?;
+                    if value.is_finite() {
+                        points.push((place, value));
+                    }
+                }
+                let along = setting.variable.map_or("x", |it| it.symbol);
+                Ok(Value::Curve(Curve { points, along, unit: self.quantity.unit() }))
+            }
+        }
+    }
+
+    /// Its first scene with the variables that have one value.
+    pub(super) fn scene(&self) -> Evaluated<Scene> {
+        let mut scene = self.scenes[0].clone();
+        for setting in &self.settings {
+            if let (Values::Of(value), Some(variable)) = (&setting.values, setting.variable) {
+                set(&mut scene, variable, value)?;
+            }
+        }
+        Ok(scene)
+    }
+}
+
+/// The operators, what binds weakest first.
+const LEVELS: [&[&str]; 5] =
+    [&["or"], &["and"], &["==", "!=", "<=", ">=", "<", ">"], &["+", "-"], &["*", "/"]];
 
 /// The level that `not` stands before.
 const COMPARISONS: usize = 2;
@@ -105,29 +133,45 @@ enum Token {
     Symbol(&'static str),
 }
 
-/// Reads expressions of one claim and notes which of its values they name.
-pub(super) struct Parser<'a> {
-    scenes: &'a BTreeMap<String, Scene>,
+/// Reads and computes one expression.
+pub(super) struct Reader<'a> {
+    evaluation: &'a Evaluation<'a>,
+    method: Method,
     tokens: Vec<Token>,
     at: usize,
-    /// The names of values met so far.
-    pub names: Vec<String>,
 }
 
-type Parsed<T = Expression> = Result<T, String>;
-
-impl<'a> Parser<'a> {
-    pub(super) fn new(scenes: &'a BTreeMap<String, Scene>) -> Self {
-        Self { scenes, tokens: Vec::new(), at: 0, names: Vec::new() }
+impl<'a> Reader<'a> {
+    pub(super) fn new(
+        evaluation: &'a Evaluation<'a>,
+        text: &str,
+        method: Method,
+    ) -> Evaluated<Self> {
+        Ok(Self { evaluation, method, tokens: tokens(text)?, at: 0 })
     }
 
-    pub(super) fn parse(&mut self, text: &str) -> Parsed {
-        (self.tokens, self.at) = (tokens(text)?, 0);
-        let expression = self.level(0)?;
+    /// The value of the whole expression.
+    pub(super) fn value(mut self) -> Evaluated {
+        let value = self.level(0)?;
         match self.tokens.get(self.at) {
-            None => Ok(expression),
-            Some(token) => Err(format!("`{text}`: {token:?} is not expected after an expression")),
+            None => Ok(value),
+            Some(token) => Err(format!("{token:?} is not expected after an expression")),
         }
+    }
+
+    /// The query that the expression is; `None` where it is something else.
+    pub(super) fn only_query(mut self) -> Evaluated<Option<Query>> {
+        let Some(Token::Word(name)) = self.next() else { return Ok(None) };
+        match Quantity::find(&name) {
+            Some(quantity) if self.take("(") => self.query(&name, quantity).map(Some),
+            Some(_) | None => Ok(None),
+        }
+    }
+
+    fn next(&mut self) -> Option<Token> {
+        let next = self.tokens.get(self.at).cloned();
+        self.at += 1;
+        next
     }
 
     fn take(&mut self, symbol: &str) -> bool {
@@ -140,7 +184,7 @@ impl<'a> Parser<'a> {
         is_next
     }
 
-    fn expect(&mut self, symbol: &str) -> Parsed<()> {
+    fn expect(&mut self, symbol: &str) -> Evaluated<()> {
         if self.take(symbol) {
             return Ok(());
         }
@@ -151,37 +195,35 @@ impl<'a> Parser<'a> {
         ))
     }
 
-    fn level(&mut self, level: usize) -> Parsed {
+    fn level(&mut self, level: usize) -> Evaluated {
         let Some(operators) = LEVELS.get(level) else { return self.power() };
         if level == COMPARISONS && self.take("not") {
-            return Ok(Expression::Not(Box::new(self.level(level)?)));
+            return self.level(level)?.not();
         }
         let mut left = self.level(level + 1)?;
-        while let Some((_, operator)) = operators.iter().find(|(symbol, _)| self.take(symbol)) {
-            left = Expression::Binary(*operator, Box::new([left, self.level(level + 1)?]));
+        while let Some(operator) = operators.iter().find(|symbol| self.take(symbol)) {
+            left = join(operator, left, self.level(level + 1)?)?;
         }
         Ok(left)
     }
 
-    fn power(&mut self) -> Parsed {
+    fn power(&mut self) -> Evaluated {
         if self.take("-") {
-            let operands = [Expression::Number(-1.0), self.power()?];
-            return Ok(Expression::Binary(Operator::Times, Box::new(operands)));
+            return join("*", Value::Number(-1.0), self.power()?);
         }
         let mut base = self.atom()?;
         while self.take("[") {
-            base = Expression::Item(Box::new(base), self.whole_number()?);
+            base = base.item(self.whole_number()?)?;
             self.expect("]")?;
         }
         if !self.take("^") {
             return Ok(base);
         }
-        Ok(Expression::Binary(Operator::Power, Box::new([base, self.power()?])))
+        join("^", base, self.power()?)
     }
 
-    fn whole_number(&mut self) -> Parsed<usize> {
-        let next = self.tokens.get(self.at).cloned();
-        self.at += 1;
+    fn whole_number(&mut self) -> Evaluated<usize> {
+        let next = self.next();
         match next {
             Some(Token::Number(number)) => number.to_string().parse().ok(),
             Some(Token::Word(_) | Token::Text(_) | Token::Symbol(_)) | None => None,
@@ -189,27 +231,23 @@ impl<'a> Parser<'a> {
         .ok_or_else(|| format!("a whole number is expected, not {next:?}"))
     }
 
-    fn atom(&mut self) -> Parsed {
-        let Some(token) = self.tokens.get(self.at).cloned() else {
+    fn atom(&mut self) -> Evaluated {
+        let Some(token) = self.next() else {
             return Err("a value is missing at the end".to_owned());
         };
-        self.at += 1;
         match token {
-            Token::Number(number) => Ok(Expression::Number(number)),
-            Token::Text(text) => Ok(Expression::Text(text)),
+            Token::Number(number) => Ok(Value::Number(number)),
+            Token::Text(text) => Ok(Value::Text(text)),
             Token::Symbol("(") => {
                 let inner = self.level(0)?;
                 self.expect(")")?;
                 Ok(inner)
             }
-            Token::Symbol("[") => Ok(Expression::List(self.until("]", |own| own.level(0))?)),
+            Token::Symbol("[") => Ok(Value::List(self.until("]", |own| own.level(0))?)),
             Token::Symbol(symbol) => Err(format!("`{symbol}` is not the beginning of a value")),
             Token::Word(name) if self.take("(") => self.call(&name),
-            Token::Word(name) if name == "pi" => Ok(Expression::Number(std::f64::consts::PI)),
-            Token::Word(name) => {
-                self.names.push(name.clone());
-                Ok(Expression::Name(name))
-            }
+            Token::Word(name) if name == "pi" => Ok(Value::Number(std::f64::consts::PI)),
+            Token::Word(name) => self.evaluation.named(&name, self.method),
         }
     }
 
@@ -217,8 +255,8 @@ impl<'a> Parser<'a> {
     fn until<T>(
         &mut self,
         end: &str,
-        mut each: impl FnMut(&mut Self) -> Parsed<T>,
-    ) -> Parsed<Vec<T>> {
+        mut each: impl FnMut(&mut Self) -> Evaluated<T>,
+    ) -> Evaluated<Vec<T>> {
         let mut all = Vec::new();
         while !self.take(end) {
             if !all.is_empty() {
@@ -229,19 +267,17 @@ impl<'a> Parser<'a> {
         Ok(all)
     }
 
-    fn call(&mut self, name: &str) -> Parsed {
-        let method = match name {
-            "sound" => Some(Method::Sound),
-            "printed" => Some(Method::Printed),
-            _ => None,
-        };
-        if let Some(method) = method {
+    fn call(&mut self, name: &str) -> Evaluated {
+        let by = [("sound", Method::Sound), ("printed", Method::Printed)];
+        if let Some((_, method)) = by.into_iter().find(|it| it.0 == name) {
+            let outer = std::mem::replace(&mut self.method, method);
             let inner = self.level(0)?;
+            self.method = outer;
             self.expect(")")?;
-            return Ok(Expression::By(method, Box::new(inner)));
+            return Ok(inner);
         }
         if let Some(quantity) = Quantity::find(name) {
-            return self.query(name, quantity);
+            return self.query(name, quantity)?.value(self.evaluation.runs, self.method);
         }
         let Some(function) = FUNCTIONS.iter().find(|it| it.name == name) else {
             return Err(format!(
@@ -253,10 +289,10 @@ impl<'a> Parser<'a> {
             let wanted = function.arguments;
             return Err(format!("`{name}` takes {wanted} arguments, not {}", arguments.len()));
         }
-        Ok(Expression::Call(function, arguments))
+        function.of(&arguments)
     }
 
-    fn query(&mut self, own_name: &str, quantity: Quantity) -> Parsed {
+    fn query(&mut self, own_name: &str, quantity: Quantity) -> Evaluated<Query> {
         let mut query = Query { quantity, scenes: Vec::new(), settings: Vec::new() };
         self.until(")", |own| {
             let Some(Token::Word(name)) = own.tokens.get(own.at).cloned() else {
@@ -267,30 +303,30 @@ impl<'a> Parser<'a> {
                 query.settings.push(own.setting(&name)?);
                 return Ok(());
             }
-            let Some(scene) = own.scenes.get(&name) else {
-                let known: Vec<&str> = own.scenes.keys().map(String::as_str).collect();
+            let Some(scene) = own.evaluation.scenes.get(&name) else {
+                let known: Vec<&str> = own.evaluation.scenes.keys().map(String::as_str).collect();
                 return Err(format!("`{name}` is no scene: take one of {}", known.join(", ")));
             };
             query.scenes.push(scene.clone());
             Ok(())
         })?;
-        query.settings.sort_by_key(|it| matches!(it.values, Values::Range(..)));
+        query.settings.sort_by_key(|it| matches!(it.values, Values::Range { .. }));
         if query.scenes.is_empty() {
             query.scenes.push(Scene::default());
         }
-        Ok(Expression::Query(query))
+        Ok(query)
     }
 
-    fn setting(&mut self, name: &str) -> Parsed<Setting> {
+    fn setting(&mut self, name: &str) -> Evaluated<Setting> {
         let variable = match name {
             "x" => None,
             name => Some(variables::find(name).map_err(|error| error.to_string())?),
         };
         let first = self.level(COMPARISONS + 1)?;
         let values = if self.take("..") {
-            let last = self.level(COMPARISONS + 1)?;
+            let (from, to) = (first.number()?, self.level(COMPARISONS + 1)?.number()?);
             self.expect(":")?;
-            Values::Range([first, last], self.whole_number()?)
+            Values::Range { from, to, count: self.whole_number()? }
         } else {
             Values::Of(first)
         };
@@ -298,7 +334,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn tokens(text: &str) -> Parsed<Vec<Token>> {
+fn tokens(text: &str) -> Evaluated<Vec<Token>> {
     let mut all = Vec::new();
     let mut rest = text.trim_start();
     while let Some(first) = rest.chars().next() {
@@ -362,16 +398,5 @@ mod tests {
         ];
         assert_eq!(found, expected);
         assert!(tokens("1 ? 2").is_err());
-    }
-
-    #[test]
-    fn names_of_values_are_noted() {
-        let scenes = BTreeMap::new();
-        let mut parser = Parser::new(&scenes);
-        assert!(parser.parse("near(a, b[0], 1e-3) and not c > 2 * pi").is_ok());
-        assert_eq!(parser.names, ["a", "b", "c"]);
-        for wrong in ["", "1 2", "(1", "[1, 2", "depth(x=1..2)", "a[1.5]", "1 +"] {
-            assert!(parser.parse(wrong).is_err(), "{wrong}");
-        }
     }
 }

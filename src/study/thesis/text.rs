@@ -1,16 +1,7 @@
-//! The texts of the claims: numbers in words, and templates with expressions in them.
+//! The texts of the claims: numbers in words, and texts with expressions in them.
 
 use crate::model::units::{self, Engineering};
-use crate::study::thesis::expression::{Expression, Parser};
 use crate::study::thesis::value::{Curve, Value};
-
-/// A text with expressions in it: `{depth(rigid) | mm} deep`.
-pub(super) struct Template(Vec<Piece>);
-
-enum Piece {
-    Plain(String),
-    Value(Expression, Format),
-}
 
 #[derive(Clone, Copy, Debug)]
 struct Format {
@@ -31,33 +22,21 @@ enum Style {
 
 const UNITS: [&str; 6] = ["m/s", "N/m", "N", "s", "Pa", "J"];
 
-impl Template {
-    pub(super) fn parse(text: &str, parser: &mut Parser<'_>) -> Result<Self, String> {
-        let mut pieces = Vec::new();
-        let mut parts = text.split('{');
-        pieces.extend(parts.next().map(|plain| Piece::Plain(plain.to_owned())));
-        for part in parts {
-            let Some((inner, plain)) = part.split_once('}') else {
-                return Err(format!("`{text}`: `}}` is missing"));
-            };
-            let (expression, format) = inner.split_once(" | ").unwrap_or((inner, ""));
-            pieces.push(Piece::Value(parser.parse(expression)?, Format::parse(format)?));
-            pieces.push(Piece::Plain(plain.to_owned()));
-        }
-        Ok(Self(pieces))
+/// A text with the expressions in it computed: `{depth(rigid) | mm} deep`.
+pub(super) fn filled(
+    text: &str,
+    value: &dyn Fn(&str) -> Result<Value, String>,
+) -> Result<String, String> {
+    let mut parts = text.split('{');
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (inner, plain) =
+            part.split_once('}').ok_or_else(|| format!("`{text}`: `}}` is missing"))?;
+        let (expression, format) = inner.split_once(" | ").unwrap_or((inner, ""));
+        out += &Format::parse(format)?.write(&value(expression)?)?;
+        out += plain;
     }
-
-    /// The text with its expressions evaluated.
-    pub(super) fn filled(
-        &self,
-        value: &dyn Fn(&Expression) -> Result<Value, String>,
-    ) -> Result<String, String> {
-        let piece = |piece: &Piece| match piece {
-            Piece::Plain(plain) => Ok(plain.clone()),
-            Piece::Value(expression, format) => format.write(&value(expression)?),
-        };
-        self.0.iter().map(piece).collect()
-    }
+    Ok(out)
 }
 
 impl Format {

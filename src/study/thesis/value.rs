@@ -1,7 +1,5 @@
 //! The values of a claim's expressions, and arithmetic that goes through lists.
 
-use crate::study::thesis::expression::Operator;
-
 pub(super) type Point = (f64, f64);
 
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +80,16 @@ impl Value {
     }
 
     /// Whether it is a list of curves or of lists.
+    /// One of a list, counted from 0.
+    pub(super) fn item(self, at: usize) -> Result<Self, String> {
+        match self {
+            Self::List(list) => {
+                list.into_iter().nth(at).ok_or_else(|| format!("there is no value [{at}]"))
+            }
+            other => Err(format!("a list is expected, not {other:?}")),
+        }
+    }
+
     pub(super) fn is_nested(&self) -> bool {
         let is_series = |it: &Self| matches!(it, Self::Curve(_) | Self::List(_));
         matches!(self, Self::List(list) if list.iter().any(is_series))
@@ -121,17 +129,14 @@ pub(super) fn through_lists(
     Ok(Value::List((0..length).map(place).collect::<Result<_, _>>()?))
 }
 
-pub(super) fn join(operator: Operator, operands: &[Value; 2]) -> Result<Value, String> {
-    through_lists(operands, &|pair| match (operator, pair) {
-        (Operator::Or, [left, right]) => Ok(Value::Truth(left.holds()? || right.holds()?)),
-        (Operator::And, [left, right]) => Ok(Value::Truth(left.holds()? && right.holds()?)),
-        (Operator::Equal, [Value::Text(left), Value::Text(right)]) => {
-            Ok(Value::Truth(left == right))
-        }
-        (Operator::Unequal, [Value::Text(left), Value::Text(right)]) => {
-            Ok(Value::Truth(left != right))
-        }
-        (_, [left, right]) => Ok(calculate(operator, left.number()?, right.number()?)),
+/// Two values joined by an operator, place by place of lists.
+pub(super) fn join(operator: &str, left: Value, right: Value) -> Result<Value, String> {
+    through_lists(&[left, right], &|pair| match (operator, pair) {
+        ("or", [left, right]) => Ok(Value::Truth(left.holds()? || right.holds()?)),
+        ("and", [left, right]) => Ok(Value::Truth(left.holds()? && right.holds()?)),
+        ("==", [Value::Text(left), Value::Text(right)]) => Ok(Value::Truth(left == right)),
+        ("!=", [Value::Text(left), Value::Text(right)]) => Ok(Value::Truth(left != right)),
+        (_, [left, right]) => calculate(operator, left.number()?, right.number()?),
         (_, _) => Err("an operator has two operands".to_owned()),
     })
 }
@@ -140,19 +145,19 @@ pub(super) fn join(operator: Operator, operands: &[Value; 2]) -> Result<Value, S
     clippy::float_cmp,
     reason = "claims compare whole numbers and a value with the greatest of its list"
 )]
-fn calculate(operator: Operator, left: f64, right: f64) -> Value {
-    match operator {
-        Operator::Plus => Value::Number(left + right),
-        Operator::Minus => Value::Number(left - right),
-        Operator::Times => Value::Number(left * right),
-        Operator::Over => Value::Number(left / right),
-        Operator::Power => Value::Number(left.powf(right)),
-        Operator::Less => Value::Truth(left < right),
-        Operator::AtMost => Value::Truth(left <= right),
-        Operator::Greater => Value::Truth(left > right),
-        Operator::AtLeast => Value::Truth(left >= right),
-        Operator::Equal => Value::Truth(left == right),
-        Operator::Unequal => Value::Truth(left != right),
-        Operator::Or | Operator::And => Value::Truth(false),
-    }
+fn calculate(operator: &str, left: f64, right: f64) -> Result<Value, String> {
+    Ok(match operator {
+        "+" => Value::Number(left + right),
+        "-" => Value::Number(left - right),
+        "*" => Value::Number(left * right),
+        "/" => Value::Number(left / right),
+        "^" => Value::Number(left.powf(right)),
+        "<" => Value::Truth(left < right),
+        "<=" => Value::Truth(left <= right),
+        ">" => Value::Truth(left > right),
+        ">=" => Value::Truth(left >= right),
+        "==" => Value::Truth(left == right),
+        "!=" => Value::Truth(left != right),
+        other => return Err(format!("`{other}` is no operator")),
+    })
 }

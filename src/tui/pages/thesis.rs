@@ -222,7 +222,7 @@ fn open(app: &mut App) {
             principles::PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset)
         }
         SCREENING => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
-        _ => row.map_or(Opens::Nothing, |row| row.claim.opens),
+        _ => row.map_or(Opens::Nothing, |row| row.claim.opens()),
     };
     let id = row.map_or("claim", |row| row.claim.id);
     let base = match opens {
@@ -351,7 +351,7 @@ impl App {
         match self.pane() {
             CLAIMS => {
                 let row = self.claim()?;
-                let opens = match row.claim.opens {
+                let opens = match row.claim.opens() {
                     Opens::Nothing => "no scene shows this".to_owned(),
                     Opens::Scene(_) => "Enter opens its scene".to_owned(),
                     Opens::Preset(name) => format!("Enter opens {name}"),

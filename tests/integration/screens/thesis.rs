@@ -113,7 +113,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         bench.keys("6");
         let id = asked(&mut bench).expect("the claims are asked for");
         let rows =
-            claims().iter().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
+            claims().iter().find(|it| matches!(it.opens(), Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
         bench.reply(id, ended(Finding::new(RowsSoFar { rows, is_complete: true })));
         bench.press("<Enter>");
