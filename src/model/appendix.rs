@@ -1,4 +1,4 @@
-//! The algorithm of the thesis's Appendix A, one step of it at a time, with each of its quirks a switch.
+//! The algorithm of the thesis's Appendix A, step by step; each of its errors is a switch.
 //!
 //! The scripts m50, m200 and m300 are read as one loop. Each step: depth from the projectile's travel, area, one force; the
 //! projectile by the trapezoid of old and new force (its travel by forward Euler); the plate by one Runge-Kutta step with the
@@ -148,7 +148,7 @@ impl Scheme {
     /// One step.
     ///
     /// # Errors
-    /// [`Refusal::Separated`] where the listing breaks off, [`Refusal::NonFinite`] where it blows up.
+    /// [`Refusal::Separated`] where the listing breaks off, [`Refusal::NonFinite`] where it diverges.
     pub fn step(&self, state: &mut State) -> Result<(), Refusal> {
         match self.listing.scheme {
             Reading::Printed => self.step_as_printed(state)?,
@@ -240,7 +240,7 @@ impl Scheme {
 /// Run the listing's contact phase with steps of `dt_s` and at most `steps_max` of them.
 ///
 /// # Errors
-/// A [`Refusal`] when it does not come to an end, or blows up.
+/// A [`Refusal`] when it does not come to an end, or diverges.
 pub fn contact(
     scene: &Scene,
     dt_s: f64,

@@ -1,4 +1,4 @@
-//! What needs no integration: arrest and perforation of a plate that is rigid, or free of spring and damper.
+//! Closed forms: arrest and perforation of a plate that is rigid, or free of spring and damper.
 //!
 //! Relative motion of two bodies that only push on each other is that of one body of the reduced mass mu (the projectile's own
 //! mass for a rigid plate). With V(q) the volume swept, d(u²)/dV = -2 (S + c u²)/mu, so that
@@ -34,7 +34,7 @@ pub enum Ending {
         /// Travel, m.
         travel_m: f64,
     },
-    /// Clear of the rear face with this relative velocity left.
+    /// Clear of the rear face with this relative residual velocity.
     Exit {
         /// Relative velocity, m/s.
         velocity_m_s: f64,
@@ -152,7 +152,7 @@ impl<'a> Passage<'a> {
         self.moments(&bounds, rule.points, time_s, |q| (q, slip(q)))
     }
 
-    /// Moments at so many equal parts of each stretch between two bounds, in whatever variable these are: how long a part takes,
+    /// Moments at a given number of equal parts of each stretch between two bounds, in whatever variable these are: how long a part takes,
     /// s, and travel and slip at its end.
     fn moments(
         &self,

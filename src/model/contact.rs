@@ -135,7 +135,7 @@ impl Nose {
         self.radius_m * (1.0 - self.sin) / self.cos
     }
 
-    /// Depth at which a face crosses nothing but the cylinder, R (1/cos + tan), m.
+    /// Depth at which a face crosses only the cylinder, R (1/cos + tan), m.
     pub fn full_from_m(&self) -> f64 {
         self.radius_m * (1.0 + self.sin) / self.cos
     }

@@ -81,7 +81,7 @@ pub struct Contact {
     start_m: f64,
     /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
     scale_s: Option<f64>,
-    /// A spring that is no power law, a stop, or another interaction model.
+    /// A spring that is not a power law, a stop, or another interaction model.
     left_to_others: bool,
 }
 
@@ -429,7 +429,7 @@ mod tests {
         }
     }
 
-    /// Two kernels that share no step. The plate swings fast and touches rest before it turns at its farthest.
+    /// Two kernels that share no step. The plate oscillates fast and touches rest before it turns at its farthest.
     #[test]
     fn the_simulation_sees_the_greatest_displacement_after_a_touch_of_rest() {
         for tolerance in [1e-11, 1e-12, 1e-13] {

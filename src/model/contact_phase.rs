@@ -1,6 +1,7 @@
 //! The contact phase alone, from first contact to first arrest or perforation, as a plain initial-value problem.
 //!
-//! Written a second time, apart from the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods. So it can judge the engine, and the engine it. In units of the nose radius R, the impact velocity v and R/v,
+//! A second implementation, independent of the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods. Each
+//! can check the other. In units of the nose radius R, the impact velocity v and R/v,
 //!
 //! ```text
 //! q' = u    u' = -f (1 + cos²/gamma) + g cos/gamma    f = a(q) (sigma + kappa u²)
@@ -81,7 +82,7 @@ worded! {
         OtherEnding = "wrong: the outcome differs from the reference",
         EndedEarly = "the run ended early",
         Rattles = "gave up: the velocity changes sign too often",
-        /// Nothing that shares no code with the method could be computed to judge it by.
+        /// No reference could be computed that shares no code with the method.
         NoReference = "not run: no independent reference",
         /// It has taken so long that coarser points are all this report waits for.
         TooSlow = "not run: would take too long",

@@ -20,7 +20,7 @@ pub struct Rod {
 
 impl Rod {
     /// Tate's critical obliquity, degrees from the plate's normal: beyond it ricochet or break-up is likely. Thesis equation
-    /// 2.3; made for long rods, whose deceleration it leaves out: a rough guide.
+    /// 2.3; made for long rods, whose deceleration it omits: a rough guide.
     pub fn critical_obliquity_deg(&self, target_density_kg_m3: f64) -> f64 {
         let (l, d) = (self.length_m, self.diameter_m);
         let pressure = self.density_kg_m3 * self.velocity_m_s * self.velocity_m_s;

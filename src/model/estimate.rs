@@ -1,7 +1,7 @@
-//! How far the results of a run may be off: the difference of each to a second, better computation of the same scene.
+//! Error estimates of the results of a run: the difference of each from a second, more accurate computation of the same scene.
 //!
-//! An estimate is relative to the quantity itself. It is never below what rounding leaves of the quantity, which is more for what
-//! is a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
+//! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
+//! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
 use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, Run};
 use crate::numerics::larger;

@@ -1,5 +1,5 @@
 //! Event functions: what may end a stretch of smooth motion. Each is a linear form in the state and the forces that falls
-//! through zero when its event happens, so that the Taylor and the implicit method watch the same guards.
+//! through zero when its event happens, so that the Taylor and the implicit method locate the same events.
 
 use crate::model::motion::{Expansion, Motion, State};
 
@@ -22,7 +22,7 @@ pub(super) enum EventId {
     ContactAgain,
     DentLeft,
     HistoryEnd,
-    /// The plate's displacement changes sign (or comes so close to zero that its power law is left out for a moment).
+    /// The plate's displacement changes sign (or comes so close to zero that its power law is omitted for a moment).
     PlateZero,
     /// The plate's velocity changes sign (or comes close to zero, as above).
     PlateSpeedZero,

@@ -1,4 +1,4 @@
-//! Springs, dampers and stops: force, energy and what they can do at most.
+//! Springs, dampers and stops: force, energy and limits.
 //!
 //! Signs: a spring force is positive when it pushes the plate back towards its neutral position from x > 0, a damper force
 //! when it resists w > 0; both act on the plate as -force. Thesis equations 8.1, 8.2, 9.2, 9.3 with the signs its

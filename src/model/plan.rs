@@ -1,4 +1,4 @@
-//! What a contact can do without, decided from bounds before anything is integrated. Shared by the simulation and the
+//! The terms that a contact does not need, decided from bounds before the integration. Shared by the simulation and the
 //! contact kernel, so that both omit the same.
 
 use std::f64::consts::PI;

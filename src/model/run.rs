@@ -43,7 +43,7 @@ pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 pub struct Run {
     /// The scene as it was run.
     pub scene: Arc<Scene>,
-    /// What became of the shot.
+    /// The outcome of the shot.
     pub outcome: Outcome,
     /// Why the computation ended.
     pub end: EndReason,
@@ -73,15 +73,15 @@ pub struct Run {
     pub error_estimate: Option<ErrorEstimate>,
     /// Relative error estimates of the results, each by itself, as far as they exist.
     pub error_estimates: Vec<QuantityError>,
-    /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless asked for.
+    /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless requested.
     pub series: Vec<Sample>,
     /// Located events, in order of time.
     pub events: Vec<Event>,
     /// Where the energy went.
     pub ledger: EnergyLedger,
-    /// What was asked of the mechanism.
+    /// What was required of the mechanism.
     pub mechanism: MechanismLoad,
-    /// What became of the shot behind this plate, where the scene is a stack.
+    /// The outcome of the shot behind this plate, where the scene is a stack.
     pub stack: Option<Arc<StackRun>>,
     /// What the computation cost.
     pub cost: Cost,
@@ -92,7 +92,7 @@ pub struct Run {
 }
 
 worded! {
-    /// What became of the shot.
+    /// The outcome of the shot.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Outcome: word {
         Arrested = "arrested",
@@ -117,7 +117,7 @@ worded! {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and nothing was decided within five hundred swings.
+        /// No horizon was given, and nothing was decided within five hundred oscillations.
         Swings = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
@@ -220,7 +220,7 @@ worded! {
         StopHit = "stop hit",
         StopHold = "held by the stop",
         StopRelease = "leaves the stop",
-        /// The fused interface is first asked for more than it can carry.
+        /// The load of the fused interface first exceeds its strength.
         InterfaceExceeded = "interface limit exceeded",
     }
 }
@@ -312,7 +312,7 @@ impl AtLeast {
     }
 }
 
-/// What a run asked of its mechanism.
+/// What a run required of its mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct MechanismLoad {
     /// Greatest energy stored in the springs, cocked or on the way, J; `None` without a spring, or where it is not known.

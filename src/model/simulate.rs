@@ -46,7 +46,7 @@ pub fn simulate_openly(
     Ok(run)
 }
 
-/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run that swings on
+/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run that keeps oscillating
 /// undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
-//! A stack of elements: the projectile that perforates one goes on to the next with the velocity it has left, and at last
-//! into a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
+//! A stack of elements: a projectile that perforates one hits the next with its residual velocity; the last one is
+//! a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
 //!
-//! Its mass and its nose stay what they are, and plates do not touch each other: a plate that travels farther than the gap
+//! Its mass and its nose do not change, and plates do not touch each other: a plate that travels farther than the gap
 //! behind it earns a warning, and is not computed.
 
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::model::run::{Outcome, Run, StackRun, Warning};
 use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
 use crate::model::variables::VariableError;
 
-/// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is no stack.
+/// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is not a stack.
 /// Warnings about the stack are added to `first`.
 ///
 /// # Errors
@@ -40,7 +40,7 @@ pub fn follow(
     warn_of_gaps(scene, first, &behind, elements);
     let last = behind.last().map_or(&*first, |run| run);
     let residual_velocity_m_s = goes_on(last);
-    // A plate that swings over the projectile has stopped it, if from behind.
+    // A plate that oscillates over the projectile has stopped it, if from behind.
     let caught = last.outcome == Outcome::Perforated && residual_velocity_m_s.is_none();
     let outcome = match last.outcome {
         Outcome::Perforated if caught && last.end.is_complete() => Outcome::Separated,

@@ -294,12 +294,12 @@ fn number_prefix(text: &str) -> usize {
 /// What is shown where there is no number: nothing shown is NaN or infinite.
 pub const NO_NUMBER: &str = "-";
 
-/// A number with so many decimals: `69.10`.
+/// A number with a given number of decimals: `69.10`.
 pub fn decimals(value: f64, places: usize) -> String {
     if value.is_finite() { format!("{value:.places$}") } else { NO_NUMBER.to_owned() }
 }
 
-/// A number in scientific notation with so many decimals: `1.2e-9`.
+/// A number in scientific notation with a given number of decimals: `1.2e-9`.
 pub fn scientific(value: f64, places: usize) -> String {
     if value.is_finite() { format!("{value:.places$e}") } else { NO_NUMBER.to_owned() }
 }

@@ -2,11 +2,11 @@
 
 use crate::numerics::series::evaluate_slope;
 
-/// Rounds at the most.
+/// Maximum number of rounds.
 const ROUNDS_MAX: usize = 60;
 /// A relative move of Halley's method after which what is left is less than rounding.
 const SETTLED: f64 = 1e-6;
-/// The cubic term moves a guess by this part of it at the most.
+/// The cubic term moves a guess by this part of it at most.
 const MOVED_MOST: f64 = 0.2;
 
 /// Where a rising series reaches `level`, between 0 and `end`.

@@ -1,4 +1,4 @@
-//! Numbers of some 31 digits: unevaluated sums of two doubles, for references that must be better than what they judge.
+//! Numbers of some 31 digits: unevaluated sums of two doubles, for references that must be better than what is compared with them.
 //!
 //! Sum and product after T. J. Dekker, "A floating-point technique for extending the available precision", *Numerische
 //! Mathematik* 18 (1971) 224-242, and Y. Hida, X. S. Li and D. H. Bailey, "Algorithms for quad-double precision floating point
@@ -91,7 +91,7 @@ impl DoubleDouble {
         (sum + Self::ONE).scaled(twos)
     }
 
-    /// Times so many twos, at most 1100.
+    /// Times this power of two, at most 1100.
     fn scaled(self, twos: f64) -> Self {
         // In two steps: the factor itself may be beyond the range.
         let half = (0.5 * twos).trunc();

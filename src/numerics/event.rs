@@ -1,12 +1,12 @@
 //! Events on a step: where a function of the state goes from positive to negative.
 //!
-//! The sign change is located on the step's dense output and then landed on by steps anew from the same start, so that the state there
+//! The sign change is located on the step's dense output and then landed on by new steps from the same start, so that the state there
 //! has the full order of the method. Knows no method and no system.
 
 use crate::numerics::arc::Arc;
 use crate::numerics::root::in_bracket;
 
-/// Steps anew after which the best so far has to do.
+/// New steps after which the best so far has to do.
 const STEPS_MAX: usize = 40;
 /// Part of its place by which the slope of a function there is taken on the dense output.
 const SLOPE: f64 = 1e-4;
@@ -35,7 +35,7 @@ pub(crate) fn first_sign_change(
     None
 }
 
-/// A step anew that ends at a sign change, with the part of the step; `None` where no step ends closer to it than `near` allows.
+/// A new step that ends at a sign change, with the part of the step; `None` where no step ends closer to it than `near` allows.
 /// Secants, the first with the slope of the dense output, kept in the bracket by bisection.
 pub(crate) fn land<A: Arc>(
     arc: &A,

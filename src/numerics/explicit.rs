@@ -1,7 +1,7 @@
 //! Explicit one-step methods: classical Runge-Kutta with a fixed step, and DOP853 with step control.
 //!
 //! A `System` gives rates and names `Boundary`s: planes in its space at which a stretch of smooth motion ends. A boundary
-//! is found on the interpolant of the step that crosses it, and then *landed on* by stepping anew from the step's start, so
+//! is found on the interpolant of the step that crosses it, and then *landed on* by stepping again from the step's start, so
 //! that the state there has the full order of the method. The caller decides what follows, and starts the next
 //! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
 
@@ -248,7 +248,7 @@ mod tests {
         }
     }
 
-    /// A rate that swings 1e9 times a second.
+    /// A rate that oscillates 1e9 times a second.
     struct Fast;
 
     impl System<2> for Fast {

@@ -17,7 +17,7 @@ const GRADE: i32 = 5;
 /// Points of the two rules.
 pub(crate) const POINTS: usize = 20;
 const FEWER: usize = 14;
-/// Picard's iteration: at most so many rounds, until what changes is this part of the scale.
+/// Picard's iteration: at most this many rounds, until what changes is this part of the scale.
 const ROUNDS_MAX: usize = 40;
 const SETTLED: f64 = 2e-16;
 /// What a round may still change, relative to the scale, when it no longer becomes less.

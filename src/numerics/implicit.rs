@@ -88,7 +88,7 @@ pub(crate) fn step<const N: usize, const M: usize>(
                 stages[i][k] += delta;
                 let moved = (slope[k] * delta).abs() / scale[k];
                 change = if moved > change { moved } else { change };
-                // A component that g flattens is judged by its own size.
+                // A component that g flattens is compared with its own size.
                 let own = delta.abs() / (stages[i][k].abs() + f64::MIN_POSITIVE);
                 if slope[k] == 0.0 && own > 1e-6 {
                     change = if own > change { own } else { change };

@@ -74,7 +74,7 @@ impl<const N: usize> Powers<N> {
     }
 
     /// Coefficient j >= 1 of the sum over k >= 2, up to `degree`, of `outer[k]` inner^k, given the inner coefficients below
-    /// j. With `outer[1] inner[j]` added it is coefficient j of outer(inner). To be asked for in order of j.
+    /// j. With `outer[1] inner[j]` added it is coefficient j of outer(inner). To be requested in order of j.
     pub(crate) fn beyond_linear(
         &mut self,
         inner: &[f64; N],

@@ -1,7 +1,7 @@
 //! The listing of Appendix A as a run: its contact, step by step, and what its `simulator` makes of the plate afterwards.
 //!
-//! Afterwards starts from the plate's state before the last step, as printed, and goes on in the same steps to the plate's
-//! first turning point, or to the horizon where one is asked for. The energy ledger adds up the scheme's own forces over its
+//! The motion after the contact starts from the plate's state before the last step, as printed, and uses the same steps to the plate's
+//! first turning point, or to the horizon where one is requested. The energy ledger adds up the scheme's own forces over its
 //! own steps: what does not add up is the scheme's error.
 
 use std::ops::ControlFlow;
@@ -23,12 +23,12 @@ const CONTACT_STEPS_MAX: usize = 2_000_000;
 const AFTER_STEPS_MAX: usize = 2_000_000;
 /// Points to draw in the contact, and afterwards, at most (or so).
 const POINTS: usize = 4_000;
-/// The observer is asked once in so many steps.
+/// The observer is called once every few steps.
 const LOOK: usize = 64;
 /// Without anything that stops the plate, what follows the contact is shown for this part of its duration.
 const TAIL: f64 = 0.25;
 
-/// Without a spring, a plate that has this part of the impact velocity left has arrived.
+/// Without a spring, a plate that has this part of the impact residual velocity has arrived.
 const FADED: f64 = 1e-6;
 
 struct Work<'a> {

@@ -14,7 +14,7 @@ const PASSES: usize = 4;
 const ROUNDS: usize = 6;
 /// Time constants of the damper within the contact from which on it is used.
 const RATES_MIN: f64 = 2e3;
-/// Spring against damper: k/b per rate of the damper at the most.
+/// Spring against damper: k/b per rate of the damper at most.
 const SPRING_MAX: f64 = 1e-3;
 /// Part of the tolerance that transients may take.
 const SHARE: f64 = 0.3;
@@ -48,7 +48,7 @@ impl DamperManifold {
         growth_n_s * constants.cos / (self.damper_n_s_m * rate * rate)
     }
 
-    /// Expand from `state` = (travel, slip, plate, speed); the speed is found anew.
+    /// Expand from `state` = (travel, slip, plate, speed); the speed is found again.
     pub(super) fn expand<const N: usize>(
         &self,
         constants: &Constants,

@@ -1,7 +1,7 @@
 //! The contact kernel's Taylor expansion, unrolled at compile time for each spring and damper, and how far it is trusted.
 //!
-//! Orders that an expansion has not, like all that J or N rule out, stand behind `const { .. }`: the compiler then leaves them
-//! alone, instead of inlining them first and finding out after.
+//! Orders that an expansion does not have, because J or N exclude them, are behind `const { .. }`, so that the compiler does not
+//! inline them.
 //!
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.

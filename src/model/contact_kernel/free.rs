@@ -1,4 +1,4 @@
-//! A contact without spring and damper, in closed form: where it ends is a swept volume, when is a quadrature.
+//! A contact without spring and damper, in closed form: the place of its end follows from a swept volume, the time from a quadrature.
 //!
 //! Sixteen Gauss-Legendre points on each stretch; up to the arrest at Q the travel is Q - L s², in which the integrand is even
 //! and smooth, so that eight are enough. The last Legendre coefficients of the integrand, which cost next to nothing, say
@@ -20,7 +20,7 @@ use crate::numerics::quadrature::GAUSS_16;
 const SHARE: f64 = 0.03;
 
 /// Shots on a rigid or free plate that leave with a part of their velocity between these are done in closed form: above, an
-/// integration is as good and cheaper; below, the velocity left has few digits.
+/// integration is as good and cheaper; below, the residual velocity has few digits.
 const FAST_EXIT: f64 = 0.5;
 const SLOW_EXIT: f64 = 0.05;
 /// c v²/S up to which the exponents of the drag are within [`NEAR`].

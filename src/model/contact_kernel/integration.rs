@@ -1,5 +1,5 @@
-//! The integration of a contact from step to step: how far each expansion is trusted, where the slip ends, a piece of travel, or a
-//! way of expanding.
+//! The integration of a contact from step to step: the step size of each expansion, and the ends of slip, of a piece of travel and
+//! of a kind of expansion.
 
 use std::borrow::Borrow;
 
@@ -136,7 +136,7 @@ impl Contact {
         None
     }
 
-    /// The area on a piece; `None` where it is no polynomial.
+    /// The area on a piece; `None` where it is not a polynomial.
     pub(super) fn area_law(&self, piece: usize) -> Option<Area> {
         match self.geometry.pieces().get(piece)?.law {
             AreaLaw::Quadratic { origin_m, a } => Some(Area { origin_m, a }),

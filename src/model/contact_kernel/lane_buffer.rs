@@ -1,4 +1,4 @@
-//! The numbers of contacts in parallel: a row a quantity, a column a lane.
+//! The numbers of contacts in parallel: one row for each quantity, one column for each lane.
 
 use pulp::Simd;
 

@@ -122,7 +122,7 @@ impl<const N: usize, R: Real> Power<N, R> {
         self.tangent = self.exponent * force * self.inverse;
     }
 
-    /// What coefficient J of the argument, taken as zero when it was asked for, adds to that of the force.
+    /// What coefficient J of the argument, taken as zero when it was requested, adds to that of the force.
     #[inline(always)]
     pub(super) fn add<const J: usize>(&mut self, z: R) {
         self.slope[J] = z * J as f64;

@@ -1,4 +1,4 @@
-//! The first step of a contact whose singular laws hardly matter yet, taken from first contact itself.
+//! The first step of a contact whose singular laws have little effect yet, taken from first contact itself.
 //!
 //! From rest the plate is pushed like t, moves like t² and comes like t³, so that a spring x^n with n > 1/3 and a damper w^m with
 //! m > 1/2 hold back a part of the push that vanishes towards first contact, with the powers 3n - 1 and 2m - 1 of time. Up to
@@ -22,14 +22,14 @@ const VANISHES_ABOVE: f64 = 1.2;
 const ROOT: f64 = 0.5;
 /// Part of the tolerance that may be left of what is put in afterwards.
 const LEFT: f64 = 0.2;
-/// How wrong that is per unit by which the plate's displacement is no pure power of time.
+/// How wrong that is per unit by which the plate's displacement is not a pure power of time.
 const BENT: f64 = 0.2;
 /// How much later than the start by balance (`similarity_start.rs`) it must come to be worth its expansion.
 const WORTH: f64 = 4.0;
 /// Rounds for the length of the step.
 const ROUNDS: usize = 4;
 
-/// A law that is left out of the first step.
+/// A law that is omitted from the first step.
 #[derive(Clone, Copy)]
 struct LeftOut {
     law: PowerLaw,
@@ -124,7 +124,7 @@ impl Contact {
         Some(self.constants.expand::<N, false>(spring, damping, track.state, rates, area))
     }
 
-    /// In units of the clock, when the laws that are left out begin to matter, by the powers of time of first contact; `None` where
+    /// In units of the clock, when the laws that are omitted begin to matter, by the powers of time of first contact; `None` where
     /// that is too early.
     fn matters_at(&self, left_out: &[Option<LeftOut>; 2], tolerance: f64) -> Option<f64> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
@@ -147,7 +147,7 @@ impl Contact {
         (part > WORTH * by_balance).then_some(2.0 * part)
     }
 
-    /// Go to about `span` and put in what the laws that were left out have taken up to there.
+    /// Go to about `span` and put in what the laws that were omitted have taken up to there.
     fn put_in<const N: usize>(
         &self,
         series: &Series<N>,

@@ -155,7 +155,7 @@ impl LaneBuffer<ROWS> {
         self.put(lane, DAMPER, [contact.damper.coefficient]);
     }
 
-    /// What changes from step to step; `None` where the area is no polynomial.
+    /// What changes from step to step; `None` where the area is not a polynomial.
     fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
         let Plan { track, reach_m, .. } = &job.plan;
         let area = job.contact.area_law(track.piece)?;

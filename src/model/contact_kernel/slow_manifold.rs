@@ -17,7 +17,7 @@ use crate::model::contact_kernel::slow_manifold_series::{
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
 
-/// Passes at the most.
+/// Maximum number of passes.
 const PASSES_MAX: usize = 8;
 /// Part of the tolerance by which the last two passes may differ.
 const AGREE: f64 = 0.3;

@@ -1,9 +1,9 @@
 //! The slow manifold of a spring: with an exponent below 1/3 the spring is so stiff near its zero that from first contact on
-//! the plate is where spring and contact force balance, and swings about that place too fast to matter.
+//! the plate is where spring and contact force balance, and oscillates about that place too fast to matter.
 //!
 //! There k x^n = F cos - m x'' - b x' is solved for x term by term, first without inertia; each further pass takes x'' and x' from
 //! the one before (Hairer and Wanner, *Solving Ordinary Differential Equations II*, section VI.3: the slow manifold of a
-//! singular perturbation). A pass gains as much as the plate swings fast against the motion; where two passes no longer
+//! singular perturbation). A pass gains as much as the plate oscillates fast against the motion; where two passes no longer
 //! agree, the contact goes on by plain steps from there.
 
 use crate::model::contact_kernel::expansion::{Area, Clock, Constants, Series};
@@ -17,7 +17,7 @@ use crate::numerics::{larger, smaller};
 
 /// Newton steps for the place of balance.
 const NEWTON_MAX: usize = 30;
-/// Its last step at the most, relative.
+/// Its last step at most, relative.
 const NEWTON_LAST: f64 = 1e-8;
 /// Radians by which a plate could have swung from first contact to its start, at least.
 const SWINGS_MIN: f64 = 60.0;
@@ -84,10 +84,10 @@ pub(super) struct Spring<R> {
 pub(super) const MANIFOLD_BELOW: f64 = 1.0 / 3.0;
 /// By how much earlier than necessary a plate is started at most, so that it follows the manifold at first.
 const EARLIEST: f64 = 1e-3;
-/// Part of the tolerance for each of the many steps of a plate that swings fast.
+/// Part of the tolerance for each of the many steps of a plate that oscillates fast.
 const SWINGING: f64 = 0.2;
 
-/// By how much less well the place of a plate need be known at `plate_m` that comes to `reach_m` at least. Its swings about the
+/// By how much less well the place of a plate need be known at `plate_m` that comes to `reach_m` at least. Its oscillations about the
 /// balance fade more slowly than its displacement grows, and a step must not lose the plate.
 pub(super) fn eased(plate_m: f64, reach_m: f64) -> f64 {
     smaller(larger(reach_m / plate_m, 1.0).sqrt(), EASED_MOST)
@@ -99,7 +99,7 @@ impl SpringManifold {
         (START * tolerance).powf(self.spring.exponent)
     }
 
-    /// By how much earlier than at this time and place it has to start for its swings to be fast enough: their number up to a
+    /// By how much earlier than at this time and place it has to start for its oscillations to be fast enough: their number up to a
     /// time falls with the power (3 n - 1)/(2 n) of it.
     pub(super) fn earlier(&self, t_s: f64, place_m: f64) -> f64 {
         let n = self.spring.exponent;
@@ -117,7 +117,7 @@ impl SpringManifold {
         state[3] == 0.0 || swing.sqrt() <= SWING * tolerance * x
     }
 
-    /// Plain steps from there, small enough to follow its swings.
+    /// Plain steps from there, small enough to follow its oscillations.
     pub(super) fn plan(&self, track: Track, tolerance: f64, terms: usize) -> Plan {
         Plan { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
     }

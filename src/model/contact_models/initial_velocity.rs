@@ -1,6 +1,6 @@
 //! The initial velocity of thesis equations 8.10 and 8.11: a perfectly inelastic collision that takes no time.
 //!
-//! `w(0) = m_p v/(m_p + m_2)`, and both bodies are one from then on. The model knows no force and no depth.
+//! `w(0) = m_p v/(m_p + m_2)`, and both bodies are one from then on. The model has no force and no depth.
 
 use super::{ContactModel, Hole, Scales};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};

@@ -2,7 +2,7 @@
 //!
 //! The interface is pressed in along `k_load`, gives back along the steeper `k_unload`, and keeps a dent of
 //! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
-//! The dent is the depth; the model knows no rear face.
+//! The dent is the depth; the model has no rear face.
 
 use super::{ContactModel, Hole, Scales, Values};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};

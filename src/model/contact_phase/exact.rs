@@ -1,4 +1,4 @@
-//! The contact phase in closed form, where nothing but inertia (or a rigid mount) answers the projectile.
+//! The contact phase in closed form, where only inertia (or a rigid mount) resists the projectile.
 
 use crate::model::closed_form::{self, Passage, Rule};
 use crate::model::contact::Geometry;

@@ -1,8 +1,8 @@
-//! The contact phase to some 20 digits: Taylor series in double-double arithmetic, for judging what is good to 1e-15.
+//! The contact phase to some 20 digits: Taylor series in double-double arithmetic: a reference for results that are accurate to 1e-15.
 //!
-//! Written a third time, apart from the engine and from the explicit methods beside it: SI units, own coefficients, own step
-//! rule, own event location. Made for normal impact without a stop; the rest is refused, not approximated. A law that is singular at
-//! zero (an exponent other than one) is left out for an instant there, 1e-20 of the contact's scale: what its impulse would have
+//! A third implementation, independent of the engine and of the explicit methods beside it: SI units, own coefficients, own step
+//! rule, own event location. Made for normal impact without a stop; other scenes are refused, not approximated. A law that is singular at
+//! zero (an exponent other than one) is omitted for an instant there, 1e-20 of the contact's scale: what its impulse would have
 //! done is of the order of that instant squared at first contact, and of its power 1 + n later.
 //!
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
@@ -19,15 +19,15 @@ const TRUNCATION: f64 = 1e-27;
 const COARSE: f64 = 1e-23;
 /// The first instant, over R/v.
 const INSTANT: f64 = 1e-20;
-/// The same where the spring is stronger than the contact at first; what it leaves out is of the second order.
+/// The same where the spring is stronger than the contact at first; what it omits is of the second order.
 const BALANCE: f64 = 1e-10;
-/// A spring of smaller exponent swings too fast to be followed from there.
+/// A spring of smaller exponent oscillates too fast to be followed from there.
 const STIFF_BELOW: f64 = 0.2;
 /// Steps after which a scene is too stiff for this.
 const STEPS_MAX: usize = 1_500;
 /// Steps shorter than this part of the time have come to a singular zero.
 const CLOSE: f64 = 1e-20;
-/// A zero further ahead than so many steps is not what made them short.
+/// A zero further ahead than this many steps is not what made them short.
 const NEAR: f64 = 1e3;
 /// Where the leap over one ends, per distance from it.
 const LEAP: f64 = 100.0;
@@ -143,7 +143,7 @@ type State = [Number; 4];
 /// Solve the contact phase.
 ///
 /// # Errors
-/// A [`Refusal`] where the scene is oblique, has a spring that is no power law or a stop, is too stiff for Taylor steps, or swings through singular zeros
+/// A [`Refusal`] where the scene is oblique, has a spring that is not a power law or a stop, is too stiff for Taylor steps, or oscillates through singular zeros
 /// again and again.
 pub fn solve(scene: &Scene) -> Result<Fine, Refusal> {
     solve_to(scene, TRUNCATION)
@@ -372,7 +372,7 @@ impl Problem {
 
     /// Time and state just off the singular zero of a force law; first contact itself where there is none.
     ///
-    /// As a rule the law is left out for the first instant. A spring of exponent below 1/3, though, is at first stronger than
+    /// As a rule the law is omitted for the first instant. A spring of exponent below 1/3, though, is at first stronger than
     /// the contact force, and the plate rides on their balance: there it starts. A damper of exponent below 1/2 is refused.
     fn leave_zero(&self, state: State, scale_s: f64) -> Result<(Number, State), Refusal> {
         let at_zero = |law: Law, i: usize| law.is_singular() && state[i] == Number::ZERO;

@@ -2,7 +2,7 @@
 //!
 //! A power law with an exponent below one is infinitely steep at zero. There its force is the unknown, and the displacement (or
 //! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
-//! anew. Knows the equations by their stretch only.
+//! again. Knows the equations by their stretch only.
 
 use super::Spring;
 use super::stretch::Stretch;

@@ -1,4 +1,4 @@
-//! Projectile and plate as they are now: their state and mode, the equations that hold, and what follows from both.
+//! The present state of projectile and plate: state and mode, the equations that hold, and what follows from both.
 
 use crate::model::contact_models::Hole;
 use crate::model::event_function::EventId;
@@ -65,7 +65,7 @@ pub(super) struct Body<'a> {
     pub(super) released: bool,
     /// The mechanism cannot move the plate noticeably: it stays where it is.
     pub(super) fixed: bool,
-    /// The plate, on which nothing but its mechanism acts, has come to rest.
+    /// The plate, on which only its mechanism acts, has come to rest.
     pub(super) at_rest: bool,
     pub(super) stop_touches: bool,
     /// The spring near x = 0, and the damper near w = 0.

@@ -1,4 +1,4 @@
-//! The contact in closed form, where nothing but the plate's inertia (or its rigid mount) answers the projectile.
+//! The contact in closed form, where only the plate's inertia (or its rigid mount) resists the projectile.
 
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;

@@ -1,6 +1,6 @@
 //! Absorbers that are crushed: they unload elastically from where they were crushed to.
 //!
-//! While the plate goes forward an absorber's law is a curve like any other. When the plate no longer does, the law begins anew
+//! While the plate goes forward an absorber's law is a curve like any other. When the plate no longer does, the law begins again
 //! from the greatest displacement: the elastic rise is shifted there, and what was spent on the way is dissipated.
 
 use std::sync::OnceLock;

@@ -413,7 +413,7 @@ mod tests {
         }
     }
 
-    /// The ends of pieces that are no exit: the nose is in, then its front is at the rear face; a dent that is left changes nothing.
+    /// The ends of pieces that are not exits: the nose is in, then its front is at the rear face; a dent that is left changes nothing.
     #[test]
     fn an_end_of_a_piece_is_noted_by_its_place() {
         let radius_m = 0.00635;
@@ -431,7 +431,7 @@ mod tests {
         }
     }
 
-    /// What the spring asks of the interface decides: half of 50 kN against a strength of 15 kN and a grip of 1.5 kN.
+    /// What the spring requires of the interface decides: half of 50 kN against a strength of 15 kN and a grip of 1.5 kN.
     #[test]
     fn a_plastic_interface_yields_at_once_where_the_spring_asks_too_much() {
         for (x, expected) in

@@ -11,7 +11,7 @@ use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Mount, Scen
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
-/// waited for at the most.
+/// waited for at most.
 const CREPT: f64 = 1e-14;
 const DECAY_MAX: f64 = 50.0;
 

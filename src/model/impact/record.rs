@@ -31,7 +31,7 @@ pub(super) struct Record<'a> {
     /// Where the run so far is shown, if anywhere.
     pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
-    /// Rows have been left out of the series.
+    /// Rows have been omitted from the series.
     pub(super) is_thinned: bool,
     pub(super) events: Vec<Event>,
     /// The energies that have to be integrated; of the others nothing.
@@ -177,7 +177,7 @@ impl Record<'_> {
         self.draw(setting, times, POINTS_PER_STEP, |part| e.state(span * part));
     }
 
-    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of so many equal parts.
+    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number of equal parts.
     pub(super) fn draw(
         &mut self,
         setting: &Setting<'_>,

@@ -3,8 +3,8 @@
 //! A spring |x|^n with a non-integer n is singular where the plate comes through x = 0, a damper |w|^m where it turns round; Taylor
 //! steps come closer to such a moment, and leave it again, only part by part. But the plate comes through zero with speed, and
 //! turns round with acceleration: there, time and path are functions of x, or of w, in which only known powers are singular
-//! ([`crate::numerics::graded`]). Instead of its speed the plate's and the spring's energy is carried past x = 0: what the spring
-//! takes it gives back exactly.
+//! ([`crate::numerics::graded`]). Past x = 0 the unknown is the energy of plate and spring instead of the speed: the spring
+//! returns exactly what it took.
 //!
 //! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
@@ -36,7 +36,7 @@ const NEARER: f64 = 0.4;
 const GIVEN_UP: f64 = 0.0;
 /// A crossing step outwards begins no further from zero than this part of where it ends.
 const CLOSE: f64 = 0.3;
-/// How many times more accurate the finer of the two rules is than their difference says, at the least and usually, and what
+/// How many times more accurate the finer of the two rules is than their difference says, at least and usually, and what
 /// rounding leaves of the difference.
 const FINER: f64 = 100.0;
 const USUALLY_FINER: f64 = 1_000.0;
@@ -52,7 +52,7 @@ const LANDED: f64 = 1e-9;
 const TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
 const SOLVING: usize = 10;
-/// Every so many of a crossing step's points are drawn.
+/// Every this many of a crossing step's points are drawn.
 const DRAWN: usize = 4;
 
 /// A crossing step has been taken, and this event ended it.

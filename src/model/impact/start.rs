@@ -1,7 +1,7 @@
 //! The first moments of a run whose spring or damper is singular at zero, where every uncocked run begins.
 //!
 //! With F = f t the plate first moves like t³/6 by inertia, unless the spring is so steep at zero (n < 1/3, or very stiff)
-//! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
+//! that the plate follows the balance of forces: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
 use crate::model::contact_models::Scales;
@@ -21,11 +21,11 @@ const LATEST: f64 = 3e-3;
 const START_POWER: f64 = 0.125;
 /// No start is earlier than this, s.
 const EARLIEST_OF_ALL: f64 = 1e-40;
-/// Swings (in radians) within the contact that Taylor steps can still follow.
+/// Oscillations (in radians) within the contact that Taylor steps can still follow.
 const SWINGS_MAX: f64 = 1e5;
 /// Time constants of the damper within the contact up to which Taylor steps are the cheaper way.
 const DECAYS_MAX: f64 = 3e3;
-/// Momentum left out at the start, relative to the projectile's, per tolerance.
+/// Momentum omitted at the start, relative to the projectile's, per tolerance.
 const LEFT_OUT: f64 = 1e-4;
 
 /// How fast things happen.

@@ -18,10 +18,10 @@ const DEFECT_ROUNDING: f64 = 1e-12;
 const ROUNDED: f64 = 4.0;
 /// Part of the interface's strength below which errors of the force it carries do not matter, per tolerance.
 const FORCE: f64 = 1e-2;
-/// Rounds in which the sizes are taken anew, and the part of the last result from which on they fit.
+/// Rounds in which the sizes are taken again, and the part of the last result from which on they fit.
 const SIZINGS: usize = 6;
 const SIZED: f64 = 0.7;
-/// An expansion of which less than this part of its time unit can be used is made anew with a shorter unit.
+/// An expansion of which less than this part of its time unit can be used is made again with a shorter unit.
 const UNIT_FITS: f64 = 0.02;
 
 /// Decays of the damper within a step, and part of the damper's force that is left for inertia, from which on the plate creeps.

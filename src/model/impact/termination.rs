@@ -1,7 +1,7 @@
 //! When a run is over: the outcome is decided and the greatest displacement is known, or the horizon is reached.
 //!
-//! Bounds come from energy: what is left, all of it in the spring, tells how far the plate can still go and what force the
-//! interface may still have to carry.
+//! Bounds come from energy: the remaining energy, all of it in the spring, bounds the displacement of the plate and the force
+//! that the interface may have to carry.
 
 use crate::model::impact::body::{MaximumDisplacement, NO_ENERGY};
 use crate::model::impact::track::Track;
@@ -12,7 +12,7 @@ use crate::numerics::{larger, smaller};
 
 /// Extra time shown after everything is decided, relative to the contact.
 const TAIL: f64 = 1.25;
-/// Steps spent on it at the most: a stiff mount may oscillate a million times in it.
+/// Maximum number of steps spent on it: a stiff mount may oscillate a million times in it.
 const TAIL_STEPS: usize = 200;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.

@@ -2,7 +2,7 @@
 //!
 //! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps (`taylor.rs`) or,
 //! where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its sign,
-//! the state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is
+//! the state is put exactly on the event and `events.rs` decides what follows. Events that rounding has put behind the state are
 //! found by `missed_event.rs`.
 
 use std::ops::ControlFlow;

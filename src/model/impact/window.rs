@@ -40,7 +40,7 @@ impl Window {
         self.run.take()
     }
 
-    /// A window that takes rows at equal time steps, so many at the most.
+    /// A window that takes rows at equal time steps, at most this many.
     pub fn with_steps(dt_s: f64, rows_max: usize) -> Self {
         let even = Even { dt_s, rows: Vec::new(), rows_max, last: None };
         Self { even: RefCell::new(Some(even)), ..Self::default() }
@@ -117,7 +117,7 @@ mod tests {
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate_openly};
 
-    /// Looks after so many steps of a run that oscillates on, and the run itself, ended after so many.
+    /// Looks after a given number of steps of a run that oscillates on, and the run itself, ended after this many.
     fn looks(after: &[usize], end: usize) -> (Vec<Run>, Run) {
         let mut scene = Scene::default();
         scene.mechanism.spring.exponent = 0.3;

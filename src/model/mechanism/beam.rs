@@ -30,7 +30,7 @@ impl Beam {
         RADIUS_FACTOR * self.length_m
     }
 
-    /// The law of so many cantilevers in parallel.
+    /// The law of a given number of cantilevers in parallel.
     pub fn link(&self, count: f64) -> Piece {
         let reach_m = self.reach_m();
         Piece::Link { force_n: count * self.torsional_n_m() / reach_m, reach_m }
@@ -59,7 +59,7 @@ impl Beam {
         self.density_kg_m3 * self.width_m * self.height_m * self.length_m
     }
 
-    /// The law of so many beams in parallel, straight beyond where the pseudo-rigid body follows them.
+    /// The law of a given number of beams in parallel, straight beyond where the pseudo-rigid body follows them.
     pub(super) fn curve(&self, kind: SpringKind, count: f64) -> Curve {
         let pivots = if kind == SpringKind::FixedGuided { PIVOTS } else { 1.0 };
         let link = self.link(count * pivots * pivots);

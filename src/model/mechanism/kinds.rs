@@ -149,7 +149,7 @@ fn odd(laws: &[(f64, Piece)], scale_m: f64) -> Curve {
     Curve::new(Segments { knots_m: behind.chain(ahead).collect(), pieces }, scale_m)
 }
 
-/// Whether a piece is its own mirror image: then zero is no knot.
+/// Whether a piece is its own mirror image: then zero is not a knot.
 fn straight_through_zero(piece: &Piece) -> bool {
     matches!(piece, Piece::Cubic { from_m, c } if *from_m == 0.0 && c[0] == 0.0 && c[2] == 0.0)
 }

@@ -1,4 +1,4 @@
-//! How much a displacement asks of the springs: bending stress, yield margin, and whether the law still holds there.
+//! The load of the springs at a displacement: bending stress, yield margin, and whether the law still holds there.
 
 use crate::model::mechanism::inertia::acting;
 use crate::model::mechanism::piece::Piece;
@@ -11,7 +11,7 @@ use crate::numerics::{larger, smaller};
 pub struct Limit {
     /// What the limit is, in words.
     pub what: &'static str,
-    /// The displacement of that spring it was asked for, m.
+    /// The displacement at which this is the load, m.
     pub asked_m: f64,
     /// The limit, m.
     pub limit_m: f64,

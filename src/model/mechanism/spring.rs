@@ -1,7 +1,6 @@
 //! The spring as a run sees it: a power law, whose answers are closed forms, or a curve of any shape.
 //!
-//! Power laws keep their own way through the program, compiled for themselves; nothing here costs them more than a
-//! comparison.
+//! Power laws have a compiled path of their own; the choice costs one comparison.
 
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use super::contact_force::{ElasticForce, Pressure, Pulse};
 use crate::model::contact::{Nose, Section};
 use crate::numerics::series::{product, quotient, square, square_root};
 
-/// A contact force whose coefficients are asked for in order, 0 first.
+/// A contact force whose coefficients are requested in order, 0 first.
 pub(super) trait ContactTerm<const N: usize> {
     /// Coefficient j of the force, given the coefficients of travel and slip up to j.
     fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64;

@@ -4,7 +4,7 @@ use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, WHOLE_MAX, sign};
 use crate::numerics::series::{Powers, power, product};
 
-/// A force law whose coefficients are asked for in order, 0 first.
+/// A force law whose coefficients are requested in order, 0 first.
 pub(super) trait ForceTerm<const N: usize> {
     /// Coefficient j of the force, given the argument's coefficients up to j.
     fn coefficient(&mut self, z: &[f64; N], j: usize) -> f64;

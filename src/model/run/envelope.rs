@@ -1,8 +1,8 @@
 //! Envelope of validity: what the model is good for (model page, section 8). One check for every command, page and study.
 //!
-//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. What a scene tells by itself is checked by
-//! [`of_scene`]; what only a run tells (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation: sweeps and
-//! searches pay nothing.
+//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. Breaches that follow from the scene are found by
+//! [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so it costs
+//! sweeps and searches nothing.
 
 pub mod numerical;
 
@@ -23,7 +23,7 @@ const ABOUT: f64 = 0.1;
 /// Strength of a hardened steel projectile, Pa, and the part of it from which it may deform.
 pub const PROJECTILE_STRENGTH_PA: f64 = 2e9;
 const RIGID_UP_TO: f64 = 0.5;
-/// The side of the plate's face over the projectile's diameter, at the least.
+/// The side of the plate's face over the projectile's diameter, at least.
 pub const FACE_LEAST: f64 = 3.0;
 /// Quasi-static to moderate impact velocities, m/s.
 const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
@@ -259,7 +259,7 @@ fn stop() -> Breach {
     breach(Check::Stop, Direction::Unconservative, text)
 }
 
-/// What a run breaches, in the order of the table: its scene, and what its course asked of stop, spring and interface.
+/// What a run breaches, in the order of the table: its scene, and what its course required of stop, spring and interface.
 pub fn of_run(run: &Run) -> Vec<Breach> {
     let scene = &run.scene;
     let hit = run.events.iter().any(|event| event.kind == EventKind::StopHit);
@@ -381,12 +381,12 @@ mod tests {
         let text =
             of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
         assert!(text.contains("end moves at"), "{text}");
-        // A stop that is never reached is no breach of a run, one that is hit is.
+        // A stop that is never reached is not a breach of a run, one that is hit is.
         light.mechanism.stop.position_m = Some(10.0);
         assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
         light.mechanism.stop.position_m = Some(0.001);
         assert!(checks(&of_run(&run(&light))).contains(&Check::Stop));
-        // Model page, section 3: cocked by 0.5 m the interface is asked for 25.1 kN and carries 8.7 kN.
+        // Model page, section 3: cocked by 0.5 m the interface must carry 25.1 kN and carries 8.7 kN.
         light.mechanism.stop.position_m = None;
         light.plate.cocking_m = 0.5;
         let found = of_run(&run(&light));

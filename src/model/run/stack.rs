@@ -1,17 +1,17 @@
-//! What became of a shot into a stack of elements.
+//! The outcome of a shot into a stack of elements.
 
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
 
-/// What became of a shot into a stack.
+/// The outcome of a shot into a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackRun {
     /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
     pub behind: Vec<Arc<Run>>,
     /// How many elements there are, the base plate not counted.
     pub elements: usize,
-    /// What became of the shot in the last that was struck.
+    /// The outcome of the shot in the last that was struck.
     pub outcome: Outcome,
     /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
     pub penetration_m: Option<f64>,

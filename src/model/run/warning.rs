@@ -1,4 +1,4 @@
-//! What a careful reader should know about a run, in sentences.
+//! Warnings of a run, as sentences.
 
 use std::fmt;
 

@@ -12,7 +12,7 @@ pub(super) struct Unit {
 /// The stored unit.
 pub(super) const STORED: Unit = of("", 1.0);
 
-/// A unit that holds so many of the stored one.
+/// A unit that holds this many of the stored one.
 const fn of(name: &'static str, times: f64) -> Unit {
     Unit { name, times, over: 1.0 }
 }
@@ -24,7 +24,7 @@ const fn ratio(name: &'static str, times: f64, over: f64) -> Unit {
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 
-/// A pound-force is 4.4482216152605 N exactly: 0.45359237 kg times 9.80665 m/s^2. So many N, times [`LBF_OVER`].
+/// A pound-force is 4.4482216152605 N exactly: 0.45359237 kg times 9.80665 m/s^2. A given number of N, times [`LBF_OVER`].
 const LBF: f64 = 44_482_216_152_605.0;
 const LBF_OVER: f64 = 1e13;
 

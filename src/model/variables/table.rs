@@ -122,7 +122,7 @@ mod spring;
 const TABLE_9_1: &str = "thesis Table 9.1";
 const TABLE_9_2: &str = "thesis Table 9.2 (range searched)";
 
-/// What is said of a row besides its path and kind.
+/// The attributes of a row besides its path and kind.
 impl Variable {
     const fn named(self, symbol: &'static str, label: &'static str) -> Self {
         Self { symbol, label, ..self }
@@ -177,7 +177,7 @@ impl Variable {
 }
 
 impl Number {
-    /// A number that is required; where it is, is still to be said.
+    /// A number that is required; its path follows later.
     const fn of(quantity: Quantity, allowed: Allowed) -> Self {
         let (thesis_range, step, absent) = (None, Step::Linear, None);
         Self { quantity, allowed, thesis_range, step, absent, get: |_| None, set: |_, _| {} }

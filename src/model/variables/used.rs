@@ -70,7 +70,7 @@ pub(super) fn check_interface_spring(scene: &Scene) -> Result<(), VariableError>
 /// For what only makes sense of the hydrodynamic law.
 ///
 /// # Errors
-/// [`VariableError`] when the scene asks for another model.
+/// [`VariableError`] when the scene requests another model.
 pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
     let model = scene.contact.model;
     if model == ContactModel::Hydrodynamic {

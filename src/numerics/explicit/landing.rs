@@ -1,6 +1,6 @@
-//! The boundary that a step crosses first, located on its dense output and landed on by steps anew.
+//! The boundary that a step crosses first, located on its dense output and landed on by new steps.
 //!
-//! Works on any method: dense output and the step anew come in as functions. Knows no method and no system.
+//! Works on any method: dense output and the new step come in as functions. Knows no method and no system.
 
 use std::cell::RefCell;
 
@@ -80,7 +80,7 @@ impl<const N: usize> Ends<'_, N> {
     }
 }
 
-/// A step by its dense output and its steps anew.
+/// A step by its dense output and its new steps.
 struct Taken<D, A> {
     dense: D,
     anew: RefCell<A>,

@@ -40,7 +40,7 @@ impl<'a> Carrier<'a> {
         }
     }
 
-    /// The unknown of an argument, and what rounding has left out of that.
+    /// The unknown of an argument, and what rounding has omitted from that.
     fn unknown(self, z: f64, left_out: f64) -> f64 {
         match self {
             Self::Argument(_, datum) => (z - datum) + left_out,
@@ -100,7 +100,7 @@ impl<'a> Unknowns<'a> {
         ]
     }
 
-    /// What rounding leaves out of the displacement of the state with these unknowns, m.
+    /// What rounding omits from the displacement of the state with these unknowns, m.
     pub(super) fn compensation_m(&self, y: &[f64; 4]) -> f64 {
         let z = self.spring.unfold(y[2]).0;
         z - ((self.datum_m + z) - self.datum_m)
