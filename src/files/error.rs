@@ -1,4 +1,4 @@
-//! What can go wrong with a file, in words a person can act on. It knows no particular format.
+//! Errors of files, with their cures. No particular format.
 
 use std::fmt;
 use std::io;

@@ -1,4 +1,4 @@
-//! Exports: a CSV file, and beside it the scene that gives it again.
+//! Exports: a CSV file, and beside it the scene that reproduces it.
 //!
 //! All commands and the workbench write their tables here. Both files are written or neither is, and nothing is replaced unasked.
 //! The sidecar is a scene file like any other; its comments say which program wrote it and what came out.

@@ -1,4 +1,4 @@
-//! Parts of a sweep made into the file that one run would have written.
+//! Joins the parts of a sweep into the file that one run would have written.
 //!
 //! Each part is checked against the sidecar beside it: every row must be the row of its point. Parts of different sweeps, gaps
 //! and doubles are refused.

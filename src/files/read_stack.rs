@@ -1,4 +1,4 @@
-//! The further elements of a stack, `[[stack.layer]]`: each like the scene's own plate but for the keys it has.
+//! The further elements of a stack, `[[stack.layer]]`: each like the scene's own plate except for the keys it has.
 
 use toml::Spanned;
 use toml::de::DeValue;

@@ -1,4 +1,4 @@
-//! A comparison of methods: a row a point, and an object a scene with references and answers.
+//! A comparison of methods: one row for each point, and one object for each scene with references and answers.
 
 use serde_json::{Value, json};
 
@@ -91,7 +91,7 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
         .shown(brief)
 }
 
-/// By what a result was got: the method and its knob.
+/// The method of a result, and its parameter.
 pub fn by(found: &Cheapest) -> String {
     let knob = found.knob.to_string();
     let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };

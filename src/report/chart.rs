@@ -91,7 +91,7 @@ impl<'a> Axis<'a> {
         Self { view: self.view.padded(self.scale, part), ..self }
     }
 
-    /// The ticks that have room along so many cells, in the unit shown.
+    /// The ticks that have room along a given number of cells, in the unit shown.
     pub fn ticks(&self, cells: u16, along: Along) -> Ticks {
         // Ticks are chosen in the unit shown; their cells are those of the values, because both ranges are the same.
         let view = self.view.on(self.scale);

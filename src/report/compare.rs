@@ -1,4 +1,4 @@
-//! The comparison at equal areal mass: a row a candidate, the whole as an object, and its map. SI.
+//! The comparison at equal areal mass: one row for each candidate, the whole as an object, and its map. SI.
 
 use serde_json::{Map as Object, Value, json};
 

@@ -14,7 +14,7 @@ pub mod run;
 pub mod stability;
 pub mod sweeps;
 
-/// Values of a list that are so many times apart stand on a logarithmic axis.
+/// Values of a list that are this many times apart stand on a logarithmic axis.
 const WIDE: f64 = 30.0;
 /// Cells of a map along an axis whose values are a list.
 const LIST_CELLS: u32 = 60;

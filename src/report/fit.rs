@@ -1,4 +1,4 @@
-//! The fit through the shots of a ballistic test: a row a shot, and the whole as an object. SI.
+//! The fit through the shots of a ballistic test: one row for each shot, and the whole as an object. SI.
 
 use serde_json::json;
 

@@ -1,4 +1,4 @@
-//! Pareto fronts: a row a design, and the whole as an object. SI, percent for percentages.
+//! Pareto fronts: one row for each design, and the whole as an object. SI, percent for percentages.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! A ballistic limit: a row a shot, and the whole as an object. SI.
+//! A ballistic limit: one row for each shot, and the whole as an object. SI.
 
 use std::fmt::Write as _;
 
@@ -12,7 +12,7 @@ use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
 use crate::study::limit::{Closures, Limit, Report, Shot};
 
-/// Part of the impact velocity left just above the limit, from which on the plate's own motion explains it.
+/// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
 
 /// A velocity with its unit, to four digits.

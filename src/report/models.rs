@@ -1,4 +1,4 @@
-//! The interaction models, or the quirks of Appendix A, side by side.
+//! A comparison of the interaction models, or of the variants of Appendix A.
 
 use crate::model::run::{Outcome, Run};
 use crate::model::units::Engineering;

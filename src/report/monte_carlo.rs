@@ -1,4 +1,4 @@
-//! A Monte Carlo study: a row a quantity, and the whole as an object. SI, percent for percentages.
+//! A Monte Carlo study: one row for each quantity, and the whole as an object. SI, percent for percentages.
 
 use serde_json::{Map, Value, json};
 

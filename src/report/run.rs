@@ -54,7 +54,7 @@ pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
     }
 }
 
-/// The CSV text of some runs, of each no more than so many rows; `wanted` names the columns in order, empty means all.
+/// The CSV text of some runs, of each at most a given number of rows; `wanted` names the columns in order, empty means all.
 ///
 /// # Errors
 /// [`NoColumn`] when a wanted column does not exist.
@@ -248,7 +248,7 @@ fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     }
 }
 
-/// A run of a scene of this name, computed in so many seconds, as one object with its keys in the order a reader expects.
+/// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
 pub fn json(name: &str, run: &Run, took_s: f64) -> String {
     let scene = &run.scene;
     let word = |name: &str| {

@@ -1,4 +1,4 @@
-//! The answer of a goal seek: a row a solution, jump, nearest miss or gap, and the whole as an object.
+//! The answer of a goal seek: one row for each solution, jump, nearest miss or gap, and the whole as an object.
 
 use serde_json::json;
 
@@ -19,7 +19,7 @@ pub fn solution(report: &Report, solution: &Line) -> String {
     format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
 }
 
-/// What else is to be said: that there is no solution, jumps over the goal, and where there is no value.
+/// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
 pub fn remarks(report: &Report) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
     let at = |value: f64| axis.show(value, 6);

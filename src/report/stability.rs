@@ -40,7 +40,7 @@ fn ends(row: &Row) -> String {
     word.to_owned()
 }
 
-/// The battery, a row a scene.
+/// The battery, one row for each scene.
 pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
     let mut table = Table::of(rows)
         .with("scene", "scene", "", |row| row.case.name)

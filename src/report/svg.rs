@@ -25,7 +25,7 @@ const MARKS_NEAR: f64 = 13.0;
 /// Size of a cell, where ticks are chosen by the cells that their labels take; half rows between two labels above each other.
 const CELL: (f64, f64) = (LETTER, 16.0);
 const HALF_ROWS: u16 = 4;
-/// Colours of curves, to be told apart by the colour-blind too (Okabe and Ito).
+/// Colours of curves, to be distinguished by the colour-blind too (Okabe and Ito).
 const COLOURS: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 /// A chart or a map.
@@ -115,7 +115,7 @@ struct Point {
     y: f64,
 }
 
-/// How far along an axis a value lies; a little beyond its ends at the most.
+/// How far along an axis a value lies; a little beyond its ends at most.
 fn part(axis: &Axis<'_>, value: f64) -> f64 {
     let (low, high) = (axis.scale.place(axis.view.lo()), axis.scale.place(axis.view.hi()));
     ((axis.scale.place(value) - low) / (high - low)).clamp(-10.0, 11.0)

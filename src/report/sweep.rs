@@ -1,6 +1,6 @@
 //! A sweep as rows for machines: CSV and JSON, one row a point, made piece by piece so that 10^8 rows need no memory.
 //!
-//! Axis values first, then what was asked for; an empty field (JSON: null) where a quantity does not exist; `error` last, which
+//! Axis values first, then what was requested; an empty field (JSON: null) where a quantity does not exist; `error` last, which
 //! says why a point failed. No column has the time a point took: files of the same sweep are equal.
 
 use std::fmt::Write as _;
@@ -51,9 +51,9 @@ pub struct Texts {
 pub struct Piece {
     /// What came out.
     pub rows: Rows,
-    /// Lines of CSV, if asked for.
+    /// Lines of CSV, if requested.
     pub csv: String,
-    /// Objects of JSON, if asked for.
+    /// Objects of JSON, if requested.
     pub json: String,
 }
 

@@ -1,4 +1,4 @@
-//! Measurements beside what the model computes for them: a row a case, one for each that cannot be checked, and one for the bias of
+//! Measurements beside what the model computes for them: one row for each case, one for each that cannot be checked, and one for the bias of
 //! each class. SI.
 
 use crate::report::table::Table;

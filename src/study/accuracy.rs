@@ -1,7 +1,7 @@
-//! Error against run time: every method over its steps or tolerances, judged by a reference it shares no code with.
+//! Error against run time: every method over its steps or tolerances, compared with a reference it shares no code with.
 //!
 //! The error of a point is the greater of the relative errors of depth and time at the end of the first contact. A method that
-//! gives no answer, or the wrong kind of ending, keeps its place and says why. Time comes from a clock passed in.
+//! gives no answer, or a wrong outcome, keeps its row with the reason. Time comes from a clock passed in.
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ use timing::{Clock, Patience, Timing, time};
 /// Fixed-step methods may need this many times the steps of the reference's contact, and this many more.
 const STEPS_BEYOND: (f64, f64) = (2.0, 1_000.0);
 const STEPS_MAX: usize = 100_000;
-/// The observed order is fitted through so many of the finest points (never fewer than the second number)...
+/// The observed order is fitted through this many of the finest points (never fewer than the second number)...
 const FIT_POINTS: usize = 5;
 const FIT_POINTS_MIN: usize = 3;
 /// ...or as many as it takes for their steps to differ by this factor...
@@ -54,7 +54,7 @@ impl Effort {
         Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
 }
 
-/// What a method did with one value of its knob.
+/// What a method did with one value of its parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The value.
@@ -104,7 +104,7 @@ impl Measured {
 pub struct MethodReport {
     /// The method.
     pub method: Method,
-    /// What it was judged by; `None` when nothing independent could be computed.
+    /// What it was compared with; `None` when nothing independent could be computed.
     pub reference: Option<Reference>,
     /// Its points.
     pub points: Vec<Point>,
@@ -128,7 +128,7 @@ pub struct Report {
 pub struct Cheapest {
     /// Which method.
     pub method: Method,
-    /// With which knob.
+    /// With which parameter.
     pub knob: Knob,
     /// Least time, s.
     pub min_s: f64,
@@ -287,13 +287,13 @@ impl MethodReport {
             })
             .collect();
         let least_s = meeting.iter().map(|found| found.min_s).min_by(f64::total_cmp)?;
-        // Of those that the clock cannot tell apart the coarsest: of a closed form no tolerance is the fastest.
+        // Of those that the clock cannot distinguish the coarsest: of a closed form no tolerance is the fastest.
         meeting.into_iter().rev().find(|found| found.min_s <= ALIKE * least_s)
     }
 }
 
 impl Report {
-    /// The cheapest way to an accuracy with nothing left out: the engine's general path, with events and ledger of every law, also
+    /// The cheapest way to an accuracy with nothing omitted: the engine's general path, with events and ledger of every law, also
     /// where a closed form, a bound or a leaner way would do.
     pub fn cheapest_in_full(&self, target: f64) -> Option<Cheapest> {
         self.methods.iter().find(|it| it.method == Method::Full)?.cheapest(target)

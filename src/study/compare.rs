@@ -74,7 +74,7 @@ pub struct Entry {
     pub candidate: Candidate,
     /// The scene that was run.
     pub scene: Arc<Scene>,
-    /// What became of the shot at the design velocity.
+    /// The outcome of the shot at the design velocity.
     pub outcome: Outcome,
     /// The plate is stopped by something: a mount, a spring, a damper or a stop.
     pub is_held: bool,
@@ -94,9 +94,9 @@ pub struct Entry {
     pub equivalent_m: Option<f64>,
     /// Areal mass of that over the candidate's own.
     pub as_built: Option<f64>,
-    /// What the shot at the design velocity asks of the mechanism.
+    /// The load of the mechanism for the shot at the design velocity.
     pub load: Load,
-    /// What a shot just below the limit velocity asks of it.
+    /// The load of the mechanism for a shot just below the limit velocity.
     pub limit_load: Load,
     /// Depth of the hole, m; `None` when perforated.
     pub depth_m: Option<f64>,
@@ -134,7 +134,7 @@ pub enum Verdict {
     NothingStops,
     /// The mechanism fails under the design shot.
     Fails(Failure),
-    /// Nobody knows: the run is undecided, or a figure is missing.
+    /// Unknown: the run is undecided, or a figure is missing.
     Unknown,
 }
 
@@ -319,7 +319,7 @@ fn hold_spring_mass(scene: &mut Scene) {
     }
 }
 
-/// What became of the shot, in the plate or in the stack.
+/// The outcome of the shot, in the plate or in the stack.
 pub(in crate::study) fn outcome(run: &Run) -> Outcome {
     run.stack.as_ref().map_or(run.outcome, |stack| stack.outcome)
 }

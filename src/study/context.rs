@@ -1,4 +1,4 @@
-//! What every study is given besides its task: whom to report its progress to, whether to stop, and on how many threads to run.
+//! The context of every study: progress, cancellation and the number of threads.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
@@ -67,7 +67,7 @@ pub struct Context<'w, P: ?Sized = ()> {
 }
 
 impl<'w, P: ?Sized> Context<'w, P> {
-    /// A context on so many threads.
+    /// A context on a given number of threads.
     pub fn new(threads: usize, watch: Watch<'w, P>) -> Self {
         Self { watch, threads, progress: Progress::default(), stop: Stop::default() }
     }
@@ -87,12 +87,12 @@ impl<'w, P: ?Sized> Context<'w, P> {
         self.stop.clone()
     }
 
-    /// That so many pieces of work are still to come, at least.
+    /// That this many pieces of work are still to come, at least.
     pub fn expect(&mut self, more: usize) {
         self.progress.total = self.progress.total.max(self.progress.done + more);
     }
 
-    /// That so many pieces of work are done.
+    /// That this many pieces of work are done.
     pub fn count(&mut self, done: usize) {
         self.progress.done += done;
     }
@@ -116,7 +116,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         !self.is_stopped()
     }
 
-    /// The same as [`Context::goes_on`] where a control flow is asked for.
+    /// The same as [`Context::goes_on`] where a control flow is requested.
     pub fn flow(&mut self) -> ControlFlow<()> {
         self.goes_on();
         self.stop.flow()
@@ -194,7 +194,7 @@ pub fn to_its_end<P: ?Sized>(_: Progress, _: Option<&P>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// A watch that stops a study when more than so many pieces of work are done.
+/// A watch that stops a study when more than this many pieces of work are done.
 #[cfg(test)]
 pub fn until<P: ?Sized>(most: usize) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
     move |progress, _| {

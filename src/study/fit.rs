@@ -13,7 +13,7 @@ pub mod calibrate;
 const DROP: f64 = 0.5 * 3.841_458_820_694_124;
 /// The confidence that goes with it.
 pub const CONFIDENCE: f64 = 0.95;
-/// Newton steps of a fit at the most, and the step below which it has converged, in standard deviations of the velocity.
+/// Maximum number of Newton steps of a fit, and the step below which it has converged, in standard deviations of the velocity.
 const STEPS: usize = 200;
 const CONVERGED: f64 = 1e-12;
 /// How far beyond the velocities an end of the interval is looked for, in standard deviations of them.
@@ -64,7 +64,7 @@ impl Logistic {
         1.0 / (1.0 + (-(velocity_m_s - self.v50_m_s) / self.scale_m_s).exp())
     }
 
-    /// The velocity at which so many of the shots perforate, 0 < fraction < 1, m/s.
+    /// The velocity at which this many of the shots perforate, 0 < fraction < 1, m/s.
     pub fn quantile_m_s(&self, fraction: f64) -> f64 {
         self.v50_m_s + self.scale_m_s * (fraction / (1.0 - fraction)).ln()
     }

@@ -1,7 +1,7 @@
-//! The ballistic limit: the least impact velocity that perforates, the velocity left beyond it, and how both scatter.
+//! The ballistic limit: the least impact velocity that perforates, the residual velocity above it, and the spread of both.
 //!
 //! Closed form for a plate that is rigid or free (model page, section 2); else a scan over the whole range of velocities, which also
-//! tells where an outcome comes back, and bisection on the outcome. Must not know files, threads, screens or a clock.
+//! finds outcomes that recur, and bisection on the outcome. Must not know files, threads, screens or a clock.
 
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ enumeration! {
         /// A short text.
         words: &'static str,
     }
-    /// Closed form: nothing but inertia, or a rigid mount, answers the shot.
+    /// Closed form: only inertia, or a rigid mount, resists the shot.
     ClosedForm { words: "closed form" }
     /// Bisection on the outcome of runs.
     Outcome { words: "bisection on the outcome" }
@@ -154,18 +154,18 @@ fn edge(velocity_m_s: Option<f64>, what: &str, end_m_s: f64) -> String {
 pub struct Shot {
     /// Impact velocity, m/s.
     pub impact_m_s: f64,
-    /// What became of it.
+    /// Its outcome.
     pub outcome: Outcome,
     /// Projectile velocity after perforation, m/s.
     pub residual_m_s: Option<f64>,
 }
 
-/// What is asked for beyond the limit.
+/// What is requested beyond the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
     /// What counts as a perforation.
     pub criterion: Criterion,
-    /// Scatter of the inputs; `None`: not asked for.
+    /// Scatter of the inputs; `None`: not requested.
     pub sampling: Option<Sampling>,
 }
 
@@ -178,7 +178,7 @@ pub struct Report {
     pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
-    /// What a shot just below the limit asks of the mechanism and its mount; `None` without a limit.
+    /// The load of the mechanism and its mount for a shot just below the limit; `None` without a limit.
     pub load: Option<Load>,
     /// The limits by both closures, where the flow strength comes from a yield stress.
     pub closures: Option<Closures>,
@@ -201,13 +201,13 @@ impl Report {
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
     }
 
-    /// What is to be said against the limit; see [`Limit::caution`].
+    /// A caution about the limit; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         self.limit.caution(&self.scene)
     }
 }
 
-/// Find the limit of a scene, its residual-velocity curve, and the scatter asked for.
+/// Find the limit of a scene, its residual-velocity curve, and the scatter requested.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
@@ -269,7 +269,7 @@ pub fn velocity_m_s(scene: &Scene) -> Option<f64> {
 }
 
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another
-/// model is asked for.
+/// model is requested.
 pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;

@@ -1,8 +1,8 @@
 //! The interaction models on one and the same scene: Table 8.1 of the thesis with numbers in it.
 //!
-//! Each model's depth, travel and peak force beside the hydrodynamic model's, and how long its computation took; and the
-//! listing of Appendix A with each of its quirks put right by itself, so that their effects can be told apart. Reads no
-//! clock: it is handed one.
+//! Each model's depth, travel and peak force beside the hydrodynamic model's, and its run time; and the
+//! listing of Appendix A with each of its quirks put right by itself, so that their effects can be distinguished. The clock
+//! is passed in.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ enumeration! {
     pub enum What in WhatRow {
         /// The word of the command line.
         word: &'static str,
-        /// What is said of it there.
+        /// Its description.
         about: &'static str,
         /// The title of a page.
         title: &'static str,
@@ -62,7 +62,7 @@ pub struct Row {
 /// The comparison; the first row is what the others are compared with.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What stands side by side.
+    /// The columns of the comparison.
     pub what: What,
     /// The rows.
     pub rows: Vec<Row>,

@@ -1,7 +1,7 @@
-//! Monte Carlo over tolerances: how the results scatter when the inputs do, and how likely a perforation is.
+//! Monte Carlo over tolerances: the spread of the results for scattered inputs, and the probability of perforation.
 //!
 //! Inputs are independent and drawn by one seeded stream, so that no digit depends on the number of threads. A draw without
-//! physical sense is drawn again and counted: the distribution is the one asked for, truncated to what is allowed. The values
+//! physical sense is drawn again and counted: the distribution is the one requested, truncated to what is allowed. The values
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
@@ -24,12 +24,12 @@ pub const SAMPLES_MAX: usize = 10_000_000;
 const BATCH: usize = 2048;
 /// Draws of one sample before it is given up.
 const DRAWS_MAX: usize = 10_000;
-/// The quantiles that are told.
+/// The quantiles that are reported.
 pub const SHARES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
-/// Relative deviation where none is asked for.
+/// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
-/// What is asked for.
+/// What is requested.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The inputs that scatter.
@@ -240,7 +240,7 @@ impl<'t> Draw<'t> {
         }
     }
 
-    /// Draw so many samples and hand them over batch by batch, each a value for every input; until the study is stopped.
+    /// Draw a given number of samples and hand them over batch by batch, each a value for every input; until the study is stopped.
     pub(in crate::study) fn each_batch(
         &mut self,
         samples: usize,

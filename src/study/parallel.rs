@@ -1,7 +1,7 @@
 //! The ordered parallel map of all studies: pieces go out in order, results come back in order, on however many threads.
 //!
-//! A thread that is free takes the next piece. A few pieces a thread are out at the most, so memory stays constant. The result of a
-//! piece depends on nothing but the piece.
+//! A thread that is free takes the next piece. A few pieces a thread are out at most, so memory stays constant. The result of a
+//! piece depends on the piece only.
 
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
@@ -31,7 +31,7 @@ impl Parallel {
     }
 
     /// Work through `points`: each thread gets a worker of its own from `worker`, and `take` is given every result in the order of
-    /// the points. It is also asked now and then while there is no result (`None`): a piece may take longer than anybody wants to
+    /// the points. It is also asked regularly while there is no result (`None`): a piece may take longer than anybody wants to
     /// wait for the word to stop. `Break` ends it; pieces under way are dropped.
     pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
         self,
@@ -95,7 +95,7 @@ impl Drop for Closing<'_> {
 }
 
 impl Queue {
-    /// Call `take` with every number in order, once a worker has done it, and with `None` now and then in between.
+    /// Call `take` with every number in order, once a worker has done it, and with `None` regularly in between.
     fn run<'w>(
         &self,
         worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),

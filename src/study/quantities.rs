@@ -1,6 +1,6 @@
 //! THE table of quantities: the name, unit, meaning and source of every number that a scene comes down to.
 //!
-//! JSON keys, the rows of exports, the outputs of sweeps, and what searches, Monte Carlo and sensitivity analysis ask for are all
+//! JSON keys, the rows of exports, the outputs of sweeps, and what searches, Monte Carlo and sensitivity analysis request are all
 //! taken from here, so that a name means the same everywhere: a new quantity is one row. What a quantity needs decides what it
 //! costs: nothing is computed for a quantity that is not requested. Nothing here knows files or screens; the time a run took is
 //! measured by whoever ran it.
@@ -289,7 +289,7 @@ impl Quantity {
         }
     }
 
-    /// A value with its unit, in so many digits: `64.27 %`, `37.98 mm`, `61.2 g`.
+    /// A value with its unit, in a given number of digits: `64.27 %`, `37.98 mm`, `61.2 g`.
     pub fn show(&self, value: f64, digits: usize) -> String {
         match self.unit() {
             "" => units::significant(value, digits),
@@ -356,7 +356,7 @@ impl Quantity {
 
     /// Whether a number means something for a perforation: the depth of one does not.
     pub(in crate::study) fn tells_of_perforation(&self) -> bool {
-        // What does not depend on what became of the shot does.
+        // What does not depend on the outcome of the shot does.
         self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Shots(_))
     }
 }
@@ -391,7 +391,7 @@ pub fn of_runs() -> impl Iterator<Item = &'static Quantity> {
     QUANTITIES.iter().filter(|it| it.needs() < Needs::Limit)
 }
 
-/// The quantities that tell of a design, in the order of tables: what tells of the computation is left out, and limits.
+/// The quantities that describe a design, in the order of tables: those of the computation are omitted, and limits.
 pub fn usual() -> impl Iterator<Item = &'static Quantity> {
     of_runs().filter(|it| !it.is_of_computation)
 }

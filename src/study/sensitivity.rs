@@ -2,7 +2,7 @@
 //! same bounds and for one result.
 //!
 //! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
-//! say, where a depth is asked for) is left out and counted. Must not know files, screens or a clock.
+//! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
 
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
@@ -32,7 +32,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Runs for so many variables.
+    /// Runs for a given number of variables.
     pub fn runs(self, inputs: usize) -> usize {
         1 + 2 * inputs + self.trajectories * (inputs + 1) + self.rows * (inputs + 2)
     }
@@ -61,7 +61,7 @@ pub struct Report {
     pub axes: Vec<Axis>,
     /// The result.
     pub output: &'static Quantity,
-    /// What was asked for.
+    /// What was requested.
     pub effort: Effort,
     /// The result of the scene itself.
     pub own: Option<f64>,
@@ -102,7 +102,7 @@ pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     }
     ranges()
         .filter(|(variable, ..)| {
-            // A mass ratio that follows from the plate's face is no input.
+            // A mass ratio that follows from the plate's face is not an input.
             let follows =
                 variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
             variables::is_used(variable, &far) && !follows

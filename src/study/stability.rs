@@ -27,7 +27,7 @@ pub const RESIDUAL_MAX: f64 = 1e-8;
 pub const ERROR_MAX: f64 = 1e-8;
 /// Tolerance of the references of the contact, on equations written a second time.
 const REFERENCE_TOLERANCE: f64 = 1e-13;
-/// That of a second look at the implicit one, which a plate that swings through singular zeros may lead astray.
+/// That of a second look at the implicit one, which a plate that oscillates through singular zeros may lead astray.
 const SECOND_LOOK: f64 = 1e-12;
 const REFERENCE_STEPS_MAX: usize = 200_000;
 /// Tolerance of the engine's own reference, where DOP853 cannot follow.
@@ -108,7 +108,7 @@ pub struct Row {
     pub shortfall: Option<Shortfall>,
 }
 
-/// Other methods than `auto` are left out after so many seconds.
+/// Other methods than `auto` are omitted after a given number of seconds.
 const OTHERS_UNTIL_S: f64 = 30.0;
 
 /// What times are measured with and how long the other methods may take, s on that clock.
@@ -167,7 +167,7 @@ pub fn examine(case: &'static Case, clock: Clock<'_>) -> Result<Option<Row>, Var
         if (clock.now_s)() > clock.until_s || clock.stop.is_set() {
             return Verdict::CutOff;
         }
-        // Those that the reference may come from are judged by the engine, which shares no code with them.
+        // Those that the reference may come from are compared with the engine, which shares no code with them.
         let by_engine = Contact::of(&run).filter(|_| basis != Basis::Stored);
         let judge = match other {
             Other::Explicit | Other::Implicit => by_engine.or(contact),
@@ -281,7 +281,7 @@ fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
     }
 }
 
-/// What the contact reaches at the most.
+/// What the contact reaches at most.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 struct Peaks {
     contact_s: f64,
@@ -344,7 +344,7 @@ impl Peaks {
     }
 }
 
-/// The row of a plate whose motion was left out because its mechanism holds it: whichever of spring and damper holds yields as far,
+/// The row of a plate whose motion was omitted because its mechanism holds it: whichever of spring and damper holds yields as far,
 /// or as fast, as it must against the contact force.
 fn yielding(mechanism: &Mechanism, row: &Sample, (cos, contact_s): (f64, f64)) -> Sample {
     let held_n = row.contact_force_n * cos;

@@ -1,9 +1,9 @@
-//! Sweeps: one scene, some variables on axes, and what comes out at every point.
+//! Sweeps: one scene, some variables on axes, and the results at every point.
 //!
-//! A [`Plan`] is checked before anything runs, and knows every point from its index alone: 10^8 points need no memory, and any
-//! part of them (a [`Shard`]) can be computed anywhere, in any order, by any number of threads, to the same digits. What a point
-//! gives is decided in `evaluate`; the threads live in `study/parallel.rs` and nowhere else. A value exists only where its quantity does;
-//! what became of the point is told beside it. Knows no files, no screen, no command line and no clock.
+//! A [`Plan`] is checked before anything runs, and computes every point from its index: 10^8 points need no memory, and any
+//! part of them (a [`Shard`]) can be computed anywhere, in any order, by any number of threads, to the same digits. The results of
+//! a point come from `evaluate`; the threads are in `study/parallel.rs` only. A value exists only where its quantity does;
+//! the outcome of the point is reported beside it. Knows no files, no screen, no command line and no clock.
 
 pub mod axis;
 mod design;
@@ -29,7 +29,7 @@ pub(in crate::study) use design::sequence;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
-/// The most points of a sweep: what a count in floating point still tells apart.
+/// The most points of a sweep: what a count in floating point still distinguishes.
 const POINTS_MAX: u64 = 1 << 53;
 /// The most axes: what Sobol's table is good for.
 pub const AXES_MAX: usize = sobol::DIMENSIONS;
@@ -107,7 +107,7 @@ impl Shard {
         self.index == 1
     }
 
-    /// Its points of so many: contiguous blocks, so that the parts one after the other are the whole.
+    /// Its part of the points: contiguous blocks, so that the parts one after the other are the whole.
     pub fn of(self, points: u64) -> Range<u64> {
         let at = |part: u64| {
             let product = u128::from(points) * u128::from(part) / u128::from(self.count);
@@ -234,7 +234,7 @@ impl Plan {
         self.points
     }
 
-    /// The results asked for.
+    /// The results requested.
     pub fn outputs(&self) -> &[&'static Quantity] {
         &self.outputs
     }

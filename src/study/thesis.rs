@@ -1,4 +1,4 @@
-//! Every checkable claim of the thesis against what is computed, in thesis order.
+//! Every checkable claim of the thesis, compared with computed results, in the order of the thesis.
 //!
 //! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
 //! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
@@ -27,7 +27,7 @@ pub use claim::Claim;
 const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
 
 enumeration! {
-    /// What became of a claim.
+    /// The outcome of a claim.
     #[derive(PartialOrd, Ord)]
     pub enum Verdict in VerdictRow {
         /// The words in tables and files.
@@ -83,7 +83,7 @@ pub struct Found {
     pub sound: String,
     /// By the Appendix as printed; empty where it has nothing to say.
     pub printed: String,
-    /// What became of the claim.
+    /// The outcome of the claim.
     pub verdict: Verdict,
     /// What the verdict rests on.
     pub basis: Basis,

@@ -1,8 +1,8 @@
-//! Measurements from outside the thesis, and what the model makes of them with nothing fitted.
+//! Measurements from outside the thesis, and what the model computes for them, with nothing fitted.
 //!
-//! What was measured stands in `presets/tables/measurements.toml` with where it comes from; what the model gives is always
-//! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. What is known of
-//! but cannot be checked is listed with the reason.
+//! Measurements and their sources are in `presets/tables/measurements.toml`; the model's values are always
+//! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. Measurements that
+//! cannot be checked are listed with the reason.
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, LazyLock};
@@ -109,7 +109,7 @@ pub enum Quantity {
     Limit,
     /// The depth, m.
     Depth,
-    /// The velocity at which the last of so many equal hits at one place perforates, m/s.
+    /// The velocity at which the last of a given number of equal hits at one place perforates, m/s.
     RepeatLimit(u8),
     /// The ballistic limit over that of the same plate at 0 deg.
     Ratio,

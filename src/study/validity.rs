@@ -1,4 +1,4 @@
-//! What a study has to say of the model's validity: the one check of [`envelope`], for a scene, a range of scenes, or designs.
+//! Warnings of a study about the model's validity: the one check of [`envelope`], for a scene, a range of scenes, or designs.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use crate::model::units::{shortest, significant};
 use crate::model::variables;
 use crate::study::sweep::Axis;
 
-/// Steps after which the run of a check is given up: what the scene tells by itself is said all the same.
+/// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
 
 /// What a careful reader of a scene's results should know. One run of it is made.

@@ -37,7 +37,7 @@ impl Levels {
         }
     }
 
-    /// Decades; 1, 2 and 5 of them where there is room, only every so many where there is not.
+    /// Decades; 1, 2 and 5 of them where there is room, only every few where there is not.
     fn logarithmic(view: ViewRange) -> Self {
         let (first, last) = (decade(view.lo()), decade(view.hi()));
         if last - first <= 2 {

@@ -11,7 +11,7 @@ use crate::report::steps::{Step, decade, power};
 const FAR_CELLS: f64 = 1e9;
 /// Positions within a cell that are distinguished.
 const GRAINS: f64 = 1e4;
-/// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still tell apart.
+/// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still distinguish.
 const NARROWEST: f64 = 1e-12;
 /// Bounds stay within this, so that a difference of two never overflows.
 const GREATEST: f64 = 1e300;
@@ -235,7 +235,7 @@ pub struct Mapping {
 }
 
 impl Mapping {
-    /// A range spread over so many cells.
+    /// A range spread over a given number of cells.
     pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
         let view = view.on(scale);
         let from = scale.place(view.lo);
@@ -291,7 +291,7 @@ impl Mapping {
         self.scale.back(self.from + from_start)
     }
 
-    /// A value moved by so many cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
+    /// A value moved by a given number of cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
     /// bound.
     pub fn stepped(self, value: f64, by: i32) -> f64 {
         let inside =

@@ -6,14 +6,14 @@
 use super::scale::{Mapping, Scale};
 use crate::report::steps::{Step, decade, power};
 
-/// Blank cells between two labels side by side: a twelfth of the axis, but at least and at most this many. Room is used for
+/// Blank cells between two labels next to each other: a twelfth of the axis, but at least and at most this many. Room is used for
 /// calm before it is used for numbers.
 const LABEL_GAP: (i32, i32) = (2, 8);
 /// Steps tried for one axis, each 2 or 2.5 times the one before: enough to pass from one tick a cell to one in all.
 const STEPS_TRIED: usize = 24;
-/// From so many rows on a row more or less between two labels is not noticed.
+/// From this many rows on a row more or less between two labels is not noticed.
 const EVEN_ROWS: u16 = 8;
-/// A smaller tick stands in every so manieth cell at the most: nearer ones cannot be counted.
+/// A smaller tick stands in every n-th cell at most: nearer ones cannot be counted.
 const MINOR_CELLS: f64 = 3.0;
 /// Ticks looked at for one step; more would never fit.
 const TICKS_LOOKED_AT: usize = 512;
@@ -53,7 +53,7 @@ impl Ticks {
 pub enum Along {
     /// Side by side: widths decide.
     Row,
-    /// One above the other: so many half rows apart on average, and no two nearer than the whole rows in that.
+    /// One above the other: a given number of half rows apart on average, and no two nearer than the whole rows in that.
     Column(u16),
 }
 
@@ -77,7 +77,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let view = map.view();
     let greatest = view.lo().abs().max(view.hi().abs());
     let exponent = common_exponent(greatest);
-    // No two labels side by side are nearer than two cells, whatever they say.
+    // No two labels next to each other are nearer than two cells, whatever they say.
     let nearest = match along {
         Along::Row => 2.0,
         Along::Column(_) => 1.0,
@@ -203,7 +203,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     let found = strides.into_iter().map(|stride| (stride, list(&[1], stride)));
     let mut fitting = found.filter(|(_, ticks)| !ticks.is_empty() && fits(ticks, along, map));
     let (stride, ticks) = fitting.next()?;
-    // Between decades 2 and 5, between every so manieth decade those left out.
+    // Between decades 2 and 5, between every n-th decade those omitted.
     let small = if stride == 1 { list(&[2, 5], 1) } else { list(&[1], 1) };
     let cells = f64::from(map.cells()) / f64::from(last - first + 1).max(1.0);
     let apart = if stride == 1 { 0.3 * cells } else { cells };

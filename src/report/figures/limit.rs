@@ -4,7 +4,7 @@ use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::study::limit::{Report, Shot};
 
 const LAW_POINTS: usize = 400;
-/// The scene's velocity is in view up to so many limits.
+/// The scene's velocity is in view up to a given number of limits.
 const OWN_IN_VIEW: f64 = 4.0;
 
 /// The axes of impact and residual velocity; `None` where nothing goes through.

@@ -10,10 +10,10 @@ use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{self, tells};
 use crate::study::sweep::{self, Plan, PointOutcome, Rows};
 
-/// What became of a point, and its outputs.
+/// The outcome of a point, and its outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What became of it.
+    /// Its outcome.
     pub outcome: PointOutcome,
     /// The outputs of the plan.
     pub values: Vec<Option<f64>>,

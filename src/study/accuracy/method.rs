@@ -1,4 +1,4 @@
-//! The methods that are compared, each with its letter, its knob and the function that runs it.
+//! The methods that are compared, each with its letter, its parameter and the function that runs it.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -68,7 +68,7 @@ pub enum Ladder {
 #[derive(Clone, Copy)]
 enum Range {
     None,
-    /// Time steps that make so many steps per contact at the most, and how many of a decade are taken.
+    /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
     Steps(f64, i32),
     /// Tolerances down to this power of ten, every power or every second.
     Tolerances(i32, i32),
@@ -79,7 +79,7 @@ struct About {
     name: &'static str,
     /// It has its areas and equations in common with the engine.
     is_of_engine: bool,
-    /// The values of its knob on the full ladder and on the quick one.
+    /// The values of its parameter on the full ladder and on the quick one.
     ranges: [Range; 2],
     run: fn(&Job) -> Result<Answer, Refusal>,
 }
@@ -143,7 +143,7 @@ methods! {
     /// The simulation by Taylor steps alone.
     Taylor: 'S', "Taylor series 16", ENGINE, TIGHT,
         |job| forced(Forced::Taylor, &job.scene);
-    /// Closed form, where nothing but inertia answers.
+    /// Closed form, where only inertia resists.
     ClosedForm: 'C', "closed form", ENGINE, [Range::None; 2],
         |job| exact::solve(&job.scene);
     /// The contact kernel, as sweeps and searches use it.
@@ -173,7 +173,7 @@ impl Method {
         self.about().is_of_engine
     }
 
-    /// The values of its knob for a contact of about `end_s`, the coarsest first.
+    /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
         match self.about().ranges[ladder as usize] {
             Range::None => vec![Knob::None],
@@ -183,7 +183,7 @@ impl Method {
     }
 }
 
-/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps: fewer are no computation.
+/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps: fewer make no sense.
 fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Knob> {
     let mut list = Vec::new();
     for power in (-60..20).rev() {

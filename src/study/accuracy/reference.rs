@@ -1,4 +1,4 @@
-//! What results are compared with: answers that share no code with the method they judge.
+//! References: answers that share no code with the method they check.
 //!
 //! The stored digits were computed by an 80-bit Taylor series and by 30-digit arithmetic, which agree to the digits given. Other
 //! scenes are computed in double-double arithmetic where that can follow them, else by whatever shares no code.

@@ -7,9 +7,9 @@ pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// A batch is at least this long, s: some thousand times the resolution of a clock.
 const BATCH_S: f64 = 5e-5;
-/// Repeats in a batch at the most: a clock that stands still must not hang the program.
+/// Maximum number of repeats in a batch: a clock that stands still must not hang the program.
 const BATCH_MAX: usize = 4096;
-/// Batches at the most and, of what is not slow, at the least.
+/// Largest number of batches, and the smallest number for short computations.
 const BATCHES: (usize, usize) = (3, 31);
 
 /// How much time may be spent.

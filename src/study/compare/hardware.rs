@@ -1,4 +1,4 @@
-//! What is built besides the plates, what it weighs, and when it fails.
+//! The hardware besides the plates: its mass, and its limits.
 
 use crate::model::mechanism::load::exceeded;
 use crate::model::mechanism::{Inertia, Mechanism};
@@ -57,7 +57,7 @@ impl Hardware {
     }
 }
 
-/// What a shot asks of the mechanism of one element.
+/// The load of a shot on the mechanism of one element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Demand {
     /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.

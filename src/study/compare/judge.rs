@@ -1,4 +1,4 @@
-//! One candidate on its way to an entry: what its hardware weighs, and at which velocity plate or hardware fails.
+//! The evaluation of one candidate: the mass of its hardware, and the velocity at which plate or hardware fails.
 
 use std::sync::Arc;
 

@@ -1,11 +1,11 @@
-//! What a run puts into its mount: the greatest force, and the impulse.
+//! The load of the mount in a run: the greatest force, and the impulse.
 
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
 
-/// What a shot asks of the mechanisms and their mounts; in a stack, the greatest of any element. `None` where there is no such
+/// The load of a shot on the mechanisms and their mounts; in a stack, the greatest of any element. `None` where there is no such
 /// thing, or where it is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Load {

@@ -11,7 +11,7 @@ use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
 const PIECE: u64 = 16;
-/// Points along an axis, where none are asked for.
+/// Points along an axis, if none is given.
 pub const COUNT_USUAL: u64 = 101;
 /// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
 const WIDTH: f64 = 1e-5;
@@ -104,7 +104,7 @@ impl Map {
     }
 }
 
-/// The axis of a variable that is asked for by its name alone: around the scene's own value at equal ratios, or over the range
+/// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range
 /// of Table 9.2.
 ///
 /// # Errors

@@ -135,7 +135,7 @@ fn shoot(scene: &Scene) -> Option<Shot> {
     let settings = Settings { series: false, estimate: false };
     let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));
     let run = run.ok()?;
-    // An undecided run is no proof that the plate stops the shot.
+    // An undecided run is not a proof that the plate stops the shot.
     let stopped = match outcome(&run) {
         Outcome::Arrested | Outcome::Separated => true,
         Outcome::Moving => run.final_penetration_m.or(run.penetration_at_most_m).is_some(),

@@ -1,4 +1,4 @@
-//! What a comparison comes to, in sentences: the same on the command line and in the workbench.
+//! A comparison in sentences: the same on the command line and in the workbench.
 
 use crate::model::units::{fixed_significant, significant};
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};

@@ -108,7 +108,7 @@ fn a_sized_spring_holds_the_design_shot_and_no_faster_one() {
 
 #[test]
 fn stroke_that_is_not_there_ends_the_armour() {
-    // The plate swings as one body after the contact: the stroke is the common velocity over the frequency, 10 m/s (0.059/1e4)^(1/2).
+    // The plate oscillates as one body after the contact: the stroke is the common velocity over the frequency, 10 m/s (0.059/1e4)^(1/2).
     let free = plain("k=1e4 v_i=20");
     let stroke = free.of(Candidate::Scene).unwrap().load.stroke_m.unwrap();
     assert!(close(stroke, 10.0 * (0.059f64 / 1e4).sqrt(), 1e-2), "{stroke}");

@@ -11,7 +11,7 @@ use crate::study::context::Context;
 use crate::study::fit::{Logistic, Shot};
 use crate::study::limit;
 
-/// Secant steps at the most, and the relative error of limit or depth at which they end.
+/// Maximum number of secant steps, and the relative error of limit or depth at which they end.
 const STEPS: usize = 40;
 const CLOSE: f64 = 1e-9;
 /// Strengths that are looked at, Pa.

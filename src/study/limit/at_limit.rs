@@ -1,4 +1,4 @@
-//! What goes with a limit velocity: what the mechanism bears there, and the band between the closures of the flow strength.
+//! Results at a limit velocity: the load of the mechanism there, and the band between the closures of the flow strength.
 
 use std::sync::Arc;
 
@@ -57,7 +57,7 @@ impl Closures {
     }
 }
 
-/// What a shot just below this limit asks of the mechanism and its mount; `None` when stopped.
+/// The load of the mechanism and its mount for a shot just below this limit; `None` when stopped.
 pub(super) fn load(scene: &Scene, limit_m_s: f64, context: &mut Context<'_>) -> Option<Load> {
     let settings = Settings { series: true, estimate: false };
     let own = aimed(scene, limit_m_s * (1.0 - BELOW));

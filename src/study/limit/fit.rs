@@ -1,4 +1,4 @@
-//! Laws for the velocity left after perforation, fitted by least squares.
+//! Laws for the residual velocity after perforation, fitted by least squares.
 //!
 //! R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: `v_r = a (v² - v_bl²)^(1/2)`. J. P. Lambert and
 //! G. H. Jonas, report BRL R-1852 (1976): `v_r = a (v^p - v_bl^p)^(1/p)`, with a, p and `v_bl` all fitted.

@@ -1,4 +1,4 @@
-//! The limit when the inputs scatter: V50, its spread, and the chance that the scene's own shot goes through.
+//! The limit for scattered inputs: V50, its spread, and the probability that the scene's own shot perforates.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::study::limit::search::{Range, Scan};
 use crate::study::limit::{Criterion, Limit};
 use crate::study::monte_carlo::{Draw, usual_tolerances};
 
-/// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
+/// Each sample's limit is searched within this factor of the nominal one, with a given number of points, to this relative width.
 const WITHIN: f64 = 2.0;
 const POINTS: usize = 9;
 const WIDTH: f64 = 1e-5;
@@ -31,7 +31,7 @@ impl ModelError {
     }
 }
 
-/// What is asked for.
+/// What is requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
     /// Relative standard deviation of every scattered input, > 0.
@@ -47,7 +47,7 @@ pub struct Sampling {
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledLimit {
-    /// What was asked for.
+    /// What was requested.
     pub sampling: Sampling,
     /// Samples with a limit near the nominal one.
     pub found: usize,

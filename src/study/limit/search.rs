@@ -26,7 +26,7 @@ const ONE_POINT: f64 = 1e-8;
 pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
 /// How often a lower limit may be found beside one.
 const LOWER_MAX: usize = 4;
-/// The runs' tolerance, at the most.
+/// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
@@ -70,7 +70,7 @@ impl Verdict {
     }
 }
 
-/// Where a limit is looked for: between two velocities, at so many points at equal ratios, and then to a relative width.
+/// The range in which a limit is searched: between two velocities, at a given number of points at equal ratios, and then to a relative width.
 #[derive(Clone, Copy)]
 pub(super) struct Scan {
     pub(super) low_m_s: f64,
@@ -120,7 +120,7 @@ impl Range<'_, '_, '_> {
         Some(self.shoot(impact_m_s)?.1)
     }
 
-    /// What a shot just below a limit asks of the mechanism; `None` when stopped.
+    /// The load of the mechanism for a shot just below a limit; `None` when stopped.
     pub(super) fn load(&mut self, limit_m_s: f64) -> Option<Load> {
         self.goes_on().then(|| at_limit::load(self.scene, limit_m_s, self.context))?
     }
@@ -131,7 +131,7 @@ impl Range<'_, '_, '_> {
         self.goes_on().then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
     }
 
-    /// The limit within a range, looked for with so many points, to a relative width.
+    /// The limit within a range, searched with a given number of points, to a relative width.
     pub(super) fn limit(&mut self, scan: Scan) -> Limit {
         let by_passage = self.criterion == Criterion::Passage;
         if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {

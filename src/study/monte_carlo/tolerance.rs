@@ -1,4 +1,4 @@
-//! An input that scatters: its distribution, and how people write it.
+//! A scattered input: its distribution, and its notation.
 
 use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
 use crate::model::units::{self, Bare, significant};

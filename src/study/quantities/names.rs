@@ -1,4 +1,4 @@
-//! Quantities by their names: the one that is meant, hints for a name that none has, and the list of all.
+//! Quantities by name: lookup, hints for unknown names, and the list of all.
 
 use crate::study::quantities::{QUANTITIES, Quantity};
 use crate::study::sweep::SweepError;
@@ -25,7 +25,7 @@ pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
     })
 }
 
-/// The quantities asked for most.
+/// The quantities requested most.
 const USUAL: [&str; 6] = [
     "final_penetration_m",
     "percent_of_baseline",
@@ -37,7 +37,7 @@ const USUAL: [&str; 6] = [
 const NEAREST_MAX: usize = 4;
 const WIDTH: usize = 78;
 
-/// A hint for a name that no quantity has: the quantities spelled most like it, else those asked for most.
+/// A hint for a name that no quantity has: the quantities spelled most like it, else those requested most.
 pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
     let limit = (lower.chars().count() / 3).max(1);
@@ -46,7 +46,7 @@ pub fn nearest(name: &str) -> String {
         .map(|quantity| (distance(&lower, quantity.name), quantity.name))
         .filter(|(distance, _)| *distance <= limit)
         .collect();
-    // Of those as near as each other the ones asked for most come first.
+    // Of those as near as each other the ones requested most come first.
     ranked.sort_by_key(|(distance, name)| (*distance, !USUAL.contains(name)));
     let close: Vec<String> =
         ranked.iter().take(NEAREST_MAX).map(|(_, name)| format!("`{name}`")).collect();

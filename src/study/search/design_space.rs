@@ -1,4 +1,4 @@
-//! Designs evaluated many at once: what became of each, and its measures.
+//! Designs evaluated many at once: the outcome of each, and its measures.
 //!
 //! The evaluation is that of sweeps, the contact kernel included; a design whose computation fails, or panics, keeps its place and
 //! says so. No digit depends on the number of threads.
@@ -20,9 +20,9 @@ const PIECE_OF_RUNS: u64 = 1;
 /// What is known of one design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// What became of it.
+    /// Its outcome.
     pub outcome: PointOutcome,
-    /// Its measures, in the order asked for; `None` where one does not exist, or where a number would mislead (the depth of a
+    /// Its measures, in the order requested; `None` where one does not exist, or where a number would mislead (the depth of a
     /// perforation).
     pub values: Vec<Option<f64>>,
 }
@@ -56,8 +56,8 @@ impl DesignSpace {
         Self { plan, steps_max: None }
     }
 
-    /// A space whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
-    /// many designs; a few whose plate swings millions of times must not take all of its time.
+    /// A space whose runs are stopped after a given number of steps: such a design fails with its step budget used up. A search looks at
+    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
     #[must_use]
     pub fn limited(self, steps: usize) -> Self {
         Self { steps_max: Some(steps), ..self }
@@ -243,7 +243,7 @@ mod tests {
             ("d", 0.0, 0.5),
             ("b", 0.0, 2000.0),
         ]);
-        // The second swings thousands of times on a spring of small exponent before it is decided.
+        // The second one oscillates thousands of times on a spring of small exponent before it is decided.
         let designs =
             [vec![1.0, 1e5, 1.0, 0.0, 0.0], vec![4.2875, 3_281_250.0, 0.546_875, 0.406_25, 375.0]];
         let space = DesignSpace::new(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();

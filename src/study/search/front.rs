@@ -1,7 +1,7 @@
-//! The Pareto front of a scene: designs that nothing beats in all objectives at once, under constraints, on one interface law or
-//! both; and where the scene itself and the designs of the thesis stand against it.
+//! The Pareto front of a scene: the non-dominated designs under constraints, on one interface law or
+//! both; and the position of the scene itself and of the designs of the thesis relative to it.
 //!
-//! A candidate that nothing on the front beats is challenged: COBYLA looks from it for a design that does. With one objective the best design is closed in further by COBYLA (M. J. D. Powell, "A direct search optimization method that
+//! A candidate that no design on the front dominates is checked: COBYLA searches from it for a design that dominates it. With one objective the best design is closed in further by COBYLA (M. J. D. Powell, "A direct search optimization method that
 //! models the objective and constraint functions by linear interpolation", 1994). Must not know files, screens or a clock.
 
 use std::cell::RefCell;
@@ -119,7 +119,7 @@ pub enum Standing {
     },
     /// It breaks this constraint, by its place.
     Breaks(usize),
-    /// A measure does not exist: what became of it.
+    /// A measure does not exist: the reason.
     NoValue(PointOutcome),
     /// It cannot be made of this scene.
     Impossible,
@@ -157,7 +157,7 @@ pub struct Front {
     pub generations: usize,
     /// Runs made.
     pub runs: usize,
-    /// Runs given up after [`STEPS_MAX`] steps.
+    /// Runs stopped after [`STEPS_MAX`] steps.
     pub given_up: usize,
     /// Whether it was done to its end.
     pub is_complete: bool,

@@ -4,7 +4,7 @@
 //! K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, *IEEE Transactions on Evolutionary Computation* 6 (2002) 182-197: ranks by
 //! constrained domination, crowding distance, binary tournaments. Children by simulated binary crossover (K. Deb and R. B. Agrawal,
 //! *Complex Systems* 9 (1995) 115-148) and polynomial mutation, both bounded. Written here because the crates there are for it bring
-//! some ninety others, several of them twice, and run to their end without asking whether to stop.
+//! some ninety others, several of them twice, and cannot be cancelled.
 
 use crate::numerics::random::Random;
 use crate::numerics::statistics::ascending;
@@ -201,7 +201,7 @@ fn crowding(people: &[Individual], members: &[usize]) -> Vec<f64> {
         let (Some(first), Some(last)) = (order.first(), order.last()) else { continue };
         let width = value(*last) - value(*first);
         (distance[*first], distance[*last]) = (f64::INFINITY, f64::INFINITY);
-        // Infinite where a point has no value, zero where all are alike: neither tells neighbours apart.
+        // Infinite where a point has no value, zero where all are alike: neither distinguishes neighbours.
         if !(width > 0.0 && width.is_finite()) {
             continue;
         }
@@ -222,7 +222,7 @@ fn is_better(one: &Place, other: &Place) -> bool {
     one.front < other.front || (one.front == other.front && one.crowding > other.crowding)
 }
 
-/// The best so many, the best first.
+/// The best n, the best first.
 fn survivors(people: Vec<Individual>, count: usize) -> Vec<Individual> {
     let places = rank(&people);
     let mut order: Vec<usize> = (0..people.len()).collect();

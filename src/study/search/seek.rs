@@ -1,7 +1,7 @@
 //! Goal seek: which values of one variable give a wanted value of one measure.
 //!
-//! The whole interval is looked at by a scan first, then every place where the goal is crossed or nearly reached is closed in; so
-//! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is told
+//! A scan covers the whole interval, then every place where the goal is crossed or nearly reached is refined; so
+//! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is reported
 //! apart from a solution. Must not know files, threads, screens or a clock.
 
 use std::ops::RangeInclusive;
@@ -17,7 +17,7 @@ pub mod roots;
 
 /// How many points a scan may have.
 pub const SCAN: RangeInclusive<u64> = 3..=100_000;
-/// Points of a scan where none are asked for.
+/// Points of a scan if none is given.
 pub const SCAN_USUAL: u64 = 65;
 
 /// What is sought.

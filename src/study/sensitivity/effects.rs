@@ -1,6 +1,6 @@
 //! Morris's elementary effects of any function of the unit cube (*Technometrics* 33 (1991) 161-174): what one input's step does,
 //! at many places. Their mean magnitude mu* (Campolongo, Cariboni and Saltelli, *Environmental Modelling & Software* 22 (2007)
-//! 1509-1518) tells how much an input matters, their deviation how much that depends on the others or on the place.
+//! 1509-1518) measures how much an input matters, their standard deviation how much that depends on the other inputs.
 
 use crate::numerics::random::Random;
 use crate::numerics::statistics::moments;
@@ -23,7 +23,7 @@ pub struct Effect {
     pub used: usize,
 }
 
-/// The effects of a function of so many inputs along so many trajectories, each of which costs one evaluation an input and
+/// The effects of a function of a given number of inputs along a given number of trajectories, each of which costs one evaluation an input and
 /// one more. `None` when the function was stopped.
 pub fn morris(
     inputs: usize,

@@ -85,7 +85,7 @@ impl Rows {
     }
 }
 
-/// The indices of a function of so many inputs (1 to [`INPUTS_MAX`]) from so many rows, each of which costs two evaluations
+/// The indices of a function of a given number of inputs (1 to [`INPUTS_MAX`]) from a given number of rows, each of which costs two evaluations
 /// and one an input. `None` when the function was stopped.
 pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> Option<Sobol> {
     let mut all = Rows { inputs, values: Vec::with_capacity(rows) };

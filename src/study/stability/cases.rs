@@ -1,4 +1,4 @@
-//! The battery: named stiff and extreme scenes, and what makes each one hard.
+//! The battery: named stiff and extreme scenes, and the difficulty of each.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};

@@ -24,11 +24,11 @@ use crate::study::stability::others::Contact;
 pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be oscillates by the method's doing.
 const SWINGS_FROM: f64 = 2.0;
-/// One this many times faster has run away, even where that ends the contact before values overflow: it has blown up if it is as
+/// One this many times faster has run away, even where that ends the contact before values overflow: it has diverged if it is as
 /// fast for a plate of this part of the impact velocity, too, else it flips to and fro (a law that is steepest at zero).
 const RUNS_AWAY_FROM: f64 = 1e2;
 const SLOW_PLATE: f64 = 1e-2;
-/// Plate speed, in impact velocities, from which on the computation has blown up.
+/// Plate speed, in impact velocities, from which on the computation has diverged.
 const BLOWN_UP_FROM: f64 = 1e3;
 const STEPS_MAX: usize = 200_000;
 /// Relative velocity, of the impact velocity, that counts as arrest: the thesis's 0.01 m/s of its 100 m/s.
@@ -45,7 +45,7 @@ enumeration! {
     pub enum Method in MethodRow {
         /// Its name.
         name: &'static str,
-        /// The word of the command line, and what is said of it there.
+        /// The word of the command line, and its description.
         word: &'static str,
         /// See `word`.
         about: &'static str,
@@ -119,7 +119,7 @@ enumeration! {
     Accurate { word: "accurate", words: "accurate (1 %)", letter: 'S' }
     /// It ends, but not there.
     Inaccurate { word: "inaccurate", words: "inaccurate", letter: 'i' }
-    /// The plate swings as it should not.
+    /// The plate oscillates as it should not.
     Oscillating { word: "oscillating", words: "oscillating", letter: 'o' }
     /// Values grow without bound.
     BlownUp { word: "blown up", words: "diverged", letter: 'X' }

@@ -1,17 +1,17 @@
-//! Whether other methods get through a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
+//! Whether other methods can compute a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
 use crate::model::appendix;
 use crate::model::contact_phase::{Ending, Phase, Refusal, Scheme};
 use crate::model::run::Run;
 use crate::model::scene::{Reading, Scene};
 
-/// Tolerance the adaptive methods are asked for.
+/// Tolerance requested from the adaptive methods.
 pub const TOLERANCE: f64 = 1e-9;
 /// Relative error up to which an adaptive method counts as accurate there.
 pub const ACCURATE_ADAPTIVE: f64 = 1e-6;
 /// Relative error up to which a fixed-step method counts as accurate.
 pub const ACCURATE_FIXED: f64 = 1e-2;
-/// Relative error from which an answer counts as blown up.
+/// Relative error from which an answer counts as diverged.
 pub const BLOWN_UP: f64 = 10.0;
 /// Steps an adaptive method may take.
 pub const ADAPTIVE_STEPS_MAX: usize = 20_000;
@@ -57,7 +57,7 @@ pub enum Verdict {
     NotApplicable,
     /// There is no answer to compare with.
     NoReference,
-    /// Left out: time was up.
+    /// Omitted: time was up.
     CutOff,
 }
 

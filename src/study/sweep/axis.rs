@@ -1,4 +1,4 @@
-//! One axis of a sweep: a variable, its ends, its points, and what makes a bad one.
+//! One axis of a sweep: a variable, its ends, its points, and the checks.
 //!
 //! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
 //! what is allowed is one interval for every variable. Rules between variables are the plan's business.
@@ -69,7 +69,7 @@ impl Axis {
         Self::within(name, ends, count, spacing, &COUNTS)
     }
 
-    /// The same where an axis may have so many points.
+    /// The same where an axis may have a given number of points.
     ///
     /// # Errors
     /// As [`Axis::new`].
@@ -140,7 +140,7 @@ impl Axis {
         Ok(Self { variable, number, from, to, count, spacing: Spacing::Listed, list })
     }
 
-    /// The axis a scene asks for, where it may have so many points.
+    /// The axis a scene requests, where it may have a given number of points.
     ///
     /// # Errors
     /// As [`Axis::new`].
@@ -303,7 +303,7 @@ impl Axis {
     }
 }
 
-/// Whether an axis may have so many points; the value is one to hold it at.
+/// Checks whether an axis may have this number of points; `value` is one to hold it at.
 fn check_count(
     axis: &str,
     count: u64,
@@ -351,7 +351,7 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
         Allowed::Below(low, _) if end < low => Some(units::shortest(low)),
         Allowed::Below(_, high) => Some(format!("a value below {}", units::shortest(high))),
     };
-    // A refusal repeats what was written, also where that is no number to show as a result.
+    // A refusal repeats what was written, also where that is not a number.
     let value = if end.is_finite() { units::shortest(end) } else { end.to_string() };
     let cure = limit.map_or_else(
         || "write a finite number".to_owned(),

@@ -9,14 +9,14 @@ use crate::study::sweep::sobol;
 pub enum Design {
     /// Every combination of the axes' values; the last axis varies fastest.
     Factorial,
-    /// So many points, one in each of as many slices of every axis (`McKay`, Beckman and Conover 1979).
+    /// A given number of points, one in each of as many slices of every axis (`McKay`, Beckman and Conover 1979).
     LatinHypercube {
         /// How many, >= 2.
         points: u64,
         /// Seed of the design: the same seed gives the same points.
         seed: u64,
     },
-    /// So many points of Sobol's low-discrepancy sequence with the direction numbers of Joe and Kuo (2008); a seed other than
+    /// A given number of points of Sobol's low-discrepancy sequence with the direction numbers of Joe and Kuo (2008); a seed other than
     /// 0 shifts it digit by digit.
     Sobol {
         /// How many, >= 2.

@@ -15,7 +15,7 @@ use crate::study::quantities::Quantity;
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 
-/// What became of a point.
+/// The outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointOutcome {
     /// The projectile stays in the plate.
@@ -107,7 +107,7 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Room for rows of so many outputs.
+    /// Room for rows of a given number of outputs.
     pub fn new(outputs: usize) -> Self {
         Self { outputs, ..Self::default() }
     }
@@ -127,7 +127,7 @@ impl Rows {
         self.outcomes.is_empty()
     }
 
-    /// What became of a row's point.
+    /// The outcome of a row's point.
     pub fn outcome(&self, row: usize) -> PointOutcome {
         self.outcomes[row]
     }
@@ -174,7 +174,7 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The same, whose runs are given up after so many steps: such a point fails with its step budget used up.
+    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up.
     #[must_use]
     pub fn limited(self, steps_max: Option<usize>) -> Self {
         Self { steps_max, ..self }
@@ -185,7 +185,7 @@ impl<'p> Evaluator<'p> {
         Kernel::of(plan).is_some()
     }
 
-    /// The outputs at a piece of the sweep, a row a point; fewer rows when it was stopped.
+    /// The outputs at a piece of the sweep, one row for each point; fewer rows when it was stopped.
     pub fn rows(&mut self, points: Range<u64>) -> Rows {
         self.rows_of(&points.collect::<Vec<u64>>())
     }
@@ -259,7 +259,7 @@ impl<'p> Evaluator<'p> {
         };
         let series = self.plan.outputs().iter().any(|it| it.needs_course(&self.scene));
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
-        // Each point begins anew, so a panic at one leaves nothing behind for the next.
+        // Each point begins again, so a panic at one leaves nothing behind for the next.
         let work = AssertUnwindSafe(|| simulate::simulate(scene, settings, &mut observer));
         match catch_unwind(work) {
             Ok(Ok(run)) => Ok(run),

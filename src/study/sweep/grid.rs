@@ -1,7 +1,7 @@
-//! A full grid of one or two axes, or the points of another design in a row, kept in memory and filled coarse first: what a
-//! screen shows.
+//! A full grid of one or two axes, or the points of another design in a row, kept in memory and filled coarse first, for the
+//! screen.
 //!
-//! Every pass visits the points of a stride that none before it has; whatever is asked of a point that is not there yet is
+//! Every pass visits the points of a stride that none before it has; whatever is required of a point that is not there yet is
 //! answered by the nearest coarser one. The finished grid does not depend on the passes.
 
 use std::ops::{Range, RangeInclusive};
@@ -18,9 +18,9 @@ pub const GRID_MAX: u64 = 1_000_000;
 pub const GRID_COUNTS: RangeInclusive<u64> = 2..=GRID_MAX;
 /// Points that a thread usually computes at once.
 pub const PIECE: u64 = 64;
-/// The first pass takes every so many-th point of an axis, unless the axis is short.
+/// The first pass takes every n-th point of an axis, unless the axis is short.
 const COARSEST: usize = 16;
-/// An axis has at least so many points in the first pass.
+/// An axis has at least this many points in the first pass.
 const COARSE_POINTS: usize = 6;
 
 /// That a plan has no more points than a grid.
@@ -115,7 +115,7 @@ impl Grid {
         self.done == self.outcomes.len()
     }
 
-    /// What became of a point; `None` where it is not computed yet.
+    /// The outcome of a point; `None` where it is not computed yet.
     pub fn outcome(&self, x: usize, y: usize) -> Option<PointOutcome> {
         *self.outcomes.get(x * self.counts.1 + y)?
     }
@@ -164,7 +164,7 @@ impl Grid {
         counts
     }
 
-    /// Fill the grid, so many points of a thread at once, and show it after each pass. What is done when it is stopped is kept.
+    /// Fill the grid, a given number of points of a thread at once, and show it after each pass. What is done when it is stopped is kept.
     #[must_use]
     pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
         let plan = Arc::clone(&self.plan);

@@ -1,7 +1,7 @@
 //! A response surface: the quadratic that fits a grid of two axes best, and how well it does.
 //!
-//! z = a + b u + c v + d u² + e u v + f v² by least squares over the points that have a value, with u and v the axes' shares
-//! from -1 to 1 (by their spacing). G. E. P. Box and K. B. Wilson, *Journal of the Royal Statistical Society B* 13 (1951) 1-45.
+//! z = a + b u + c v + d u² + e u v + f v² by least squares over the points that have a value, with u and v the axes scaled
+//! to -1 to 1 (by their spacing). G. E. P. Box and K. B. Wilson, *Journal of the Royal Statistical Society B* 13 (1951) 1-45.
 
 use crate::numerics::linear::solve;
 
@@ -25,7 +25,7 @@ fn terms(u: f64, v: f64) -> [f64; TERMS] {
 }
 
 impl Quadratic {
-    /// The best fit to points (u, v, value); values that are not finite are left out. `None` for fewer than seven points, or
+    /// The best fit to points (u, v, value); values that are not finite are omitted. `None` for fewer than seven points, or
     /// where they do not tell the terms apart.
     pub fn through(points: impl Iterator<Item = (f64, f64, f64)>) -> Option<Self> {
         let points: Vec<_> = points.filter(|point| point.2.is_finite()).collect();

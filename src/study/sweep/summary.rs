@@ -1,4 +1,4 @@
-//! A sweep in a few numbers, gathered as it goes by: how its points ended, and where each output is least and greatest.
+//! A sweep in a few numbers, gathered as it goes by: the outcomes of its points, and the minimum and maximum of each output.
 
 use std::fmt;
 
@@ -76,7 +76,7 @@ impl fmt::Display for OutcomeCounts {
 }
 
 impl Summary {
-    /// Of a sweep with so many outputs.
+    /// Of a sweep with a given number of outputs.
     pub fn new(outputs: usize) -> Self {
         Self { outcomes: OutcomeCounts::default(), extremes: vec![None; outputs] }
     }

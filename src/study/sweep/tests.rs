@@ -1,4 +1,4 @@
-//! Plans are checked, points are found from their index, and what comes out is what a single run gives.
+//! Plans are checked, points are found from their index, and results equal those of a single run.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -116,7 +116,7 @@ fn great_designs_are_enumerated_without_memory() {
 /// The value of an output by a single full simulation.
 fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     let mut scene = scene.clone();
-    // A tenth of what is asked of the sweep: the contact kernel is to be judged, not this one.
+    // A tenth of what is required of the sweep: the contact kernel is to be judged, not this one.
     scene.run.tolerance *= 0.1;
     let settings = Settings { series: false, estimate: false };
     let go_on = &mut |_: f64| ControlFlow::Continue(());

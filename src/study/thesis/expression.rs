@@ -31,11 +31,11 @@ struct Setting {
 enum Values {
     /// One, or a list.
     Of(Value),
-    /// Equally spaced ones from the first to the last: a curve of so many points.
+    /// Equally spaced ones from the first to the last: a curve of a given number of points.
     Range { from: f64, to: f64, count: usize },
 }
 
-/// A scene on its way to a query's value, and the displacement asked for.
+/// A scene on its way to a query's value, and the displacement requested.
 #[derive(Clone)]
 struct Case {
     scene: Scene,

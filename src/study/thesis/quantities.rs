@@ -32,9 +32,9 @@ pub(super) struct Own {
 
 #[derive(Clone, Copy)]
 enum Get {
-    /// A run without its series; `None` is no number.
+    /// A run without its series; `None` is not a number.
     Run(fn(&Run) -> Option<f64>),
-    /// The word for what became of a run.
+    /// The word for the outcome of a run.
     Word(fn(&Run) -> &'static str),
     Series(fn(&Run) -> Value),
     /// The scene alone, and a displacement, m.

@@ -108,7 +108,7 @@ impl<'a> Runs<'a> {
     pub(super) fn depth_m(&self, method: Method, scene: &Scene) -> f64 {
         let mut own = scene.clone();
         if method == Method::Printed {
-            // The listing follows the plate for as long as it swings; its depth is known when the contact ends.
+            // The listing follows the plate for as long as it oscillates; its depth is known when the contact ends.
             own.run.horizon_s = own.run.horizon_s.or(Some(CONTACT_S));
         }
         let run = self.run(method, &own);

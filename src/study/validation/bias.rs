@@ -1,4 +1,4 @@
-//! How far the model is off, over classes of measurements and over all.
+//! Bias and scatter of the model, for classes of measurements and for all.
 
 use super::{NOT_COUNTED, Row, measurements};
 use crate::numerics::statistics::moments;

@@ -1,4 +1,4 @@
-//! What the designs of a search have to keep: bounds that were requested, and feasibility.
+//! The constraints on the designs of a search: requested bounds, and feasibility.
 
 use crate::model::run::envelope;
 use crate::study::quantities::{self, Quantity};
@@ -25,7 +25,7 @@ const FEASIBILITY: [(&str, bool, f64); 5] = [
     ("face_over_diameter", false, envelope::FACE_LEAST),
 ];
 
-/// The constraints of feasibility: the interface carries what it is asked for, no beam yields, no spring leaves its law, no rigid
+/// The constraints of feasibility: the interface carries its load, no beam yields, no spring leaves its law, no rigid
 /// stop is hit under a fused interface, and the plate's face is large enough. The own mass of the mechanism is in the masses.
 pub fn feasibility() -> impl Iterator<Item = Constraint> {
     FEASIBILITY.iter().filter_map(|(name, at_most, bound)| {

@@ -22,7 +22,7 @@ pub(super) struct Trial {
     pub(super) margins: Vec<f64>,
 }
 
-/// A point as good or better, for so many constraints and with so many evaluations at the most; `attempt` gives `None` once it is stopped.
+/// A point as good or better, for a given number of constraints and with a given number of evaluations at most; `attempt` gives `None` once it is stopped.
 pub(super) fn polish(
     start: Individual,
     (constraints, evaluations): (usize, usize),
@@ -33,7 +33,7 @@ pub(super) fn polish(
     let best = RefCell::new(start);
     let last: RefCell<Option<(Vec<f64>, Trial)>> = RefCell::new(None);
     let attempt = RefCell::new(attempt);
-    // Objective and constraints are asked for one after the other: a point is run once for all of them.
+    // Objective and constraints are requested one after the other: a point is run once for all of them.
     let look = |x: &[f64]| -> Option<Trial> {
         let x: Vec<f64> = x.iter().map(|share| share.clamp(0.0, 1.0)).collect();
         if let Some((known, trial)) = last.borrow().as_ref()

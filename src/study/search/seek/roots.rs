@@ -16,7 +16,7 @@ const WIDTH: f64 = 1e-15;
 const NEAR: f64 = 1e-7;
 /// So near that neighbours of the scan count as a plateau.
 const SAME: f64 = 1e-12;
-/// Stretches without a value that are closed in, at the most.
+/// Stretches without a value that are closed in, at most.
 const HOLES_MAX: usize = 64;
 
 /// The function, many places at once: `None` for a place without a value; all of it `None` when it was stopped.
@@ -57,7 +57,7 @@ impl<'f> RootScan<'f> {
         Self { target, function, crossings, seen, scan, spread: 0.0 }
     }
 
-    /// Search with a scan of so many points, at least 2.
+    /// Search with a scan of a given number of points, at least 2.
     ///
     /// # Errors
     /// [`Stopped`]; what was found until then is kept.

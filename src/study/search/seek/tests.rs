@@ -77,7 +77,7 @@ fn what_cannot_be_reached_names_the_nearest() {
     close(nearest.value, 100.0 * 4.568_088_344_392 / 7.113_055, 1e-6);
 }
 
-/// Beyond the limit there is no depth: the gap is told, and the depth just before it is still found.
+/// Beyond the limit there is no depth: the gap is reported, and the depth just before it is still found.
 #[test]
 fn perforations_are_a_gap_and_not_a_number() {
     let mut scene = Scene::default();
