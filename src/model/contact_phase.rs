@@ -11,15 +11,11 @@
 //! Of springs and damper only the force laws are shared with the engine.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
-use std::sync::Arc;
-
-use crate::model::mechanism::{
-    self, Mechanism, PowerLaw, curve::Curve, damper_law_of, moving_plate_kg,
-};
+use crate::model::mechanism::{self, Mechanism, PowerLaw, damper_law_of, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 use crate::model::worded::worded;
 use crate::numerics::explicit::rk4::Crossing;
-use crate::numerics::explicit::{Count, Limits, Start, dop853, rk4};
+use crate::numerics::explicit::{Count, Start, dop853, rk4};
 use section::Faces;
 use stretch::{Stretch, Wall};
 
@@ -31,8 +27,6 @@ mod stretch;
 
 /// Stretches between boundaries after which a phase is given up: a plate that rattles about a singular zero.
 const STRETCHES_MAX: usize = 2_000;
-/// Time, in R/v, after which it is given up.
-const UNTIL: f64 = 1e9;
 
 worded! {
     /// How the first contact ends.
@@ -111,70 +105,40 @@ pub enum Scheme {
     },
 }
 
-/// The spring in scaled units.
+/// The spring in scaled units: a power law whose coefficient is scaled, or a curve in m and N.
 #[derive(Clone, Debug)]
-enum Spring {
-    Power(PowerLaw),
-    /// A curve in m and N, what a scaled displacement is in m, and what a N is in scaled force.
-    Curve(Arc<Curve>, f64, f64),
+struct Spring {
+    law: mechanism::Spring,
+    /// What a scaled displacement is in the law's own, and what one of its own forces is in scaled ones: 1 for a power law.
+    length: f64,
+    per_force: f64,
 }
 
 impl Spring {
     fn of(mechanism: &Mechanism, r: f64, unit_n: f64) -> Self {
         match &mechanism.spring {
-            mechanism::Spring::Power(law) => Self::Power(PowerLaw {
-                coefficient: law.coefficient * r.powf(law.exponent) / unit_n,
-                exponent: law.exponent,
-            }),
-            mechanism::Spring::Curve(curve) => Self::Curve(Arc::clone(curve), r, 1.0 / unit_n),
-        }
-    }
-
-    /// Scaled force; of a curve by the piece that is given, wherever x is, or by the one x lies in.
-    fn force(&self, x: f64, region: Option<usize>) -> f64 {
-        match self {
-            Self::Power(law) => law.force(x),
-            Self::Curve(curve, r, per_n) => {
-                let x_m = x * r;
-                per_n * region.map_or_else(|| curve.force(x_m), |at| curve.piece(at).force(x_m))
+            mechanism::Spring::Power(law) => {
+                let coefficient = law.coefficient * r.powf(law.exponent) / unit_n;
+                let law = mechanism::Spring::Power(PowerLaw { coefficient, ..*law });
+                Self { law, length: 1.0, per_force: 1.0 }
+            }
+            law @ mechanism::Spring::Curve(_) => {
+                Self { law: law.clone(), length: r, per_force: 1.0 / unit_n }
             }
         }
     }
 
-    /// The slope of [`force`](Self::force).
-    fn tangent(&self, x: f64, region: Option<usize>) -> f64 {
-        match self {
-            Self::Power(law) => law.tangent(x),
-            Self::Curve(curve, r, per_n) => {
-                let x_m = x * r;
-                let slope =
-                    region.map_or_else(|| curve.tangent(x_m), |at| curve.piece(at).tangent(x_m));
-                per_n * r * slope
+    /// Scaled force at x and its slope; of a curve by the piece that is given, wherever x is, or by the one x lies in.
+    fn force_and_slope(&self, x: f64, region: Option<usize>) -> (f64, f64) {
+        let own = x * self.length;
+        let (force, slope) = match (self.law.curve(), region) {
+            (Some(curve), Some(at)) => {
+                let piece = curve.piece(at);
+                (piece.force(own), piece.tangent(own))
             }
-        }
-    }
-
-    /// The stretch of a curve that a plate at x is in; nothing for a power law.
-    fn region(&self, x: f64) -> Option<usize> {
-        match self {
-            Self::Power(_) => None,
-            Self::Curve(curve, r, _) => Some(curve.region(x * r)),
-        }
-    }
-
-    /// The scaled ends of a stretch.
-    fn ends(&self, region: usize) -> (f64, f64) {
-        match self {
-            Self::Power(_) => (f64::NEG_INFINITY, f64::INFINITY),
-            Self::Curve(curve, r, _) => {
-                let (low, high) = curve.ends(region);
-                (low / r, high / r)
-            }
-        }
-    }
-
-    fn has_kink(&self) -> bool {
-        matches!(self, Self::Power(law) if !law.is_smooth_at_zero())
+            _ => (self.law.force(own), self.law.tangent(own)),
+        };
+        (self.per_force * force, self.per_force * self.length * slope)
     }
 }
 
@@ -234,20 +198,19 @@ impl Phase {
             Scheme::Dop853 { .. } | Scheme::Radau { .. } => true,
         };
         let mut stretch = Stretch::first(self, located);
-        let limits = Limits { until: UNTIL, steps: steps_max };
-        let mut count = Count::default();
+        let mut count = Count::up_to(steps_max);
         let mut start = Start { t: 0.0, y: [0.0, 1.0, self.start_x, 0.0], step: None };
         for _ in 0..STRETCHES_MAX {
             let mut reached = match scheme {
                 Scheme::Rk4 { dt_s, crossing } => {
                     let h = dt_s / self.unit_s;
-                    rk4::integrate(&stretch, start, h, crossing, limits, &mut count)
+                    rk4::integrate(&stretch, start, h, crossing, &mut count)
                 }
                 Scheme::Dop853 { tolerance } => {
-                    dop853::integrate(&stretch, start, tolerance, limits, &mut count)
+                    dop853::integrate(&stretch, start, tolerance, &mut count)
                 }
                 Scheme::Radau { tolerance } => {
-                    implicit::integrate(&stretch, start, tolerance, limits, &mut count)
+                    implicit::integrate(&stretch, start, tolerance, &mut count)
                 }
             };
             if let Some(ending) = stretch.follow(&mut reached)? {

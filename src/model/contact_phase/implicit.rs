@@ -4,10 +4,9 @@
 //! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
 //! again. Knows the equations by their stretch only.
 
-use super::Spring;
 use super::stretch::Stretch;
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::explicit::{Count, Limits, Reached, Start, Stop, System};
+use crate::numerics::explicit::{Count, Reached, Start, Stop, System};
 use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
 use crate::numerics::root::in_bracket;
 
@@ -41,11 +40,10 @@ fn unfold(law: PowerLaw, y: f64) -> Unfolded {
 impl<'a, 'p> Unknowns<'a, 'p> {
     fn of(stretch: &'a Stretch<'p>) -> Self {
         let singular = |law: PowerLaw| Some(law).filter(|law| law.is_steep_at_zero());
-        let spring = match &stretch.phase.spring {
-            Spring::Power(law) => singular(*law),
-            Spring::Curve(..) => None,
-        };
-        Self { stretch, spring, damper: singular(stretch.phase.damper) }
+        let phase = stretch.phase;
+        let (spring, damper) =
+            (phase.spring.law.power().and_then(singular), singular(phase.damper));
+        Self { stretch, spring, damper }
     }
 
     fn plate(&self, y: f64) -> Unfolded {
@@ -151,7 +149,6 @@ pub(super) fn integrate(
     stretch: &Stretch<'_>,
     start: Start<4>,
     tolerance: f64,
-    limits: Limits,
     count: &mut Count,
 ) -> Reached<4> {
     let system = Unknowns::of(stretch);
@@ -160,15 +157,8 @@ pub(super) fn integrate(
     let mut h = start.step.unwrap_or(FIRST);
     let mut last = None;
     loop {
-        let ended = |stop: Stop| Reached { t, y: here, stop, step: h };
-        if count.steps + count.rejected >= limits.steps {
-            return ended(Stop::StepBudget);
-        }
-        if t >= limits.until {
-            return ended(Stop::Until);
-        }
-        if t + h <= t || !h.is_finite() {
-            return ended(Stop::StepUnderflow);
+        if let Some(stop) = count.forbids(t, h) {
+            return Reached { t, y: here, stop, step: h };
         }
         let Some(solved) = advance(&system, &y, h, last.as_ref(), count) else {
             count.rejected += 1;

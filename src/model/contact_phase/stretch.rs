@@ -86,7 +86,8 @@ pub(super) struct Stretch<'a> {
 
 impl<'a> Stretch<'a> {
     pub(super) fn first(phase: &'a Phase, located: bool) -> Self {
-        let region = phase.spring.region(phase.start_x).filter(|_| located && !phase.rigid);
+        let curve = phase.spring.law.curve().filter(|_| located && !phase.rigid);
+        let region = curve.map(|curve| curve.region(phase.start_x * phase.spring.length));
         let piece = located.then_some(0);
         let behind = Behind::Room;
         let mut stretch =
@@ -100,7 +101,7 @@ impl<'a> Stretch<'a> {
         }
         if located && !phase.rigid {
             let side = if phase.start_x < 0.0 { -1.0 } else { 1.0 };
-            if phase.spring.has_kink() {
+            if phase.spring.law.power().is_some_and(|law| !law.is_smooth_at_zero()) {
                 stretch.boundaries[PLATE_ZERO] = plane(0.0, 2, side);
             }
             stretch.watch_speed(1.0);
@@ -110,9 +111,14 @@ impl<'a> Stretch<'a> {
 
     fn watch_knots(&mut self) {
         let Some(region) = self.region else { return };
-        let (low, high) = self.phase.spring.ends(region);
-        self.boundaries[KNOT_BELOW] = if low.is_finite() { plane(-low, 2, 1.0) } else { NEVER };
-        self.boundaries[KNOT_ABOVE] = if high.is_finite() { plane(high, 2, -1.0) } else { NEVER };
+        let spring = &self.phase.spring;
+        let (low, high) = spring.law.ends(region);
+        let knot = |end_m: f64, weight: f64| {
+            let end = end_m / spring.length;
+            if end.is_finite() { plane(-weight * end, 2, weight) } else { NEVER }
+        };
+        (self.boundaries[KNOT_BELOW], self.boundaries[KNOT_ABOVE]) =
+            (knot(low, 1.0), knot(high, -1.0));
     }
 
     fn watch_joint(&mut self) {
@@ -178,7 +184,7 @@ impl<'a> Stretch<'a> {
                 self.boundaries[PLATE_ZERO].slope[2] = 1f64.copysign(reached.y[3]);
             }
             Stop::Boundary(SPEED_ZERO) => {
-                let ahead = self.rate(reached.t, &reached.y)[3];
+                let ahead = self.rate(&reached.y)[3];
                 self.boundaries[SPEED_ZERO] = NEVER;
                 self.watch_speed(ahead);
             }
@@ -190,7 +196,7 @@ impl<'a> Stretch<'a> {
                 self.region = self.region.map(|region| region.saturating_sub(1));
                 self.watch_knots();
             }
-            Stop::Boundary(_) | Stop::Until => return Err(Refusal::NoEnd),
+            Stop::Boundary(_) => return Err(Refusal::NoEnd),
             Stop::StepBudget => return Err(Refusal::StepBudget),
             Stop::StepUnderflow => return Err(Refusal::StepUnderflow),
             Stop::NonFinite => return Err(Refusal::NonFinite),
@@ -214,7 +220,7 @@ impl<'a> Stretch<'a> {
         if let WallLaw::Rigid { restitution } = wall.law {
             reached.y[2] = wall.x;
             let before = reached.y[3];
-            let push = self.rate(reached.t, &[reached.y[0], reached.y[1], wall.x, 0.0])[3];
+            let push = self.rate(&[reached.y[0], reached.y[1], wall.x, 0.0])[3];
             let mut after = -restitution * before;
             let height = 0.5 * after * after / push;
             if after.abs() <= REBOUND_MIN || (push > 0.0 && height <= UNSEEN * (1.0 + wall.x.abs()))
@@ -239,7 +245,7 @@ impl<'a> Stretch<'a> {
         let phase = self.phase;
         let area = smaller(from, phase.faces.area(y[0], self.piece));
         let least = area * (phase.sigma + phase.kappa * y[1] * y[1]) * phase.faces.cos;
-        let is_held = least >= phase.spring.force(y[2], self.region);
+        let is_held = least >= self.spring(y[2]).0;
         if is_held { Ok(()) } else { Err(Refusal::LeavesStop) }
     }
 
@@ -276,7 +282,7 @@ impl<'a> Stretch<'a> {
     }
 
     pub(super) fn spring(&self, x: f64) -> (f64, f64) {
-        (self.phase.spring.force(x, self.region), self.phase.spring.tangent(x, self.region))
+        self.phase.spring.force_and_slope(x, self.region)
     }
 
     /// Stiffness, damping and place of an elastic stop that is pressed; zeros without.
@@ -293,7 +299,7 @@ impl<'a> Stretch<'a> {
 }
 
 impl System<4> for Stretch<'_> {
-    fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
         let (spring, damper) = (self.spring(y[2]).0, self.phase.damper.force(y[3]));
         self.rate_under(y, spring, damper)
     }

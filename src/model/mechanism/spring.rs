@@ -80,6 +80,11 @@ impl Spring {
         }
     }
 
+    /// The ends of a stretch of the curve, m; infinite for a power law.
+    pub fn ends(&self, region: usize) -> (f64, f64) {
+        self.curve().map_or((f64::NEG_INFINITY, f64::INFINITY), |curve| curve.ends(region))
+    }
+
     /// Whether there is no spring at all.
     pub fn is_absent(&self) -> bool {
         matches!(self, Self::Power(law) if law.is_absent())

@@ -2,13 +2,11 @@
 //!
 //! J. R. Dormand and P. J. Prince's pair in the form of E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential
 //! Equations I*, 2nd ed. (1993), section II.10, with its error measure (10.21), the starting step of section II.4 and a
-//! proportional-integral controller (volume II, section IV.2). Node 12 is 1, as it must be for rates that depend on time.
-
-use std::cmp::Ordering;
+//! proportional-integral controller (volume II, section IV.2).
 
 use super::landing::Ends;
-use super::tableau::{DENSE, ERRORS, NODES, STAGES};
-use super::{Count, Limits, Point, Reached, Start, Stop, System, is_finite};
+use super::tableau::{DENSE, ERRORS, STAGES};
+use super::{Count, Point, Reached, Start, Stop, System, is_finite};
 
 /// Stages of a step.
 const S: usize = 12;
@@ -32,62 +30,49 @@ pub(crate) fn integrate<const N: usize>(
     system: &impl System<N>,
     start: Start<N>,
     tolerance: f64,
-    limits: Limits,
     count: &mut Count,
 ) -> Reached<N> {
     let (mut t, mut y) = (start.t, start.y);
-    let mut f = system.rate(t, &y);
+    let mut f = system.rate(&y);
     count.evaluations += 1;
-    let from = Point { t, y: &y, f: &f };
+    let from = Point { y: &y, f: &f };
     let mut h = start.step.unwrap_or_else(|| first_step(system, from, tolerance, count));
-    let (mut error_before, mut was_rejected, mut was_nan) = (1e-4, false, false);
+    let (mut error_before, mut was_rejected, mut was_nan) = (1e-4f64, false, false);
     loop {
-        let ended = |stop: Stop| Reached { t, y, stop, step: h };
-        if t >= limits.until {
-            return ended(Stop::Until);
+        if let Some(stop) = count.forbids(t, h) {
+            let is_lost = was_nan && stop == Stop::StepUnderflow;
+            return Reached { t, y, stop: if is_lost { Stop::NonFinite } else { stop }, step: h };
         }
-        if count.steps + count.rejected >= limits.steps {
-            return ended(Stop::StepBudget);
-        }
-        let left = limits.until - t;
-        let (length, t_next) = if h < left { (h, t + h) } else { (left, limits.until) };
-        // A step that is not a number ends here, too.
-        if (t + length).partial_cmp(&t) != Some(Ordering::Greater) {
-            return ended(if was_nan { Stop::NonFinite } else { Stop::StepUnderflow });
-        }
-        let from = Point { t, y: &y, f: &f };
-        let trial = step(system, from, length, count);
-        let error = error(&trial, &y, length, tolerance);
-        let f_next = system.rate(t_next, &trial.y);
+        let from = Point { y: &y, f: &f };
+        let trial = step(system, from, h, count);
+        let error = error(&trial, &y, h, tolerance);
+        let f_next = system.rate(&trial.y);
         count.evaluations += 1;
         was_nan = !(error.is_finite() && is_finite(&trial.y) && is_finite(&f_next));
         if was_nan || error > 1.0 {
             count.rejected += 1;
             was_rejected = true;
-            h = length * if was_nan { 0.1 } else { limited(SAFETY * error.powf(-ALPHA)) };
+            h *= if was_nan { 0.1 } else { limited(SAFETY * error.powf(-ALPHA)) };
             continue;
         }
         count.steps += 1;
         let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
         if ends.may_cross(system.boundaries()) {
-            let dense = Dense::of(system, t, length, &ends, &trial, count);
-            let anew = |s: f64| Some(step(system, from, s * length, count).y);
+            let dense = Dense::of(system, h, &ends, &trial, count);
+            let anew = |s: f64| Some(step(system, from, s * h, count).y);
             if let Some(landed) = ends.land(system.boundaries(), |s| dense.at(s), anew) {
-                let (t, stop) = (t + landed.part * length, Stop::Boundary(landed.index));
+                let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
                 return Reached { t, y: landed.y, stop, step: h };
             }
         }
+        t += h;
         let least = if error > 1e-10 { error } else { 1e-10 };
-        let factor = limited(SAFETY * least.powf(-ALPHA) * error_before_power(error_before));
-        h = length * if was_rejected && factor > 1.0 { 1.0 } else { factor };
+        let factor = limited(SAFETY * least.powf(-ALPHA) * error_before.powf(BETA));
+        h *= if was_rejected && factor > 1.0 { 1.0 } else { factor };
         error_before = if error > 1e-4 { error } else { 1e-4 };
         was_rejected = false;
-        (t, y, f) = (t_next, trial.y, f_next);
+        (y, f) = (trial.y, f_next);
     }
-}
-
-fn error_before_power(error: f64) -> f64 {
-    error.powf(BETA)
 }
 
 fn limited(factor: f64) -> f64 {
@@ -110,23 +95,23 @@ fn stage<const I: usize, const N: usize>(y: &[f64; N], h: f64, k: &[[f64; N]]) -
 
 fn step<const N: usize>(
     system: &impl System<N>,
-    Point { t, y, f }: Point<'_, N>,
+    Point { y, f }: Point<'_, N>,
     h: f64,
     count: &mut Count,
 ) -> Trial<N> {
     let mut k = [[0.0; N]; S];
     k[0] = *f;
-    k[1] = system.rate(t + NODES[1] * h, &stage::<1, N>(y, h, &k));
-    k[2] = system.rate(t + NODES[2] * h, &stage::<2, N>(y, h, &k));
-    k[3] = system.rate(t + NODES[3] * h, &stage::<3, N>(y, h, &k));
-    k[4] = system.rate(t + NODES[4] * h, &stage::<4, N>(y, h, &k));
-    k[5] = system.rate(t + NODES[5] * h, &stage::<5, N>(y, h, &k));
-    k[6] = system.rate(t + NODES[6] * h, &stage::<6, N>(y, h, &k));
-    k[7] = system.rate(t + NODES[7] * h, &stage::<7, N>(y, h, &k));
-    k[8] = system.rate(t + NODES[8] * h, &stage::<8, N>(y, h, &k));
-    k[9] = system.rate(t + NODES[9] * h, &stage::<9, N>(y, h, &k));
-    k[10] = system.rate(t + NODES[10] * h, &stage::<10, N>(y, h, &k));
-    k[11] = system.rate(t + NODES[11] * h, &stage::<11, N>(y, h, &k));
+    k[1] = system.rate(&stage::<1, N>(y, h, &k));
+    k[2] = system.rate(&stage::<2, N>(y, h, &k));
+    k[3] = system.rate(&stage::<3, N>(y, h, &k));
+    k[4] = system.rate(&stage::<4, N>(y, h, &k));
+    k[5] = system.rate(&stage::<5, N>(y, h, &k));
+    k[6] = system.rate(&stage::<6, N>(y, h, &k));
+    k[7] = system.rate(&stage::<7, N>(y, h, &k));
+    k[8] = system.rate(&stage::<8, N>(y, h, &k));
+    k[9] = system.rate(&stage::<9, N>(y, h, &k));
+    k[10] = system.rate(&stage::<10, N>(y, h, &k));
+    k[11] = system.rate(&stage::<11, N>(y, h, &k));
     count.evaluations += S - 1;
     Trial { y: stage::<12, N>(y, h, &k), k }
 }
@@ -152,7 +137,7 @@ fn error<const N: usize>(trial: &Trial<N>, y: &[f64; N], h: f64, tolerance: f64)
 /// Hairer's starting step: an Euler step shows the second derivative.
 fn first_step<const N: usize>(
     system: &impl System<N>,
-    Point { t, y, f }: Point<'_, N>,
+    Point { y, f }: Point<'_, N>,
     tolerance: f64,
     count: &mut Count,
 ) -> f64 {
@@ -163,7 +148,7 @@ fn first_step<const N: usize>(
     };
     let (size, speed) = (norm(y), norm(f));
     let euler = if size < 1e-5 || speed < 1e-5 { 1e-6 } else { 0.01 * size / speed };
-    let ahead = system.rate(t + euler, &std::array::from_fn(|i| y[i] + euler * f[i]));
+    let ahead = system.rate(&std::array::from_fn(|i| y[i] + euler * f[i]));
     count.evaluations += 1;
     let bend = norm(&std::array::from_fn(|i| ahead[i] - f[i])) / euler;
     let most = if bend > speed { bend } else { speed };
@@ -181,7 +166,6 @@ impl<const N: usize> Dense<N> {
     /// Costs three evaluations.
     fn of(
         system: &impl System<N>,
-        t: f64,
         h: f64,
         ends: &Ends<'_, N>,
         trial: &Trial<N>,
@@ -190,9 +174,9 @@ impl<const N: usize> Dense<N> {
         let mut k = [[0.0; N]; 16];
         k[..S].copy_from_slice(&trial.k);
         k[12] = *ends.f1;
-        k[13] = system.rate(t + NODES[13] * h, &stage::<13, N>(ends.y0, h, &k));
-        k[14] = system.rate(t + NODES[14] * h, &stage::<14, N>(ends.y0, h, &k));
-        k[15] = system.rate(t + NODES[15] * h, &stage::<15, N>(ends.y0, h, &k));
+        k[13] = system.rate(&stage::<13, N>(ends.y0, h, &k));
+        k[14] = system.rate(&stage::<14, N>(ends.y0, h, &k));
+        k[15] = system.rate(&stage::<15, N>(ends.y0, h, &k));
         count.evaluations += 3;
         let mut c = [[0.0; N]; 7];
         for i in 0..N {
@@ -221,16 +205,21 @@ impl<const N: usize> Dense<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::Bell;
+    use super::super::tests::{BELL, Bell};
     use super::*;
 
     /// y' = y: nothing hides the first coefficient that is missed, as it does where error constants nearly cancel.
     struct Growth;
 
     impl System<1> for Growth {
-        fn rate(&self, _: f64, y: &[f64; 1]) -> [f64; 1] {
+        fn rate(&self, y: &[f64; 1]) -> [f64; 1] {
             *y
         }
+    }
+
+    /// The times of the stages within a step: a rate that is 1 all along gives them.
+    fn nodes() -> [f64; S] {
+        std::array::from_fn(|i| if i == 0 { 0.0 } else { STAGES[i - 1].iter().sum() })
     }
 
     fn bell(t: f64) -> f64 {
@@ -239,13 +228,13 @@ mod tests {
 
     /// Error of dense output within one step.
     fn one_step(h: f64) -> f64 {
-        let mut count = Count::default();
-        let (t, y) = (0.3, [bell(0.3)]);
-        let f = Bell.rate(t, &y);
-        let trial = step(&Bell, Point { t, y: &y, f: &f }, h, &mut count);
-        let f1 = Bell.rate(t + h, &trial.y);
+        let mut count = Count::up_to(1);
+        let (t, y, system) = (0.3, [bell(0.3), 0.3], Bell::up_to(9.0));
+        let f = system.rate(&y);
+        let trial = step(&system, Point { y: &y, f: &f }, h, &mut count);
+        let f1 = system.rate(&trial.y);
         let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f1 };
-        let dense = Dense::of(&Bell, t, h, &ends, &trial, &mut count);
+        let dense = Dense::of(&system, h, &ends, &trial, &mut count);
         let inside = (dense.at(0.37)[0] - bell(t + 0.37 * h)).abs();
         assert!((dense.at(1.0)[0] - trial.y[0]).abs() < 1e-15);
         assert!((dense.at(0.0)[0] - y[0]).abs() < f64::MIN_POSITIVE);
@@ -253,21 +242,20 @@ mod tests {
     }
 
     #[test]
-    fn tableau_satisfies_row_and_quadrature_conditions() {
+    fn tableau_satisfies_the_quadrature_conditions() {
         for i in 1..16 {
-            let sum: f64 = STAGES[i - 1].iter().sum();
-            assert!((sum - NODES[i]).abs() < 1e-14, "{i}");
             for later in &STAGES[i - 1][i..] {
                 assert!(later.abs() < f64::MIN_POSITIVE, "{i}");
             }
         }
+        let nodes = nodes();
         for q in 1..=8 {
-            let sum: f64 = (0..S).map(|j| STAGES[11][j] * NODES[j].powi(q - 1)).sum();
-            assert!((sum - 1.0 / f64::from(q)).abs() < 1e-15, "{q}");
+            let sum: f64 = (0..S).map(|j| STAGES[11][j] * nodes[j].powi(q - 1)).sum();
+            assert!((sum - 1.0 / f64::from(q)).abs() < 1e-14, "{q}");
         }
         // The embedded formulas: of order 3 and 5, so that the differences vanish on lower powers.
         for q in 1..=5 {
-            let moment = |w: &[f64; S]| (0..S).map(|j| w[j] * NODES[j].powi(q - 1)).sum::<f64>();
+            let moment = |w: &[f64; S]| (0..S).map(|j| w[j] * nodes[j].powi(q - 1)).sum::<f64>();
             assert!(moment(&ERRORS[1]).abs() < 1e-14, "{q}");
             assert!(q > 3 || moment(&ERRORS[0]).abs() < 1e-14, "{q}");
         }
@@ -276,13 +264,14 @@ mod tests {
     #[test]
     fn stages_satisfy_the_simplifying_conditions_of_order_eight() {
         // sum_i b_i c_i^k (sum_j a_ij c_j^(l-1) - c_i^l / l) = 0 for the trees of one branch, k + l + 1 <= 8.
+        let nodes = nodes();
         for l in 1..=7i32 {
             for k in 0..=(7 - l) {
                 let mut sum = 0.0;
                 for i in 1..S {
-                    let inner: f64 = (0..i).map(|j| STAGES[i - 1][j] * NODES[j].powi(l - 1)).sum();
-                    let defect = inner - NODES[i].powi(l) / f64::from(l);
-                    sum += STAGES[11][i] * NODES[i].powi(k) * defect;
+                    let inner: f64 = (0..i).map(|j| STAGES[i - 1][j] * nodes[j].powi(l - 1)).sum();
+                    let defect = inner - nodes[i].powi(l) / f64::from(l);
+                    sum += STAGES[11][i] * nodes[i].powi(k) * defect;
                 }
                 assert!(sum.abs() < 2e-14, "l {l} k {k}: {sum}");
             }
@@ -294,12 +283,10 @@ mod tests {
     fn observed_orders_are_eight_for_the_step_and_seven_for_dense_output() {
         let fixed = |steps: usize| {
             let h = 6.0 / steps as f64;
-            let (mut t, mut y) = (0.0, [1.0]);
-            let mut count = Count::default();
+            let mut y = [1.0];
             for _ in 0..steps {
-                let f = Growth.rate(t, &y);
-                y = step(&Growth, Point { t, y: &y, f: &f }, h, &mut count).y;
-                t += h;
+                let f = Growth.rate(&y);
+                y = step(&Growth, Point { y: &y, f: &f }, h, &mut Count::up_to(1)).y;
             }
             (y[0] / 6f64.exp() - 1.0).abs()
         };
@@ -312,11 +299,8 @@ mod tests {
     #[test]
     fn the_error_follows_the_tolerance() {
         for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13] {
-            let mut count = Count::default();
-            let start = Start { t: 0.0, y: [1.0], step: None };
-            let limits = Limits { until: 5.0, steps: 10_000 };
-            let end = integrate(&Bell, start, tolerance, limits, &mut count);
-            assert_eq!(end.stop, Stop::Until);
+            let end = integrate(&Bell::up_to(5.0), BELL, tolerance, &mut Count::up_to(10_000));
+            assert_eq!(end.stop, Stop::Boundary(0));
             let error = (end.y[0] - bell(5.0)).abs();
             assert!(error < 10.0 * tolerance, "{tolerance}: {error}");
         }

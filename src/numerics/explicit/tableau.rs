@@ -1,28 +1,9 @@
-//! The numbers of DOP853: nodes, weights, error weights and dense output.
+//! The numbers of DOP853: weights, error weights and dense output. Its nodes are the sums of the rows.
 //!
 //! Published in E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), section II.10,
 //! in the program DOP853 that comes with it; rounded to double precision. Knows nothing else. The tests of the parent check
 //! quadrature and row conditions, and the order that is observed.
 
-/// Fractions of the step at which the stages lie; the last three serve dense output alone.
-pub(super) const NODES: [f64; 16] = [
-    0.0,
-    0.052_600_151_958_767_73,
-    0.078_900_227_938_151_6,
-    0.118_350_341_907_227_4,
-    0.281_649_658_092_772_6,
-    0.333_333_333_333_333_3,
-    0.25,
-    0.307_692_307_692_307_7,
-    0.651_282_051_282_051_3,
-    0.6,
-    0.857_142_857_142_857_1,
-    1.0,
-    1.0,
-    0.1,
-    0.2,
-    0.777_777_777_777_777_8,
-];
 /// Row i - 1 gives stage i from the stages before it; row 11 (stage 12, the end of the step) holds the weights.
 pub(super) const STAGES: [[f64; 15]; 15] = filled(&[
     (0, 0, 0.052_600_151_958_767_73),
