@@ -273,7 +273,7 @@ impl Shared {
                     }
                 }
             };
-            // Free before the report: whoever acts on it may submit at once.
+            // Free before the report: its receiver may submit at once.
             queue.lock().running = None;
             send(body);
             if begun.elapsed() > LONG {

@@ -68,7 +68,7 @@ pub(super) struct CompareArguments {
     table: TableArguments,
 }
 
-/// Compare; a mechanism that does not pay is an answer, too.
+/// Runs the comparison; a mechanism that does not pay is a valid result.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;

@@ -10,19 +10,19 @@ use crate::model::variables::VariableError;
 use crate::study::sweep::SweepError;
 use crate::tui::TuiError;
 
-/// Why a command could not be carried out.
+/// The error of a command.
 #[derive(Debug, Error)]
 pub enum CliError {
     /// A file cannot be read, written or found.
     #[error(transparent)]
     File(#[from] FileError),
-    /// A file is there already.
+    /// The file exists already.
     #[error("`{path}` already exists: add --force to replace it, or choose another name")]
     Exists {
         /// The file.
         path: String,
     },
-    /// The command line, or the scene as a whole, makes no sense.
+    /// The command line, or the scene as a whole, is invalid.
     #[error("{0}")]
     Option(String),
     /// Standard output cannot be written.
@@ -49,7 +49,7 @@ impl CliError {
     /// 1 where the computation or the system failed, 2 where the command line or an input file is wrong.
     pub fn code(&self) -> ExitCode {
         match self {
-            // Whoever reads our output has had enough: not a failure.
+            // The reader has closed the pipe: not a failure.
             Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             Self::Stdout(_)
             | Self::Workbench(_)

@@ -33,7 +33,7 @@ pub(super) struct FitArguments {
     table: TableArguments,
 }
 
-/// Fit; exit status 1 where no strength gives the limit, or after an interrupt.
+/// Runs the fit; exit status 1 if no strength gives the limit, or after an interrupt.
 pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     let is_calibrated = arguments.scene.is_given();
     if is_calibrated {

@@ -97,7 +97,7 @@ fn part(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Find the limit; that there is none is an answer, too. Exit status 1 after an interrupt.
+/// Finds the limit; "no limit" is a valid result. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
@@ -110,7 +110,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let page = || page(name, &report);
     let object = || limit::json(name, &report);
-    // What holds of the limit is what the shot at the limit asks for.
+    // Validity at the limit is that of the shot at the limit.
     let mut at_limit = (*report.scene).clone();
     if let Some(velocity_m_s) = report.limit.velocity_m_s() {
         at_limit.projectile.velocity_m_s = velocity_m_s;

@@ -1,4 +1,4 @@
-//! `cmra run SCENE --compare models|quirks`: the interaction models, or the quirks of Appendix A, side by side.
+//! `cmra run SCENE --compare models|quirks`: the interaction models, or the quirks of Appendix A, next to each other.
 
 use std::fmt::Write as _;
 use std::time::Instant;

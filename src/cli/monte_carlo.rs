@@ -78,7 +78,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
     Tolerance::parse(name.trim(), how, scene).map_err(|why| refuse(&why))
 }
 
-/// Draw; exit status 1 when a sample failed, or after an interrupt.
+/// Draws the samples; exit status 1 when a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;

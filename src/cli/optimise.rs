@@ -133,7 +133,7 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
     Ok(Constraint { measure, at_most, bound, is_feasibility: false })
 }
 
-/// Look; exit status 1 when no design keeps every constraint, or after an interrupt.
+/// Runs the search; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;

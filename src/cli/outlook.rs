@@ -8,20 +8,20 @@ use crate::cli::sweep::page::duration;
 use crate::study::context::Context;
 use crate::study::search::design_space::DesignSpace;
 
-/// What is expected to take longer is announced.
+/// Computations longer than this are announced.
 const LONG: Duration = Duration::from_secs(60);
 /// How long the trial may take.
 const TRYING: Duration = Duration::from_millis(250);
-/// At the most one run for so many is tried.
+/// At most one run in this many is tried.
 const SPARED: u64 = 4;
 /// Runs of the first batch, and how much larger each further one is: what a batch costs to begin is small against the last one.
 const FIRST: u64 = 8;
 const GROWTH: u64 = 4;
 
-/// Asked by a trial now and then: `Break` when it takes too long.
+/// Checked by a trial regularly: `Break` when it takes too long.
 type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
-/// Say how long so many runs of designs spread over the bounds will take, where that is long.
+/// Announces the time that runs of this number of designs within the bounds will take, if it is long.
 pub(super) fn say_if_long(space: &DesignSpace, (runs, what): (u64, &str), threads: usize) {
     by_batches((runs, what), |tried, go_on| {
         // Shares that do not fall on one line through the box.
@@ -37,7 +37,7 @@ pub(super) fn say_if_long(space: &DesignSpace, (runs, what): (u64, &str), thread
     });
 }
 
-/// Try batches of so many runs, the way and on the threads all of them will take. `attempt` makes the runs of these numbers, and
+/// Try batches of a given number of runs, the way and on the threads all of them will take. `attempt` makes the runs of these numbers, and
 /// gives how many it finished.
 fn by_batches((runs, what): (u64, &str), mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64) {
     let start = Instant::now();

@@ -13,12 +13,12 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
 }
 
-/// Write a piece of a result that goes on.
+/// Writes a piece of a result.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
 }
 
-/// Show how far a long computation is, in the place of what was shown before; an empty text takes it away.
+/// Shows the progress of a long computation in place of the previous text; an empty text removes it.
 pub(super) fn progress(text: &str) {
     let mut error = io::stderr().lock();
     // As with notes: where it is lost, there is nowhere else to show it.
@@ -30,14 +30,14 @@ pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", clean::page(text));
 }
 
-/// Name the files that were written.
+/// Prints the names of the files that were written.
 pub(super) fn note_written(files: &[PathBuf]) {
     for path in files {
         note(&format!("wrote {}", path.display()));
     }
 }
 
-/// Print why a command failed, and give its exit code.
+/// Prints the error of a command and returns its exit code.
 pub fn fail(error: &CliError) -> ExitCode {
     if !error.is_quiet() {
         let text = format!("error: {error}");

@@ -16,10 +16,10 @@ use signal_hook::flag;
 use crate::cli::output;
 use crate::study::context::{Context, Progress, Stop};
 
-/// Set by the first interrupt. Signals are the process's, and so is this.
+/// Set by the first interrupt. Global, as signals are.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// How long a computation may take before it is shown how far it is, and how often then.
+/// Time before the progress of a computation is shown first, and between updates.
 const PATIENCE: Duration = Duration::from_millis(500);
 const EVERY: Duration = Duration::from_millis(200);
 
@@ -32,12 +32,12 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// It begins now.
+    /// Starts now.
     pub(super) fn begin() -> Self {
         Self::stopped_by(interruptible())
     }
 
-    /// It begins now, and ends when this flag is set.
+    /// Starts now; ends when this flag is set.
     pub(super) fn stopped_by(stop: Stop) -> Self {
         let now = Instant::now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
@@ -45,7 +45,7 @@ impl Pace {
         Self { start: now, told: now, shown: false, wanted, stop }
     }
 
-    /// Show how far it is, now and then, by a text made of the seconds gone; `Break` after an interrupt.
+    /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
     pub(super) fn watch(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
         if self.wanted && self.start.elapsed() > PATIENCE && self.told.elapsed() > EVERY {
             self.told = Instant::now();
@@ -55,7 +55,7 @@ impl Pace {
         self.stop.flow()
     }
 
-    /// Make a study on so many threads, and show how many of these things are done.
+    /// Runs a study on this number of threads, and shows how many of its items are done.
     pub(super) fn study<P: ?Sized, T>(
         &mut self,
         threads: usize,
@@ -70,14 +70,14 @@ impl Pace {
         found
     }
 
-    /// Take the line away.
+    /// Removes the line.
     pub(super) fn clear(&self) {
         if self.shown {
             output::progress("");
         }
     }
 
-    /// 0 where all is well, 1 where not, or after an interrupt, which is then said below the result.
+    /// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
     pub(super) fn exit_code(&self, good: bool) -> ExitCode {
         let stopped = self.stop.is_set();
         if stopped {

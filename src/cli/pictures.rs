@@ -23,12 +23,12 @@ impl PictureArguments {
         self.svg.is_some()
     }
 
-    /// Whether they go to standard output, instead of the page.
+    /// Whether they replace the page on standard output.
     pub(super) fn is_stdout(&self) -> bool {
         self.svg.as_deref() == Some(Path::new("-"))
     }
 
-    /// Whether they can be written where they are to go: asked before a long computation, not after it.
+    /// Whether they can be written where they are to go: checked before a long computation, not after it.
     pub(super) fn check(&self, table: &TableArguments) -> Result<(), CliError> {
         if self.is_stdout() && (table.json || matches!(table.target(), Target::Stdout)) {
             return Err(CliError::Option(
@@ -43,7 +43,7 @@ impl PictureArguments {
         }
     }
 
-    /// Write them. What an interrupt has cut off is not drawn.
+    /// Writes them; an interrupted result is not drawn.
     pub(super) fn write(
         &self,
         table: &TableArguments,

@@ -104,7 +104,7 @@ fn block(picture: Picture) -> Block {
     Block::Picture(Box::new(picture))
 }
 
-/// Add a section that has anything in it.
+/// Adds a section unless it is empty.
 fn section(document: &mut Document, title: &str, blocks: Vec<Block>) {
     if !blocks.is_empty() {
         document.blocks.push(Block::Heading(title.to_owned()));
@@ -112,7 +112,7 @@ fn section(document: &mut Document, title: &str, blocks: Vec<Block>) {
     }
 }
 
-/// What it is about, its warnings, and the changed inputs.
+/// The title, the warnings, and the changed inputs.
 fn head(computed: &Computed, scene: &Scene) -> Document {
     let run = &computed.run;
     let name = &computed.preset.name;

@@ -97,7 +97,7 @@ fn page(report: &[Row], differences: usize) -> String {
     page
 }
 
-/// What was done: rows by what they rest on, by verdict, and against the stored verdicts.
+/// A summary: rows by source, by verdict, and compared with the stored verdicts.
 fn summary(report: &[Row], differences: usize) -> String {
     let on = |basis| report.iter().filter(|row| row.found.basis == basis).count();
     let runs: usize = report.iter().map(|row| row.runs).sum();

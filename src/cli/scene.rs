@@ -152,7 +152,7 @@ impl Changes {
     }
 }
 
-/// A title is that of the scene before its inputs were changed, and says so.
+/// Marks the title of a scene whose inputs were changed.
 fn say_changed(before: &Scene, scene: &mut Scene) {
     let changed = VARIABLES.iter().filter(|one| one.show(before) != one.show(scene)).count();
     if !scene.title.is_empty() && changed > 0 {

@@ -60,7 +60,7 @@ impl SeekArguments {
     }
 }
 
-/// Seek; exit status 1 when nothing reaches the goal.
+/// Runs the goal seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let goal = arguments.goal()?;

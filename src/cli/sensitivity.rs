@@ -17,7 +17,7 @@ use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::{Effort, study};
 use crate::study::validity;
 
-/// Rows of the design and trajectories at the most.
+/// Rows of the design and trajectories at most.
 const SAMPLES_MAX: usize = 1 << 20;
 const TRAJECTORIES_MAX: usize = 100_000;
 

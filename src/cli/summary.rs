@@ -155,7 +155,7 @@ fn numbers(page: &mut String, run: &Run) {
     }
 }
 
-/// What became of the shot in a stack, plate by plate; what follows on the page is the first plate's.
+/// The outcome of the shot in a stack, plate by plate; what follows on the page is the first plate's.
 fn stack(page: &mut String, run: &Run) {
     let Some(stack) = &run.stack else {
         return;
@@ -166,7 +166,7 @@ fn stack(page: &mut String, run: &Run) {
     page.push_str("\nelement 1 in full:\n");
 }
 
-/// What was asked of a mechanism that is more than one power law.
+/// What was required of a mechanism that is more than one power law.
 fn mechanism(page: &mut String, run: &Run) {
     if run.scene.mechanism.is_plain() {
         return;
@@ -191,7 +191,7 @@ fn mechanism(page: &mut String, run: &Run) {
     }
 }
 
-/// Why there is none.
+/// The reason why there is none.
 fn no_greatest_displacement(scene: &Scene) -> &'static str {
     let mechanism = &scene.mechanism;
     let nothing_stops_it = Mechanism::of(scene).is_absent() && mechanism.stop.position_m.is_none();
@@ -237,7 +237,7 @@ fn events(page: &mut String, run: &Run) {
     }
 }
 
-/// What the estimate shown first is relative to.
+/// The quantity of the estimate shown first.
 fn estimated_quantity(run: &Run) -> &'static str {
     if run.outcome == Outcome::Perforated { "exit time" } else { "depth" }
 }

@@ -76,7 +76,7 @@ pub(super) struct SweepArguments {
     table: TableArguments,
 }
 
-/// Sweep; exit status 1 when a point failed or the sweep was interrupted.
+/// Runs the sweep; exit status 1 when a point failed or the sweep was interrupted.
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
     arguments.pictures.check(&arguments.table)?;
@@ -301,7 +301,7 @@ impl Job<'_> {
     }
 }
 
-/// How far a sweep is, and how long it will yet take at this pace.
+/// The progress of a sweep, and the remaining time at this rate.
 fn so_far(done: u64, total: u64, gone_s: f64) -> String {
     let percent = 100.0 * done as f64 / total as f64;
     let left_s = gone_s * (total - done) as f64 / done.max(1) as f64;

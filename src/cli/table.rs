@@ -52,7 +52,7 @@ pub(super) fn choice<T: Copy + Send + Sync + 'static>(
 
 pub(super) enum Target {
     None,
-    /// To standard output, instead of the page.
+    /// Whether the table replaces the page on standard output.
     Stdout,
     File(Destination),
 }
@@ -70,12 +70,12 @@ impl TableArguments {
         }
     }
 
-    /// What may happen to a file that is there already.
+    /// What happens to an existing file.
     pub(super) fn existing(&self) -> Existing {
         Existing::replaced(self.force)
     }
 
-    /// Whether the table can be written where it is to go: asked before a long computation, not after it.
+    /// Whether the table can be written where it is to go: checked before a long computation, not after it.
     pub(super) fn check(&self) -> Result<(), CliError> {
         self.check_with(Meta::Inline)
     }
@@ -93,7 +93,7 @@ impl TableArguments {
         }
     }
 
-    /// Standard output takes one kind of result.
+    /// Checks that only one kind of result goes to standard output.
     pub(super) fn check_stdout(&self) -> Result<(), CliError> {
         if self.json && matches!(self.target(), Target::Stdout) {
             return Err(CliError::Option(
@@ -129,7 +129,7 @@ pub(super) struct Delivery<'a> {
     source: Option<Source<'a>>,
 }
 
-/// What was typed of a scene, and the scene.
+/// The scene, and the arguments that made it.
 #[derive(Clone, Copy)]
 struct Source<'a> {
     name: &'a str,
@@ -197,7 +197,7 @@ impl Delivery<'_> {
         again::comment(None) + &scene.unwrap_or_default()
     }
 
-    /// What an interrupt has left of a table gets a name of its own.
+    /// The name of an incomplete table after an interrupt.
     fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
         let missing = if was_interrupted() { "# not complete: interrupted\n" } else { "" };
         let scene = self.source.and_then(|source| source.scene);
@@ -240,7 +240,7 @@ fn in_object(object: &str, warnings: &[String]) -> String {
     }
 }
 
-/// On the command line there is a cure for a file that exists.
+/// Adds the cure of the command line for an existing file.
 pub(super) fn exists(error: FileError) -> CliError {
     match error {
         FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },

@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal as _};
 
 use crate::tui::app::status::wrap;
 
-/// Columns of a page that is no terminal's, and the most and the fewest of any.
+/// Columns of a page that is not a terminal's, and the most and the fewest of any.
 const USUAL: usize = 80;
 const WIDTHS: (usize, usize) = (40, 120);
 
@@ -30,7 +30,7 @@ pub(super) fn labelled(page: &mut String, label: &str, text: &str) {
     page.push_str(&hanging(&format!("    {label:<12}"), text, 16));
 }
 
-/// A page of which each line fits: a longer one goes on below its last column, where that begins in the left half, else indented.
+/// Wraps the lines of a page: a longer line continues below its last column if that begins in the left half, else indented.
 pub(super) fn fitted(page: &str) -> String {
     let room = width();
     let fitted = |line: &str| {

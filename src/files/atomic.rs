@@ -1,4 +1,4 @@
-//! Files written whole or not at all, and never over another file unless that is asked for.
+//! Files written whole or not at all, and never over another file unless that is requested.
 //!
 //! New content goes to a temporary file in the target's own directory, is flushed to the disk, and takes the target's name in one
 //! step. Several files that belong together are all on the disk before the first of them takes its name, take their names one
@@ -33,7 +33,7 @@ pub enum Existing {
 }
 
 impl Existing {
-    /// Replace it where that was asked for.
+    /// Replace it where that was requested.
     pub fn replaced(is_asked_for: bool) -> Self {
         if is_asked_for { Self::Replace } else { Self::Keep }
     }
@@ -67,7 +67,7 @@ pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
     prepare(path, existing).map(drop)
 }
 
-/// Whether nothing but an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
+/// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
 /// terminal that is drawn on.
 ///
 /// # Errors

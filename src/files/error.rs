@@ -45,7 +45,7 @@ pub enum FileError {
     /// The file exists already and was not replaced.
     #[error("`{}` already exists: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
-    /// A preset is to be replaced whose file is no readable scene; what is in it would be lost.
+    /// A preset is to be replaced whose file is not a readable scene; what is in it would be lost.
     #[error("`{}` is not a readable scene and was not replaced: correct it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {
         /// The file.
@@ -119,7 +119,7 @@ pub struct SceneErrors {
     pub file: String,
     /// What is wrong.
     pub problems: Vec<Problem>,
-    /// There is more that is not told.
+    /// More problems exist than are listed.
     pub more: bool,
 }
 
@@ -159,7 +159,7 @@ pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
     let mut ranked: Vec<(usize, &str)> = candidates
         .iter()
         .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), *candidate))
-        // Whoever types the beginning of a long name means that name.
+        // The beginning of a long name means that name.
         .map(|(distance, candidate)| {
             let begun = lower.len() >= 3 && candidate.to_lowercase().starts_with(&lower);
             (if begun { 0 } else { distance }, candidate)

@@ -1,6 +1,6 @@
 //! Exports: a CSV file, and beside it the scene that reproduces it.
 //!
-//! All commands and the workbench write their tables here. Both files are written or neither is, and nothing is replaced unasked.
+//! All commands and the workbench write their tables here. Both files are written or neither is, and nothing is replaced without consent.
 //! The sidecar is a scene file like any other; its comments say which program wrote it and what came out.
 
 use std::ffi::OsStr;
@@ -90,7 +90,7 @@ impl Meta {
 }
 
 impl Destination {
-    /// Whether the table and its scene can be written: asked before a long computation, not after it.
+    /// Whether the table and its scene can be written: checked before a long computation, not after it.
     ///
     /// # Errors
     /// [`FileError`].
@@ -172,7 +172,7 @@ impl Destination {
 }
 
 impl<'a> Beside<'a> {
-    /// The one scene of a table that tells by itself what came out.
+    /// The one scene of a table, whose outcome is part of its comments.
     pub fn of(scene: &'a Scene) -> Self {
         Self { run: None, scene, notes: Box::new(|_| String::new()) }
     }

@@ -131,7 +131,7 @@ fn found(path: &Path) -> Result<Found, FileError> {
     Ok(Found { path: path.to_owned(), part, scene, version })
 }
 
-/// What tells two sweeps apart, in words; `None` for parts of one.
+/// The difference of two sweeps, in words; `None` for parts of one sweep.
 fn difference(one: &Found, other: &Found) -> Option<String> {
     let both = |what: &str, one: &str, other: &str| {
         (one != other).then(|| format!("{what} is {one} in one and {other} in the other"))

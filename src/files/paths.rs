@@ -54,7 +54,7 @@ impl Paths {
         self.state.join("session.toml")
     }
 
-    /// A session put aside because the program was started on something else.
+    /// A session backed up because the program was started on something else.
     pub fn previous_session_file(&self) -> PathBuf {
         self.state.join("session.previous.toml")
     }

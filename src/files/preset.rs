@@ -125,7 +125,7 @@ pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     from_text(path.display().to_string(), Origin::File(path.to_owned()), read::text_file(path)?)
 }
 
-/// A scene in an ordinary file: for whoever cannot wait for a pipe.
+/// A scene in an ordinary file, for callers that cannot wait for a pipe.
 ///
 /// # Errors
 /// As [`from_file`], and [`FileError::Refused`] of a device or a pipe.
@@ -231,11 +231,11 @@ fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
     from_text(name, Origin::Mine(path), text)
 }
 
-/// Names and files of the user's own presets, by name; and what keeps others from being found, which nobody would miss else.
+/// Names and files of the user's own presets, by name; and the errors of those that cannot be read.
 fn own_presets(paths: &Paths) -> (Vec<(String, PathBuf)>, Vec<FileError>) {
     let entries = match fs::read_dir(&paths.presets) {
         Ok(entries) => entries,
-        // Nobody has saved a preset yet.
+        // No preset has been saved yet.
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Default::default(),
         Err(error) => return (Vec::new(), vec![FileError::read(&paths.presets, error)]),
     };
@@ -359,7 +359,7 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let told = || list(Some(&paths)).1.iter().map(ToString::to_string).collect::<Vec<_>>();
-        // No folder yet: nobody has saved anything.
+        // No folder yet: nothing has been saved.
         assert!(told().is_empty(), "{:?}", told());
         fs::create_dir_all(&paths.presets).unwrap();
         let long = "n".repeat(65);

@@ -1,7 +1,7 @@
 //! A scene from TOML text, read strictly against the table of variables.
 //!
 //! Each key of the file is looked up in [`VARIABLES`]; there is no second list of keys here. All problems of a file are
-//! collected and told together, each with its line and column. Writing is in [`crate::files::write`].
+//! collected and reported together, each with its line and column. Writing is in [`crate::files::write`].
 
 use std::fs;
 use std::io::Read;
@@ -23,7 +23,7 @@ pub const FORMAT: i64 = 1;
 /// No scene is larger than this; a larger file is a mistake.
 pub const BYTES_MAX: u64 = 1 << 20;
 
-/// Problems of one file that are told at most: a file that is something else altogether has one a line.
+/// Maximum number of reported problems of one file: a file of another kind has one in each line.
 const PROBLEMS_MAX: usize = 20;
 
 /// Read the scene in a file.
@@ -47,8 +47,8 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
     text_from(fs::File::open(path).map_err(failed)?, path)
 }
 
-/// The text of an ordinary file of at most so many bytes. A pipe may never have a writer, and a terminal would take the keys of
-/// whoever waits: neither is opened.
+/// The text of an ordinary file of at most this many bytes. A pipe may never have a writer, and a terminal would take the keys of
+/// the person who waits: neither is opened.
 ///
 /// # Errors
 /// As [`text_file`], and [`FileError::Refused`] of a device or a pipe.
@@ -185,7 +185,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A spring that is a table needs its points: nobody has measured the example that stands in for them.
+    /// A spring that is a table needs its points: the example in their place was not measured.
     fn measured_curves(&mut self, scene: &Scene, document: &DeTable<'_>) {
         let springs = [&scene.mechanism.spring, &scene.mechanism.second];
         for (spring, key) in springs.into_iter().zip(read_table::KEYS) {
@@ -364,7 +364,7 @@ impl<'t> Reader<'t> {
         self.file
     }
 
-    /// Whether enough is wrong: what else there may be is not looked for, and this is said.
+    /// Whether the maximum number of problems is reached: the rest of the file is not checked, and this is reported.
     pub(super) fn is_full(&mut self) -> bool {
         self.more |= self.problems.len() >= PROBLEMS_MAX;
         self.more

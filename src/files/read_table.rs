@@ -60,7 +60,7 @@ pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     points_in(&read::text_file(path)?, path).map_err(FileError::Refused)
 }
 
-/// The same of an ordinary file only: nobody sees that a pipe named in a scene would be waited for.
+/// The same of an ordinary file only: the wait for a pipe named in a scene would be invisible.
 ///
 /// # Errors
 /// As [`curve`].

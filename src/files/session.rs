@@ -1,7 +1,7 @@
 //! The session: what the workbench had open, kept between starts so that nothing is lost by leaving.
 //!
 //! A scene inside the file is kept as the text of a scene file and read by the same strict reader. A session that cannot be
-//! read is put aside, never deleted, and never keeps the program from starting.
+//! read is backed up, never deleted, and never keeps the program from starting.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -81,14 +81,14 @@ struct PinRow {
     scene: String,
 }
 
-/// What this workbench last read or wrote there, by which it notices whoever else writes the same file, and its own name there.
+/// What this workbench last read or wrote there, by which it notices another writer of the same file, and its own name there.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Known {
     text: Option<String>,
     writer: Option<String>,
 }
 
-/// Save the session, whole or not at all. What another workbench has written there since `known` is put aside first, and where
+/// Save the session, whole or not at all. What another workbench has written there since `known` is backed up first, and where
 /// to is returned; a session that was saved like this before does not replace it.
 ///
 /// # Errors
@@ -141,7 +141,7 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
     Ok(format!("# the last session of cmra {version}; {WRITER}{writer}\n{body}"))
 }
 
-/// Load the last session, if there is one. A file that is damaged is put aside with the ending `.broken`, and what can be read
+/// Load the last session, if there is one. A file that is damaged is backed up with the ending `.broken`, and what can be read
 /// of it is kept.
 pub fn load(path: &Path) -> Loaded {
     if let Some(directory) = path.parent() {
@@ -170,7 +170,7 @@ pub fn load(path: &Path) -> Loaded {
         };
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
-    // One that was put aside is not there any more.
+    // A session that was backed up is gone.
     let known = Known { text: text.filter(|_| notice.is_none()), writer: None };
     Loaded { session, notice, known }
 }
@@ -343,7 +343,7 @@ mod tests {
         assert_eq!(load(&path).session, Some(of(4.0)));
     }
 
-    /// Each round, two that began on the same session save at the same moment: one of them is put aside.
+    /// Each round, two that began on the same session save at the same moment: one of them is backed up.
     #[test]
     fn two_that_save_at_once_are_both_kept() {
         for round in 0..40 {

@@ -1,4 +1,4 @@
-//! What the sidecar of a sweep says of the part that stands beside it: which part of which design, and how it is spelt.
+//! The sidecar of a part of a sweep: which part of which design it is, and its CSV dialect.
 
 use std::fmt::Write as _;
 
@@ -18,7 +18,7 @@ pub struct Part {
     pub design: Design,
     /// The name of the scene in the rows.
     pub name: String,
-    /// How the table is spelt.
+    /// The CSV dialect of the table.
     pub style: Style,
 }
 
@@ -48,7 +48,7 @@ impl Part {
         text + &export::again(&again)
     }
 
-    /// Points and seed of a design that is no full grid.
+    /// Points and seed of a design that is not a full grid.
     fn sampled(&self) -> Option<(u64, u64)> {
         match self.design {
             Design::Factorial => None,

@@ -1,7 +1,7 @@
-//! How a table is spelt: as RFC 4180 has it, or for programs that read nothing else.
+//! The CSV dialect of a table: as RFC 4180 has it, or for programs that read nothing else.
 //!
 //! The tables themselves are made elsewhere, with a comma between values, a point in numbers and LF at the end of lines; here
-//! their text is respelt, piece by piece where they are long.
+//! their text is rewritten, piece by piece where they are long.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use csv::{ReaderBuilder, Terminator, WriterBuilder};
 
 use crate::files::error::FileError;
 
-/// How a table is spelt.
+/// The CSV dialect of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Style {
     /// A comma between values, a point in numbers, LF at the end of lines.
@@ -112,7 +112,7 @@ mod tests {
             file(Style::Crlf),
             "# v: 1.5 (m)\r\nrun,time_s,event\r\n\"a, b\",1.5e-7,\r\nfigure-9.7,-0.25,x;y\r\n"
         );
-        // A name with a point is no number; what has the separator in it is quoted.
+        // A name with a point is not a number; what has the separator in it is quoted.
         assert_eq!(
             file(Style::ExcelEu),
             "\u{feff}# v: 1.5 (m)\r\nrun;time_s;event\r\na, b;1,5e-7;\r\nfigure-9.7;-0,25;\"x;y\"\r\n"

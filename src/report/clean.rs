@@ -12,7 +12,7 @@ pub fn line(text: &str) -> Cow<'_, str> {
 }
 
 /// A text of several lines, in the way of Unix or of Windows. What it is made of has been through `line` already where a line
-/// end would mislead: here, nobody can tell whose it is.
+/// end would mislead: here, its direction is not known.
 pub fn page(text: &str) -> Cow<'_, str> {
     if text.contains('\r') {
         let lines: Vec<Cow<'_, str>> =

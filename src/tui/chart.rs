@@ -108,7 +108,7 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
 #[cfg(test)]
 mod tests;
 
-/// Characters that tell curves apart, the current run's first; none is used by axes, event lines or the crosshair alone.
+/// Characters that distinguish curves, the current run's first; none is used by axes, event lines or the crosshair alone.
 pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
 
 /// The role that colours it.

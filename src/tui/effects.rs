@@ -33,7 +33,7 @@ use crate::tui::message::{
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
 
-/// Whether the session was saved: where that of another workbench was put aside for it, or why it was not, in words.
+/// Whether the session was saved: where that of another workbench was backed up for it, or why it was not, in words.
 type Kept = Result<Option<PathBuf>, String>;
 
 pub(super) enum Request {
@@ -44,7 +44,7 @@ pub(super) enum Request {
     Finish(Sender<Kept>),
 }
 
-/// The session that has yet to be saved. Whoever takes it out saves it.
+/// The session that has yet to be saved. The caller saves it.
 #[derive(Clone, Default)]
 pub(super) struct Unsaved {
     session: Arc<Mutex<Option<Box<Session>>>>,
@@ -107,7 +107,7 @@ impl IoThread {
         self.request(Request::SessionChanged);
     }
 
-    /// The session that has yet to be saved, for whoever must save it when the loop cannot.
+    /// The session that has yet to be saved, for the thread that saves it when the loop cannot.
     pub(super) fn unsaved(&self) -> Unsaved {
         self.unsaved.clone()
     }
@@ -226,7 +226,7 @@ fn next_request(
     }
 }
 
-/// Leave out questions whose answer nobody waits for: completions and lists that were asked for again, and on leaving all.
+/// Drops requests that are out of date: completions and lists that were requested again, and all of them on quitting.
 fn drop_outdated(waiting: &mut VecDeque<Request>) {
     let leaving = waiting.iter().any(|request| matches!(request, Request::Finish(_)));
     let newest = |question: fn(&Request) -> bool| waiting.iter().rposition(question);
@@ -283,7 +283,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
     for problem in problems.into_iter().chain(wrong_parts) {
         log::warn!("{problem}");
     }
-    // A recent file that is gone or broken is left out: loading it says why.
+    // A recent file that is gone or broken is omitted: loading it says why.
     let recent = recent.iter().filter_map(|path| preset::from_ordinary_file(path).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,

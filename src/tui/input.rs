@@ -1,7 +1,7 @@
 //! The input thread: keys, pastes and sizes from the terminal become messages.
 //!
 //! crossterm's reading never returns once the terminal is gone (crossterm issue 793: it retries for ever), so it has a thread
-//! of its own that nobody waits for: the loop notices a hang-up by itself, and leaving the process ends this thread.
+//! of its own that is never joined: the loop detects a hang-up by itself, and the end of the process ends this thread.
 //!
 //! It waits by crossterm's feature `use-dev-tty`. Without it crossterm is woken by what is new only, takes a kilobyte at a time,
 //! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
@@ -26,7 +26,7 @@ use crate::tui::message::{EffectReport, Message};
 /// Panics in a row, without an event between them, after which reading is given up.
 const PANICS_MAX: usize = 16;
 
-/// What a person is told when reading panicked.
+/// The message shown when reading panicked.
 const RESTARTED: &str = "internal error while reading keys: reading was restarted, the last keys may be lost (see the log)";
 
 /// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
@@ -87,7 +87,7 @@ fn is_escape(event: &Event) -> bool {
 }
 
 /// What came in the same read as an Esc. crossterm takes the two escapes of `Esc` and an arrow (`\x1b\x1b[D`) for one Esc and
-/// leaves `[D` as letters; nobody types a bracket and a letter within one read, so they are the arrow again.
+/// leaves `[D` as letters; a person cannot type a bracket and a letter within one read, so they are the arrow again.
 fn after_escape(
     read: &mut impl FnMut() -> io::Result<Event>,
     waits: &mut impl FnMut() -> bool,
@@ -162,7 +162,7 @@ fn pointing(mouse: MouseEvent) -> Option<Incoming> {
     let used = match mouse.kind {
         MouseEventKind::Down(button) => button == MouseButton::Left,
         MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => true,
-        // Sideways would step values, which nobody means by brushing a touchpad.
+        // Sideways would step values by mistake when a touchpad is brushed.
         MouseEventKind::ScrollLeft
         | MouseEventKind::ScrollRight
         | MouseEventKind::Up(_)

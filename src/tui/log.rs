@@ -15,10 +15,10 @@ use log::{LevelFilter, Log, Metadata, Record};
 use super::Incoming;
 use crate::tui::message::Message;
 
-/// Size at which a log is put aside, bytes.
+/// Size at which a log is backed up, bytes.
 const SIZE_MAX: u64 = 1 << 20;
 
-/// Log from now on to `file`, and to the loop. A word in `level` that is none is told as a warning.
+/// Log from now on to `file`, and to the loop. A word in `level` that is none is reported as a warning.
 pub(super) fn install(file: Option<PathBuf>, level: Option<&str>, inbox: Sender<Incoming>) {
     let chosen = level.unwrap_or("warn").parse::<LevelFilter>();
     let sink = Sink { file: Mutex::new(Target::Unopened(file)), inbox: Mutex::new(inbox) };

@@ -30,7 +30,7 @@ pub enum Message {
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
-    /// A job has been running for so long that leaving must not drop it unasked: its number.
+    /// A job has been running for so long that leaving must not drop it without confirmation: its number.
     LongJob(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),

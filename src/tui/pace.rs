@@ -1,7 +1,7 @@
 //! When to draw: at once when little has been drawn lately, and never more often than a slow line can bear.
 //!
 //! A change waits a few milliseconds for the result of the run it started, so that value and curves come in one frame. Knows
-//! no clock: it is told the time.
+//! no clock: the time is passed in.
 
 use std::time::{Duration, Instant};
 

@@ -130,7 +130,7 @@ pub(crate) struct About {
     pub commands: &'static [Command],
 }
 
-/// A tab of the workbench. What is asked of a pane is asked of the one that has the keys, which is one of the page's own.
+/// A tab of the workbench. What applies to a pane applies to the focused one, which is one of the page's own.
 pub(crate) trait Page: Sync {
     fn about(&self) -> &'static About;
 
@@ -313,7 +313,7 @@ pub(crate) fn note(text: Option<String>) -> Option<(Severity, String)> {
     text.map(|text| (Severity::Note, text))
 }
 
-/// The tasks that have not ended: the tab that asked for each, and its number.
+/// The tasks that have not ended: the tab that requested each, and its number.
 pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let current = app.jobs.current.as_ref().map(|job| job.id);
     let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));

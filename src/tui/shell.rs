@@ -85,7 +85,7 @@ impl Shell {
         let io_thread = IoThread::spawn(paths, known, sender.clone())?;
         let unsaved = io_thread.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
-            // Nobody is left to read it.
+            // The reader is gone.
             let _ = unsaved.save();
             terminal::restore_without_waiting();
         })?;
@@ -110,7 +110,7 @@ impl Shell {
         let (columns, rows) = shell.guard.size()?;
         let mut queue = VecDeque::from([Message::Resize(columns, rows)]);
         for effect in effects {
-            // Starting asks for runs and lists, not for leaving.
+            // Starting requests runs and lists only.
             let _ = shell.carry_out(effect, &mut queue)?;
         }
         for message in queue {

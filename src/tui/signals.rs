@@ -1,6 +1,6 @@
 //! Signals become entries of the loop's inbox, and the process ends in time even when the loop is stuck.
 //!
-//! The loop can be stuck in a write to a terminal that takes no more bytes. So whoever asks the process to end is served by
+//! The loop can be stuck in a write to a terminal that takes no more bytes. So a signal to end the process is served by
 //! the loop when it can, and otherwise by this thread, which saves what the loop last handed it and leaves.
 
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};

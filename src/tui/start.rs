@@ -83,7 +83,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     (app, loaded.known)
 }
 
-/// Take over keys, colours and characters of the configuration; what is refused is said, and the usual ones stay.
+/// Take over keys, colours and characters of the configuration; what is refused is reported, and the usual ones stay.
 fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     let config = match config::load(path) {
         Ok(config) => config,
@@ -116,7 +116,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
 const DEPTHS: [ColourDepth; 4] =
     [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb];
 
-/// Put the last session aside where another start would lose something of it: pins, or an edited scene. What to say of it.
+/// Back up the last session where another start would lose something of it: pins, or an edited scene. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let untouched = *base_of_session(last, Some(paths)).scene == last.scene
         && last
@@ -311,7 +311,7 @@ mod tests {
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
-        // What the command line asks for goes before what the session has.
+        // What the command line requests goes before what the session has.
         let mut fixed = state();
         restore(&mut fixed, kept, Some(GlyphSet::Ascii));
         assert_eq!(fixed.theme.glyphs, state().theme.glyphs);

@@ -37,7 +37,7 @@ static ENTERED: AtomicBool = AtomicBool::new(false);
 
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
-/// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also asks for every movement, which a slow
+/// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also requests every movement, which a slow
 /// line would have to carry for nothing.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
@@ -102,7 +102,7 @@ impl Guard {
 
     /// Take the terminal over again, after a suspension or after someone else may have changed its modes.
     pub(super) fn enter_again(&mut self) -> io::Result<()> {
-        // Whoever ran meanwhile may have changed the modes: forget ours, so that the present ones are the ones to restore.
+        // Another program may have changed the modes meanwhile: forget the saved ones, so that the present ones are restored.
         disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
@@ -138,7 +138,7 @@ pub(super) fn restore() {
         if !matches!(poll_out(Some(SHORT)), Ok(true)) {
             discard_output();
         }
-        // Nobody is left to tell when the terminal is gone.
+        // If the terminal is gone, the error cannot be shown.
         let _ = write_all(&farewell());
         let _ = disable_raw_mode();
     }
@@ -252,7 +252,7 @@ pub(super) fn is_entered() -> bool {
 
 /// Whether the other end of the terminal is gone.
 pub(super) fn is_hung_up() -> bool {
-    // No event asked for: only hang-ups and errors are reported.
+    // No event requested: only hang-ups and errors are reported.
     let out = stdout();
     let mut watched = [PollFd::new(&out, PollFlags::empty())];
     let now = Timespec { tv_sec: 0, tv_nsec: 0 };
@@ -266,7 +266,7 @@ pub(super) fn is_hung_up() -> bool {
 struct Screen {
     /// Bytes of the frame in the making.
     pending: Vec<u8>,
-    /// Whether the cursor is shown, as far as the terminal has been told.
+    /// Whether the cursor is shown, as last sent to the terminal.
     cursor_shown: bool,
     /// Where the cursor was last put, for the frames that show it.
     cursor_at: Option<Position>,

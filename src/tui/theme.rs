@@ -1,7 +1,7 @@
 //! What the screen is drawn with: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
 //!
-//! Panes ask for roles, never for colours. Foreground and background stay the terminal's own, so that light and dark both
-//! work. Knows ratatui; must not know what is shown. Colour is never the only channel: whoever uses a role for a meaning also
+//! Panes use roles, never colours. Foreground and background stay the terminal's own, so that light and dark both
+//! work. Knows ratatui; must not know what is shown. Colour is never the only channel: a role with a meaning also
 //! writes a character.
 
 use ratatui::style::{Color, Modifier, Style};
@@ -58,7 +58,7 @@ impl Theme {
     /// Pure ASCII without colour: what `--plain` prints.
     pub const PLAIN: Self = Self { glyphs: GlyphSet::Ascii, depth: ColourDepth::None };
 
-    /// The theme the environment asks for; `env` looks up a variable of it.
+    /// The theme the environment requests; `env` looks up a variable of it.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         Self { glyphs: GlyphSet::detect(&env), depth: ColourDepth::detect(&env) }
     }

@@ -20,7 +20,7 @@ use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
 
-/// What to ask for first: a run of the scene and of the pins, and the list of presets.
+/// The first requests: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
     jobs::submit_now(app);
     jobs::submit_pins(app);
@@ -62,7 +62,7 @@ fn press(app: &mut App, key: KeyEvent) {
         return;
     }
     if app.layout().body.is_none() {
-        // On a screen too small to show anything, keys only lead out: nobody edits what cannot be seen.
+        // On a screen too small to show anything, keys only quit: values that cannot be seen are not edited.
         if let Some(action @ (Action::Quit | Action::QuitWithSummary)) = action {
             act::act(app, action);
         }
@@ -345,7 +345,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
     }
 }
 
-/// Leaving would lose what is not saved otherwise: it is said, and asked before leaving.
+/// Reports what quitting would lose, and asks before quitting.
 pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
         Ok(()) => app.tell("the session is kept again"),

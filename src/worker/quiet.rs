@@ -74,7 +74,7 @@ impl Quiet {
         state.measuring = entered;
     }
 
-    /// A point is measured: whoever waits has a turn.
+    /// A point is measured: a waiting task has a turn.
     pub(super) fn end(&self) {
         self.lock().measuring = false;
         self.shared.1.notify_all();

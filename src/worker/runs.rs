@@ -97,7 +97,7 @@ struct Pulse {
     /// The last look at the clock.
     seen: Instant,
     last_progress: Option<Instant>,
-    /// When the curve so far was asked for last, and how long the next one has to wait from then on.
+    /// When the curve so far was requested last, and how long the next one has to wait from then on.
     last_part: Instant,
     part_pause: Duration,
 }
@@ -115,7 +115,7 @@ impl Pulse {
         }
     }
 
-    /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as asked for.
+    /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as requested.
     fn part_is_due(&mut self) -> bool {
         let is_due = self.seen.duration_since(self.last_part) >= self.part_pause;
         if is_due {
@@ -124,7 +124,7 @@ impl Pulse {
         is_due
     }
 
-    /// The curve that was asked for has come: the run is not to spend more than a small part of its time on them.
+    /// The curve that was requested has come: the run is not to spend more than a small part of its time on them.
     fn part_came(&mut self) {
         self.part_pause = BETWEEN.max(PART_SHARE * self.last_part.elapsed());
     }
@@ -194,7 +194,7 @@ mod tests {
     use super::*;
     use crate::model::simulate::{Settings, simulate};
 
-    /// A run with so many rows.
+    /// A run with a given number of rows.
     fn run(rows: usize) -> Arc<Run> {
         let settings = Settings { series: true, ..Settings::default() };
         let scene = Arc::new(Scene::default());

@@ -16,7 +16,7 @@ use super::{Progress, ReportBody};
 use crate::model::scene::Scene;
 use crate::study::context as study;
 
-/// A study that a page asks for. A newer one of the same type replaces an older one.
+/// A study that a page requests. A newer one of the same type replaces an older one.
 pub trait Study: Any + Debug + Send + Sync {
     fn lane(&self) -> Lane;
 
@@ -69,7 +69,7 @@ pub struct Tempo {
     pub between: Duration,
 }
 
-/// A result, whole or as far as it is. The page that asked for it knows its type.
+/// A result, whole or as far as it is. The page that requested it knows its type.
 #[derive(Clone, Debug)]
 pub struct Finding(Arc<dyn Any + Send + Sync>);
 

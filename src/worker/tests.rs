@@ -173,10 +173,10 @@ fn progress_comes_at_most_twice_a_second() {
     next_last(&reports);
 }
 
-/// Rows that neither a look nor a long run leaves out.
+/// Rows that neither a look nor a long run omits.
 const OWN_ROWS: usize = 4_000;
 
-/// A scene whose run swings on for many seconds.
+/// A scene whose run keeps oscillating for many seconds.
 fn swinging(id: u64, slot: Slot) -> Task {
     let mut scene = Scene::default();
     scene.mechanism.spring.exponent = 0.3;

@@ -1,4 +1,4 @@
-//! The comparison as a page of text: the verdict, the candidates side by side, and how mass was taken; and the map.
+//! The comparison as a page of text: the verdict, the candidates next to each other, and how mass was taken; and the map.
 
 use std::fmt::Write as _;
 
@@ -112,7 +112,7 @@ pub(super) fn map(name: &str, map: &Map) -> String {
     page
 }
 
-/// Where the line of 1 runs, in numbers.
+/// The line of 1, in numbers.
 fn line_of_one(page: &mut String, map: &Map) {
     let (x, y) = (map.x(), map.y());
     let _ =

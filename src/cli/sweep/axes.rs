@@ -21,7 +21,7 @@ pub(super) enum DesignWord {
     Sobol,
 }
 
-/// What the options ask for.
+/// What the options request.
 pub(super) struct Asked<'a> {
     pub(super) over: &'a [String],
     pub(super) design: DesignWord,
@@ -159,7 +159,7 @@ pub(in crate::cli) fn range(
     )))
 }
 
-/// What stands after `..`: the other end, the number of points, the spacing.
+/// Reads the text after `..`: the other end, the number of points, the spacing.
 fn high_end<'t>(
     text: &'t str,
     counts: &RangeInclusive<u64>,
@@ -184,7 +184,7 @@ fn high_end<'t>(
     Ok((high, count, spacing))
 }
 
-/// What a variable's numbers measure; `None` for a variable of words, which is refused later with what it may be.
+/// The kind of quantity of a variable; `None` for a variable of words, which is refused later.
 fn quantity(name: &str) -> Option<Quantity> {
     match &variables::find(name).ok()?.kind {
         Kind::Number(number) => Some(number.quantity),

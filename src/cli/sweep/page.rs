@@ -19,7 +19,7 @@ const TABLE_ROWS: u64 = 13;
 /// Points kept to be drawn; larger sweeps are only summed up.
 pub(in crate::cli) const KEPT_MAX: u64 = 250_000;
 
-/// What stands above the page.
+/// The head of the page.
 pub(super) struct Head<'a> {
     pub(super) name: &'a str,
     pub(super) threads: usize,
@@ -173,7 +173,7 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
     }
 }
 
-/// A time as a person says it: `0.31 s`, `12 min`, `5.2 h`.
+/// A time in readable units: `0.31 s`, `12 min`, `5.2 h`.
 pub(in crate::cli) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s < 60.0 => return Engineering { value: s, unit: "s", digits: 2 }.to_string(),

@@ -72,13 +72,13 @@ pub fn setup_width(width: u16) -> u16 {
     }
 }
 
-/// The columns at the left, at most so many, and the rest.
+/// The columns at the left, at most this many, and the rest.
 pub fn split_left(area: Rect, width: u16) -> (Rect, Rect) {
     let width = width.min(area.width);
     (Rect { width, ..area }, Rect { x: area.x + width, width: area.width - width, ..area })
 }
 
-/// The rows above, and those at the bottom, at most so many.
+/// The rows above, and those at the bottom, at most this many.
 pub fn split_bottom(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);
     let top = Rect { height: area.height - height, ..area };

@@ -13,7 +13,7 @@ use crate::tui::prelude::*;
 use crate::tui::theme::columns;
 
 const MESSAGE_LINES: usize = 4;
-/// From this width on the first line is said in full.
+/// From this width on the first line is reported in full.
 const WIDE_ENOUGH: u16 = 78;
 
 impl App {
@@ -192,7 +192,7 @@ impl App {
             parts.push(part(Severity::Note, "the curve so far".to_owned()));
             return parts;
         }
-        // What became of the shot stays in sight on the narrowest screen.
+        // The outcome of the shot stays in sight on the narrowest screen.
         let severity = |outcome| match outcome {
             Outcome::Arrested | Outcome::Separated => Severity::Note,
             Outcome::Perforated | Outcome::Moving => Severity::Warning,
@@ -267,7 +267,7 @@ impl App {
     }
 }
 
-/// What became of the shot, in a sentence: `arrested at 4.565 mm (64.2 % of a rigid mount)`.
+/// The outcome of the shot, in a sentence: `arrested at 4.565 mm (64.2 % of a rigid mount)`.
 fn sentence(run: &Run) -> String {
     let word = run.outcome.word();
     let percent = run.percent_of_baseline();
@@ -363,7 +363,7 @@ pub fn clip(text: &str, width: usize) -> String {
     kept.trim_end().to_owned() + ".."
 }
 
-/// The first of some texts, each shorter than the one before, that goes into so many columns; the last one is cut.
+/// The first of some texts, each shorter than the one before, that goes into a given number of columns; the last one is cut.
 pub fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
     let mut shortest = String::new();
     for text in texts {
@@ -375,7 +375,7 @@ pub fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String 
     clip(&shortest, width)
 }
 
-/// How many bytes of a text go into so many columns.
+/// How many bytes of a text go into a given number of columns.
 fn fits(text: &str, width: usize) -> usize {
     let mut taken = 0;
     text.char_indices()
@@ -386,7 +386,7 @@ fn fits(text: &str, width: usize) -> usize {
         .map_or(text.len(), |(at, _)| at)
 }
 
-/// A result's title with shorter words, still told apart from every other.
+/// A result's title with shorter words, still distinguished from every other.
 pub fn shortened(title: &str) -> String {
     let words = [
         ("first arrest", "1st"),
@@ -398,7 +398,7 @@ pub fn shortened(title: &str) -> String {
     words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
 }
 
-/// A result's title in so many columns: in shorter words where it is too long.
+/// A result's title in a given number of columns: in shorter words where it is too long.
 pub fn fitted(title: &str, width: usize) -> String {
     if columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
 }
@@ -445,7 +445,7 @@ impl App {
         let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
         let found =
             run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
-        // What the interface was asked for stands there already, with its number.
+        // The load of the interface is shown there already, with its number.
         let labels: Vec<&str> = found
             .iter()
             .filter(|breach| breach.check != Check::Interface)

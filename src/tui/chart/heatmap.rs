@@ -14,7 +14,7 @@
 //! +------------------------------------------------+
 //! ```
 //!
-//! Colour is never the only channel: bands are told by characters wherever there are fewer than 256 colours, and the scale is
+//! Colour is never the only channel: bands differ in their characters wherever there are fewer than 256 colours, and the scale is
 //! written beside the map. Frame, axes and ticks are the chart's own.
 
 /// Values nearer to each other, relative to the contour's, are the same.

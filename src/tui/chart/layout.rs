@@ -56,7 +56,7 @@ impl Layout {
     }
 }
 
-/// Lays a chart out inside its frame; `legend_row` asks for a row of its own for the legend.
+/// Lays a chart out inside its frame; `legend_row` requests a row of its own for the legend.
 pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout {
     let with_legend = legend_row && inner.height >= LEGEND_ROW_FROM;
     let top = u16::from(with_legend);

@@ -45,7 +45,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Whether nothing but a dotted line stands in a cell.
+    /// Whether only a dotted line stands in a cell.
     fn is_free(&self, at: (u16, u16), dotted: char) -> bool {
         let symbol = self.buffer.cell(at).map_or("", |cell| cell.symbol());
         symbol == " " || symbol.chars().eq([dotted])
@@ -102,7 +102,7 @@ impl Painter<'_> {
     }
 
     /// Writes a label centred under its tick, moved only as far as the frame demands, and gives the first cell after it.
-    /// Without room it is left out; the tick stays.
+    /// Without room it is omitted; the tick stays.
     fn label_below(&mut self, tick: &Tick, free_from: i32) -> i32 {
         let (Some(y), Labels::Shown) = (self.layout.labels_below, self.chart.x.labels) else {
             return free_from;
@@ -165,7 +165,7 @@ impl Painter<'_> {
         (1..=4).rev().map(digits).find(|text| text.len() < room).unwrap_or_default()
     }
 
-    /// The tags of levels, each as far right as no curve runs through it; without such a place it is left out.
+    /// The tags of levels, each as far right as no curve runs through it; without such a place it is omitted.
     fn level_tags(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);

@@ -85,7 +85,7 @@ pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
     app.dialog = Some(Dialog::Ask(state));
 }
 
-/// Do what the text is asked for; `overwrite`: a file or preset of this name may be replaced.
+/// Does what the text was typed for; `overwrite`: a file or preset of this name may be replaced.
 fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     state.text.all_selected = false;
     match task(app, state, overwrite) {
@@ -214,7 +214,7 @@ fn hint(app: &App, state: &Ask) -> String {
     }
 }
 
-/// After a word was taken: a spring that is a table now asks for its file.
+/// After a word was taken: a spring that is a table now requests its file.
 pub(crate) fn ask(app: &mut App, word: &str) {
     let second = match app.editor.variable().key {
         "mechanism.spring.kind" => false,

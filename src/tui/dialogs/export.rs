@@ -16,7 +16,7 @@ use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{columns, window, wrapped};
 
-/// Rows of a grid when nothing else is asked for.
+/// Rows of a grid by default.
 const GRID_ROWS: usize = 1001;
 /// The most rows of grids that a table may have, since it is made in memory.
 const GRID_ROWS_MAX: usize = 1_000_000;
@@ -24,7 +24,7 @@ const GRID_ROWS_MAX: usize = 1_000_000;
 /// A kind of table.
 struct Kind {
     words: &'static str,
-    /// Its rows; those of a grid are so many.
+    /// Its rows; this many for a grid.
     rows: fn(usize) -> Rows,
 }
 
@@ -72,7 +72,7 @@ enum Value {
     /// Whether a run or a column goes along.
     Tick {
         name: String,
-        /// What is told of it behind its name; may be empty.
+        /// The text after its name; may be empty.
         about: String,
         on: bool,
     },
@@ -165,7 +165,7 @@ impl Export {
         }
     }
 
-    /// Another text or choice: what was said of the old one does not hold any more.
+    /// Another text or choice: the message about the old one is removed.
     pub(super) fn forget(&mut self) {
         self.question = false;
         self.error = None;

@@ -83,7 +83,7 @@ impl Page for ExploreTab {
         if coming.is_none_or(|it| it.picture != picture) {
             return;
         }
-        // The setup is again what is shown: what was asked for meanwhile would replace it.
+        // The setup is again what is shown: what was requested meanwhile would replace it.
         stop(app);
     }
 

@@ -65,7 +65,7 @@ impl Page for LogTab {
     }
 }
 
-/// Messages that stand before what is said of the run.
+/// Messages that stand before what is reported of the run.
 const NEWEST: usize = 5;
 
 pub type LogLine = (Role, String);

@@ -63,7 +63,7 @@ fn cancelled(study: impl Study) -> Finding {
     last(&reports).unwrap()
 }
 
-/// A sweep of so many points along two axes; with a plastic interface each takes longer.
+/// A sweep of a given number of points along two axes; with a plastic interface each takes longer.
 fn sweep(count: u64) -> PictureSweep {
     let mut scene = Scene::default();
     scene.interface.law = InterfaceLaw::Plastic;

@@ -6,7 +6,7 @@ use std::io::Write;
 use ratatui::buffer::Cell;
 use ratatui::style::{Color, Modifier};
 
-/// The style of a cell, as far as terminals are told.
+/// The style of a cell, as it is sent to the terminal.
 #[derive(Clone, Copy, PartialEq)]
 struct Style {
     fg: Color,

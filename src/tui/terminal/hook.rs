@@ -1,7 +1,7 @@
 //! What happens when something panics while the workbench has the terminal.
 //!
-//! On the thread that draws: the terminal is restored first, then the panic is told on the main screen and a report with a
-//! backtrace is left in the state directory. On any other thread: only the log is told; the terminal stays as it is, since the
+//! On the thread that draws: the terminal is restored first, then the panic is printed on the main screen and a report with a
+//! backtrace is left in the state directory. On any other thread: only the log gets an entry; the terminal stays as it is, since the
 //! workbench goes on. Outside the workbench the hook that was there before does its work.
 
 use std::backtrace::Backtrace;
@@ -65,7 +65,7 @@ fn tell(report: &str, directory: Option<&Path>) {
         }
         None => writeln!(text, "{report}"),
     };
-    // Nobody is left to tell when standard error is gone.
+    // If standard error is gone, the message cannot be shown.
     let _ = std::io::stderr().write_all(text.as_bytes());
 }
 

@@ -26,7 +26,7 @@ impl<'a> PaneFrame<'a> {
         Self { title: title.into(), ..self }
     }
 
-    /// With this at the right of the top line; left out where there is no room.
+    /// With this at the right of the top line; omitted where there is no room.
     #[must_use]
     pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
         self.right = right.into();

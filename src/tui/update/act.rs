@@ -66,7 +66,7 @@ fn steps(app: &App, action: Action) -> bool {
     step_of(action).is_some() && pages::spec(app.pane()).has.contains(&Part::Form)
 }
 
-/// By how many rows an action moves in a list that shows so many at once; `None` for other actions.
+/// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
 pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
     match action {

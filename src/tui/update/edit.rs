@@ -1,4 +1,4 @@
-//! Edits of the scene: every one can be undone, is checked before it counts, and asks for a new run.
+//! Edits of the scene: every one can be undone, is checked before it counts, and requests a new run.
 
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ pub(crate) fn set(
     };
     let old = shown_value(variable, old, WIDE);
     let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene, WIDE));
-    // What was outside before is marked in the list; what comes to be outside is said.
+    // What was outside before is marked in the list; what comes to be outside is reported.
     let before = envelope::of_scene(&app.scene);
     let breach = envelope::of_scene(&scene)
         .into_iter()

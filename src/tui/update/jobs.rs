@@ -17,7 +17,7 @@ use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
 
-/// From this on, counted from its first report, a job is too long to be dropped unasked.
+/// From this on, counted from its first report, a job is too long to be dropped without confirmation.
 pub(crate) const LONG: Duration = Duration::from_secs(5);
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.

@@ -46,7 +46,7 @@ impl<'a> Across<'a> {
         }
     }
 
-    /// Show what an action asks for; false where it is no zoom.
+    /// Show what an action requests; false where it is not a zoom.
     pub(crate) fn change(self, action: Action) -> bool {
         let (view, scale) = (self.view, self.scale);
         let about = || {

@@ -109,7 +109,7 @@ pub(crate) fn quantity_meaning(name: &str) -> String {
     )
 }
 
-/// The name of the quantity so many after another one, in a circle.
+/// The name of the quantity this many after another one, in a circle.
 pub(crate) fn quantity_beside(name: &str, by: isize) -> &'static str {
     let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
     QUANTITIES[wrap(at, by, QUANTITIES.len())].name
@@ -152,7 +152,7 @@ impl Form {
         self.lines[..line].iter().filter(|line| !line.is_heading()).count()
     }
 
-    /// Those that can be selected, where so many are shown.
+    /// Those that can be selected, where this many are shown.
     pub(crate) fn rows(&self, shown: usize) -> Rows {
         Rows { count: self.choices().count(), selected: self.place(self.selected), shown }
     }

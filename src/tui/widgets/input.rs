@@ -9,7 +9,7 @@ use tui_input::{Input, InputRequest};
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::window;
 
-/// No field of the workbench takes a longer text: characters that nobody means to type (a paste that came as keys, a book on
+/// No field of the workbench takes a longer text: characters that are not typed on purpose (a paste that came as keys, a book on
 /// the keyboard) are dropped.
 pub(crate) const TEXT_MAX: usize = 1024;
 
@@ -90,7 +90,7 @@ impl Field {
         Self { row, text: TextField::selected(text) }
     }
 
-    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for so many characters.
+    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for a given number of characters.
     pub(crate) fn draw_boxed(&self, canvas: &mut Canvas<'_>, row: Rect, start: u16, room: u16) {
         let blank = " ".repeat(usize::from(room));
         canvas.put(row, (start, 0), &blank, Role::Text);

@@ -25,7 +25,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The page after so many turns of a table that has so many columns of the screen.
+    /// The page after a given number of turns of a table that has a given number of columns of the screen.
     pub(crate) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
         let gap = gap(width);
         let lead = cells.first().map_or(0, Cells::width);
@@ -36,7 +36,7 @@ impl Grid {
                 used += gap.len() + column.width();
                 used <= room
             });
-            // One at the least: a page must go on.
+            // One at least: a page must go on.
             from + fits.count().max(1)
         };
         let mut ends = Vec::new();

@@ -23,7 +23,7 @@ pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
 }
 
-/// The part of a field's text that is shown in so many columns, and the column of the cursor in it. Wide characters take two.
+/// The part of a field's text that is shown in a given number of columns, and the column of the cursor in it. Wide characters take two.
 pub(crate) fn window(input: &Input, room: u16) -> (String, u16) {
     let room = usize::from(room);
     let scroll = input.visual_scroll(room.saturating_sub(1));
@@ -64,7 +64,7 @@ pub(crate) fn put(
     end - area.x
 }
 
-/// The lines of a text of at most so many columns, all in one role.
+/// The lines of a text of at most this many columns, all in one role.
 pub(crate) fn wrapped(
     text: &str,
     width: u16,

@@ -90,7 +90,7 @@ fn curves(
         if grid.is_full() {
             return (0..along).map(point).collect();
         }
-        // Dots: the points of a design are no neighbours.
+        // Dots: the points of a design are not neighbours.
         (0..along).flat_map(|x| [point(x), (f64::NAN, f64::NAN)]).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
@@ -398,7 +398,7 @@ impl<'a> ChartView<'a> {
             let at = |index: usize| if along { (index, y) } else { (x, index) };
             (title, (0..count).map(|index| point(at(index))).collect())
         } else {
-            // Each by itself: they are no neighbours.
+            // Each by itself: they are not neighbours.
             let apart = |x: usize| [point((x, 0)), (f64::NAN, f64::NAN)];
             (format!("over {}", axes[place].symbol()), (0..across).flat_map(apart).collect())
         };

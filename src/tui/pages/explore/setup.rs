@@ -46,7 +46,7 @@ impl App {
         rows.extend([R::Design, R::Heading("Across"), R::Axis(1, Part::Name)]);
         if has_two {
             rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
-            // A design has so many points in all, not along each axis.
+            // A design has a given number of points in all, not along each axis.
             let count = if is_map { R::Axis(1, Part::Points) } else { R::Curves };
             rows.extend(is_grid.then_some(count));
             rows.push(R::Axis(1, Part::Spacing));
@@ -129,7 +129,7 @@ impl App {
         .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
     }
 
-    /// Whether there is one curve: a stand-in for the second axis that nobody chose is not shown as chosen.
+    /// Whether there is one curve: a default for the second axis is not shown as chosen.
     fn has_no_second(&self) -> bool {
         self.picture() == Picture::Line && !has_family(&self.scene)
     }

@@ -146,7 +146,7 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Show what was found; over other axes the cursor begins anew.
+    /// Show what was found; over other axes the cursor begins again.
     pub fn show(&mut self, picture: Picture, found: Found) {
         let before = self.found(picture).map(|found| found.grid.plan());
         if before.is_none_or(|plan| plan.axes() != found.grid.plan().axes()) {

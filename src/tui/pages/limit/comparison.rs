@@ -235,7 +235,7 @@ fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
         let show = |value: Option<f64>| match (value, unit) {
             (None, _) => "-".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
-            // Without a prefix: velocities side by side are to be compared.
+            // Without a prefix: velocities next to each other are to be compared.
             (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
@@ -273,7 +273,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// So many lines at most, without the beginning of a sentence whose end has no room.
+/// A given number of lines at most, without the beginning of a sentence whose end has no room.
 fn whole(lines: &[Line], height: usize) -> &[Line] {
     let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.1.starts_with(GOES_ON));
     let room = height.min(lines.len());

@@ -123,7 +123,7 @@ impl Ballistic {
     }
 }
 
-/// The facts as lines of so many columns; labels stand before their words, or above them. Above, there is room to say what
+/// The facts as lines of a given number of columns; labels stand before their words, or above them. Above, there is room to say what
 /// the laws are.
 fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
     let room = if labels_before { width.saturating_sub(LABEL) } else { width };
@@ -164,7 +164,7 @@ impl App {
         }
     }
 
-    /// Where the curve and all that is to be said have no room together: the rows of a page of words, and how many pages
+    /// Where the curve and all that is to report have no room together: the rows of a page of words, and how many pages
     /// they take. Then Tab turns from the curve through them.
     pub fn limit_pages(&self) -> Option<(usize, usize)> {
         let area = panes(self, self.layout().body?).residual?;
@@ -188,7 +188,7 @@ impl App {
         self.pages.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
     }
 
-    /// The limit and the margin of the scene it belongs to, in one line of so many columns.
+    /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
         let report = self.pages.limit.report.as_ref()?;
         let of = if self.limit_is_old() { " of another scene: press r" } else { "" };
@@ -364,7 +364,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
 }
 
-/// A letter for each shot, whatever the characters of curves: what became of it.
+/// A letter for each shot, whatever the characters of curves: its outcome.
 fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
     for (index, shot) in report.shots.iter().enumerate() {
         let (letter, colour) = match shot.outcome {

@@ -59,7 +59,7 @@ pub struct Accuracy {
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
     pub view: ChartView,
-    /// Points of the study asked for last, once known.
+    /// Points of the study requested last, once known.
     pub points_in_all: usize,
     /// The page of the table's columns.
     pub table_page: usize,
@@ -97,7 +97,7 @@ impl Accuracy {
         Method::ALL[self.selected_row()]
     }
 
-    /// The loosest tolerance at which a method keeps an error; that of the default where it has no knob.
+    /// The loosest tolerance at which a method keeps an error; that of the default where it has no parameter.
     pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
         let report = self.of(method)?;
         let good = report.measured().filter(|(_, it)| it.error() <= error);
@@ -401,7 +401,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
+/// Set the scene to the selected method at the accuracy requested first: its tolerance, or the thesis's listing.
 fn use_method(app: &mut App) {
     let method = app.pages.numerics.accuracy.method();
     if app.accuracy_is_old() || app.pages.numerics.accuracy.report.is_none() {

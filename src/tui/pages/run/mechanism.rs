@@ -79,7 +79,7 @@ fn share(app: &App, run: &Run, plate_m: f64) -> f64 {
     if most > least { (plate_m - least) / (most - least) } else { 0.0 }
 }
 
-/// A fraction of so many cells, to the nearest one.
+/// A fraction of a given number of cells, to the nearest one.
 fn cells(fraction: f64, of: u16) -> u16 {
     let wanted = fraction * f64::from(of);
     (0..=2 * of).find(|cell| f64::from(*cell) + 0.5 > wanted).unwrap_or(2 * of)

@@ -318,7 +318,7 @@ pub(crate) fn put_back(app: &mut App, pin: Pin) {
     let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
         return app.refuse("all eight pins A to H are taken: nothing was put back");
     };
-    // A job under way when it was taken away has reported to nobody.
+    // A job that ran when it was removed has no receiver any more.
     insert(app, Pin { letter, job: None, ..pin });
 }
 

@@ -313,7 +313,7 @@ impl App {
 }
 
 impl App {
-    /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
+    /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
     fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<Line> {
         let tab = &self.pages.search;
         let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
@@ -444,7 +444,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line
     lines
 }
 
-/// A table in so many columns: its headings, and its rows.
+/// A table in a given number of columns: its headings, and its rows.
 fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = Line> {
     let rows = cells.first().map_or(0, |column| column.cells.len());
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);

@@ -235,7 +235,7 @@ impl App {
         (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
-    /// What a page asks for.
+    /// What a page requests.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.pages.search.setup;
         let axes = || {

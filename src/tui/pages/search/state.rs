@@ -146,7 +146,7 @@ impl Searching {
         }
     }
 
-    /// Whether a right pane so high has no room for a chart and so many lines of words: then Tab turns from one to the other.
+    /// Whether a right pane of this height has no room for a chart and this many lines of text: then Tab switches between them.
     fn is_crowded(&self, height: u16, lines: usize) -> bool {
         // A chart is drawn where four lines are left below it, or all there are.
         self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
@@ -215,7 +215,7 @@ impl Searching {
     }
 }
 
-/// Rows of a pane with so many lines, frame included.
+/// Rows of a pane with a given number of lines, frame included.
 fn words_rows(lines: usize) -> u16 {
     u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2)
 }

@@ -35,7 +35,7 @@ const GUIDE_POINTS: usize = 90;
 struct AccuracyPanes {
     /// Error against run time.
     chart: Rect,
-    /// The methods, and what is to be said of the selected one.
+    /// The methods, and a description of the selected one.
     methods: Rect,
     answers: Rect,
 }
@@ -64,7 +64,7 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let answers = panes.answers;
     for (row, line) in (0..answers.height).zip(app.accuracy_answers()) {
         let room = usize::from(answers.width.saturating_sub(2));
-        // The cost with nothing left out goes before it is cut in two.
+        // The cost with nothing omitted goes before it is cut in two.
         let brief = line.split(';').next().filter(|_| line.chars().count() > room);
         let line = clip(brief.unwrap_or(&line), room);
         canvas.put(answers, (1, row), &line, Role::Title);
@@ -150,7 +150,7 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
     [('1', 1), ('2', 2), ('4', 4), ('8', 8)].map(|(marker, order)| (marker, line(order))).into()
 }
 
-/// The table, and below it what is to be said of the selected method.
+/// The table, and below it a description of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let methods: &[MethodReport] = tab.report.as_ref().map_or(&[], |report| &report.methods);
@@ -178,7 +178,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     details(app, inner, canvas);
 }
 
-/// What is to be said of the selected method, below all of them.
+/// The description of the selected method, below all of them.
 fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
     let details = app.accuracy_details().into_iter();
     let lines = details.flat_map(|(text, role)| wrapped(&text, inner.width, role));

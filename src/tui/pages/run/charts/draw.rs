@@ -21,7 +21,7 @@ use crate::tui::widgets::Canvas;
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
-/// How the curve of a second axis is told from the runs.
+/// How the curve of a second axis is marked.
 const SECOND: char = '~';
 const SECOND_COLOUR: usize = 9;
 /// Where the readouts of further runs have no room.
