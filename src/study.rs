@@ -19,6 +19,8 @@ pub mod sensitivity;
 pub mod stability;
 pub mod stack;
 pub mod sweep;
+#[cfg(test)]
+mod testing;
 pub mod thesis;
 pub mod validation;
 pub mod validity;

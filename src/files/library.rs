@@ -277,10 +277,4 @@ mod tests {
         let (entries, problems) = list(Some(&paths));
         assert!(entries.len() > 20 && problems[0].to_string().contains("threats.toml:1:"));
     }
-
-    #[test]
-    fn an_unknown_name_gets_the_nearest() {
-        let error = find(Library::Threats, "m80-bal", None).err().unwrap().to_string();
-        assert!(error.contains("did you mean `m80-ball`?"), "{error}");
-    }
 }

@@ -372,12 +372,4 @@ mod tests {
         fs::write(&paths.presets, "a file").unwrap();
         assert!(told()[0].contains("presets"), "{}", told()[0]);
     }
-
-    #[test]
-    fn a_misspelt_name_gets_a_hint() {
-        let error = resolve("thesis-basline", None).unwrap_err().to_string();
-        assert!(error.contains("did you mean `thesis-baseline`?"), "{error}");
-        let error = resolve("no/such.toml", None).unwrap_err().to_string();
-        assert!(error.contains("check the path"), "{error}");
-    }
 }

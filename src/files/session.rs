@@ -290,17 +290,6 @@ mod tests {
     }
 
     #[test]
-    fn a_session_comes_back_as_it_was() {
-        let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("state/session.toml");
-        assert_eq!(load(&path), Loaded::default());
-        save(&path, &example(), &mut Known::default()).unwrap();
-        let loaded = load(&path);
-        assert_eq!(loaded.notice, None);
-        assert_eq!(loaded.session, Some(example()));
-    }
-
-    #[test]
     fn what_another_program_has_kept_meanwhile_is_put_aside() {
         let place = tempfile::tempdir().unwrap();
         let (path, aside) =
@@ -373,7 +362,8 @@ mod tests {
     #[test]
     fn a_session_of_nine_great_scenes_comes_back() {
         let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("session.toml");
+        let path = place.path().join("state/session.toml");
+        assert_eq!(load(&path), Loaded::default());
         let mut session = example();
         session.scene.notes = "\"quoted\" ".repeat(100_000);
         session.pins = ["A", "B", "C", "D", "E", "F", "G", "H"]

@@ -124,55 +124,30 @@ fn a_stopped_comparison_keeps_what_it_has() {
     assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }
 
+/// A report of points with a tolerance, an error and a run time each.
+fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
+    let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
+        let timing = Timing { min_s: *min_s, median_s: *min_s, mad_s: None, repeats: 1 };
+        let (ending, t_s, depth_m) = (Ending::Arrest, 1.0, 1.0);
+        let answer = Answer { ending, t_s, depth_m, steps: 1, rejected: 0, evaluations: 1 };
+        let (depth_error, time_error) = (*depth_error, 0.0);
+        let found = Measured { answer, depth_error, time_error, floor: 1e-16, timing };
+        Point { knob: Knob::Tolerance(*tolerance), result: Ok(found) }
+    };
+    let points = points.iter().map(point).collect();
+    MethodReport { method: Method::Dop853, reference: None, points }
+}
+
 #[test]
 fn a_lucky_hit_is_not_the_answer() {
-    let measured = |error: f64, min_s: f64| {
-        let timing = Timing { min_s, median_s: min_s, mad_s: None, repeats: 1 };
-        let answer = Answer {
-            ending: Ending::Arrest,
-            t_s: 1.0,
-            depth_m: 1.0,
-            steps: 1,
-            rejected: 0,
-            evaluations: 1,
-        };
-        Measured { answer, depth_error: error, time_error: 0.0, floor: 1e-15, timing }
-    };
-    let point = |tolerance: f64, error: f64, min_s: f64| Point {
-        knob: Knob::Tolerance(tolerance),
-        result: Ok(measured(error, min_s)),
-    };
-    let report = MethodReport {
-        method: Method::Dop853,
-        reference: None,
-        points: vec![point(1e-3, 1e-9, 1.0), point(1e-4, 1e-5, 2.0), point(1e-5, 1e-7, 3.0)],
-    };
+    let report = made_up(&[(1e-3, 1e-9, 1.0), (1e-4, 1e-5, 2.0), (1e-5, 1e-7, 3.0)]);
     assert_eq!(report.cheapest(1e-6).unwrap().knob, Knob::Tolerance(1e-5));
     assert_eq!(report.cheapest(1e-8), None);
 }
 
 #[test]
 fn of_points_that_cost_the_same_the_coarsest_answers() {
-    let timing = |min_s: f64| Timing { min_s, median_s: min_s, mad_s: None, repeats: 1 };
-    let exact = Answer {
-        ending: Ending::Arrest,
-        t_s: 1.0,
-        depth_m: 1.0,
-        steps: 0,
-        rejected: 0,
-        evaluations: 0,
-    };
-    let point = |tolerance: f64, min_s: f64| {
-        let timing = timing(min_s);
-        let found =
-            Measured { answer: exact, depth_error: 0.0, time_error: 0.0, floor: 1e-16, timing };
-        Point { knob: Knob::Tolerance(tolerance), result: Ok(found) }
-    };
-    let report = MethodReport {
-        method: Method::Auto,
-        reference: None,
-        points: vec![point(1e-3, 1.02), point(1e-4, 1.0), point(1e-5, 1.04)],
-    };
+    let report = made_up(&[(1e-3, 0.0, 1.02), (1e-4, 0.0, 1.0), (1e-5, 0.0, 1.04)]);
     assert_eq!(report.cheapest(1e-6).unwrap().knob, Knob::Tolerance(1e-3));
     // Steps that do not differ show no order.
     assert_eq!(report.observed_order(), None);

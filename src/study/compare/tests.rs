@@ -3,17 +3,13 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::study::changed;
 use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
+use crate::study::testing::scene;
 
 /// tau²/(4 rho G) of a steel coil: 7e8² / (4 * 7850 * 7.93e10) J/kg, by hand.
 const STEEL_COIL_J_PER_KG: f64 = 196.7856;
-
-fn scene(pairs: &str) -> Scene {
-    changed(Scene::default(), pairs).unwrap()
-}
 
 fn report(pairs: &str, hardware: Hardware) -> Report {
     compare(&Arc::new(scene(pairs)), hardware, &mut Context::new(1, &mut to_its_end)).unwrap()
@@ -29,21 +25,6 @@ fn efficiency(pairs: &str) -> f64 {
 
 fn close(a: f64, b: f64, relative: f64) -> bool {
     (a / b - 1.0).abs() <= relative
-}
-
-#[test]
-fn valid_depths_and_limits_of_the_model_page() {
-    let found = plain("");
-    let (rigid, free) = (found.of(Candidate::Rigid).unwrap(), found.of(Candidate::Free).unwrap());
-    assert!((rigid.depth_m.unwrap() - 7.113_055e-3).abs() < 5e-10);
-    assert!(close(free.depth_m.unwrap(), 4.568_088_344_392e-3, 1e-12));
-    assert!((rigid.limit_m_s.unwrap() - 232.295_378).abs() < 5e-7);
-    assert!((free.limit_m_s.unwrap() - 347.708_052).abs() < 5e-7);
-    // Momentum: a rigid mount takes all of it; nothing holds a free plate.
-    assert!(close(rigid.load.impulse_n_s.unwrap(), 2.95, 1e-15));
-    let load = free.load;
-    assert!(load.impulse_n_s.is_none() && load.mount_force_n.is_none() && load.stroke_m.is_none());
-    assert!(rigid.is_held && !free.is_held && found.is_complete);
 }
 
 /// The closed form of the module's head, with numbers worked out by hand: 196.7856 J/kg and gamma = 1 give
@@ -81,19 +62,8 @@ fn a_soft_spring_without_dishing_pays_as_the_closed_form_says() {
     assert!(close(at(200.0), 1.0, 1e-5) && at(150.0) > 1.0 && at(250.0) < 1.0);
 }
 
-/// The shot that sizes the spring judges it: a spring sized for 10 m/s holds 10 m/s, not the 347 m/s of its plate.
 #[test]
-fn a_sized_spring_holds_the_design_shot_and_no_faster_one() {
-    for v in [10.0, 30.0, 50.0, 100.0] {
-        let found = plain(&format!("k=1e5 v_i={v}"));
-        let own = found.of(Candidate::Scene).unwrap();
-        assert!(close(own.limit_m_s.unwrap(), v, 1e-5), "{v}: {:?}", own.limit_m_s);
-        assert_eq!(own.failure, Some(Failure::Energy));
-        assert!(own.perforation.velocity_m_s().unwrap() > 300.0);
-        assert!(close(own.limit_load.stored_j.unwrap(), own.load.stored_j.unwrap(), 1e-5));
-        // 25.4 mm are far more than such a shot needs.
-        assert!(own.as_built.unwrap() < own.mass_efficiency().unwrap());
-    }
+fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     // A spring twice as heavy holds the shot with twice the energy: the energy goes with v² (k soft, momentum shared).
     let one = plain("k=1e3 v_i=20").of(Candidate::Scene).unwrap().spring_kg.unwrap();
     let hardware = Hardware { spring_kg: Some(2.0 * one), ..Hardware::default() };
@@ -120,46 +90,11 @@ fn stroke_that_is_not_there_ends_the_armour() {
 }
 
 #[test]
-fn a_perforated_or_merely_free_plate_never_meets_the_criterion() {
-    let found = plain("h=3mm v_i=300 k=1e3");
-    let own = found.of(Candidate::Scene).unwrap();
-    assert_eq!((own.outcome, found.verdict()), (Outcome::Perforated, Verdict::Perforated));
-    assert_eq!(found.verdict().pays(), Some(false));
-    assert!(own.limit_m_s.unwrap() < 300.0 && own.depth_m.is_none());
+fn a_merely_free_plate_never_meets_the_criterion() {
     let free = plain("k=0 b=0 v_i=10");
     assert_eq!(free.verdict(), Verdict::NothingStops);
     assert!(!free.verdict().words().starts_with("met"));
     assert!(summary::sentences(&free).iter().any(|line| line.contains("nothing stops")));
-}
-
-/// A plate of next to no mass, held by next to nothing: its limit as a free plate would be 1e18 m/s and more.
-#[test]
-fn there_is_no_limit_beyond_the_range() {
-    for pairs in ["gamma=0.05", "gamma=0.00056 n=1 interface=plastic"] {
-        let found = plain(pairs);
-        for entry in &found.entries {
-            assert!(entry.limit_m_s.is_none_or(|limit| limit <= 3000.0), "{pairs} {entry:?}");
-            let loads = [entry.load, entry.limit_load];
-            let loads = loads.map(|load| {
-                [load.stroke_m, load.stored_j, load.mount_force_n, load.impulse_n_s, load.preload_j]
-            });
-            let own = [
-                entry.mass_efficiency(),
-                entry.as_built,
-                entry.areal_kg_m2,
-                entry.spring_kg,
-                entry.perforation.velocity_m_s(),
-                entry.equivalent_m,
-                entry.residual_m_s,
-                entry.depth_m,
-            ];
-            for value in own.into_iter().chain(loads.into_iter().flatten()).flatten() {
-                assert!(value.is_finite() && value.abs() < 1e12, "{pairs} {value:?}");
-            }
-        }
-        let solid = found.of(Candidate::Solid).unwrap();
-        assert!(solid.is_beyond() && solid.no_limit().unwrap().contains("beyond 3000 m/s"));
-    }
 }
 
 #[test]

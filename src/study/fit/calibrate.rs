@@ -163,15 +163,9 @@ fn solve(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Mount;
     use crate::study::context::to_its_end;
     use crate::study::fit::Method;
-
-    fn rigid() -> Scene {
-        let mut scene = Scene::default();
-        scene.plate.mount = Mount::Rigid;
-        scene
-    }
+    use crate::study::testing::rigid;
 
     fn logistic(v50_m_s: f64) -> Logistic {
         Logistic {

@@ -30,17 +30,10 @@ fn by_outcome(pairs: &str) -> f64 {
 }
 
 #[test]
-fn valid_limits_of_the_model_page_in_closed_form_and_by_outcome() {
+fn valid_limits_of_the_model_page_by_outcome() {
     for (pairs, limit) in [("mount=rigid", 232.295_378), ("gamma=1", 347.708_052)] {
-        let report = found(pairs);
-        let Limit::Found { velocity_m_s, basis, stopped_at_m_s } = report.limit else {
-            panic!("no limit")
-        };
-        assert!((velocity_m_s - limit).abs() < 5e-7, "{velocity_m_s}");
-        assert_eq!((basis, stopped_at_m_s), (Basis::ClosedForm, None));
         let searched = by_outcome(pairs);
-        assert!((searched / velocity_m_s - 1.0).abs() < 1e-8, "{searched}");
-        assert!((report.margin().unwrap() - (limit / 100.0 - 1.0)).abs() < 1e-8);
+        assert!((searched / limit - 1.0).abs() < 1e-8, "{searched}");
     }
 }
 
@@ -120,19 +113,6 @@ fn a_limit_between_two_velocities_says_which() {
     let text = limit.absence().unwrap();
     assert!(text.contains("157.325 m/s (stopped)") && text.contains("157.337 m/s (perforated)"));
     assert_eq!((limit.velocity_m_s(), limit.bracket_m_s().0), (None, Some(157.325)));
-}
-
-#[test]
-fn no_limit_is_said_as_such() {
-    let always = found("S_y=0");
-    assert_eq!((always.limit, always.margin()), (Limit::Always, None));
-    assert!(always.limit.absence().unwrap().contains("everything"));
-    let always = found("S_y=0 k=1e5");
-    assert_eq!(always.limit, Limit::Always);
-    let never = found("h=5 k=1e5");
-    assert_eq!(never.limit, Limit::Never);
-    assert!(never.limit.absence().unwrap().contains("nothing"));
-    assert!(never.shots.iter().all(|shot| shot.residual_m_s.is_none()));
 }
 
 #[test]

@@ -441,7 +441,7 @@ mod tests {
         assert_eq!(Axis::of(&axis.asked(), &COUNTS).unwrap(), axis);
         for (values, fragment) in [
             (&[1e5][..], "count = 1"),
-            (&[1e5, 2e5, 1e5], "1e5 stands twice"),
+            (&[1e5, 2e5, 1e5], "1e5 occurs twice"),
             (&[1e5, -1.0], "reaches -1 N/m^n"),
         ] {
             let text = Axis::listed("k", values, &COUNTS).unwrap_err().to_string();
@@ -466,13 +466,7 @@ mod tests {
             ("theta", (0.0, 90.0), 5, lin, &["theta", "90 deg", "less than 90", "below 90"]),
             ("k", (-5.0, 5.0), 5, lin, &["k", "-5 N/m^n", "0 N/m^n or more", "end at 0"]),
             ("e", (0.0, 1.5), 5, lin, &["1.5", "0 to 1", "end at 1"]),
-            (
-                "k",
-                (0.0, 7.5e6),
-                5,
-                log,
-                &["k", "0 to 7.5e6", "greater than 0", "leave out log", "7500"],
-            ),
+            ("k", (0.0, 7.5e6), 5, log, &["k", "0 to 7.5e6", "greater than 0", "omit log", "7500"]),
             ("n", (f64::NAN, 1.0), 5, lin, &["n", "NaN", "greater than 0"]),
             ("n", (0.1, f64::INFINITY), 5, lin, &["n", "inf"]),
             ("interface", (0.0, 1.0), 5, lin, &["interface", "no numbers", "fused or plastic"]),

@@ -6,15 +6,11 @@ use std::sync::Arc;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::simulate::{Settings, simulate};
-use crate::study::changed;
 use crate::study::context::{Context, Stop, to_its_end, until};
 use crate::study::parallel::Parallel;
+use crate::study::testing::scene;
 
 const NONE: [&str; 0] = [];
-
-fn scene(pairs: &str) -> Scene {
-    changed(Scene::default(), pairs).unwrap()
-}
 
 fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
     Axis::new(name, (from, to), count, Spacing::Linear).unwrap()
