@@ -6,8 +6,8 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::sync::mpsc::Sender;
-use std::sync::{Mutex, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use log::{LevelFilter, Log, Metadata, Record};
@@ -21,7 +21,7 @@ const SIZE_MAX: u64 = 1 << 20;
 /// Log from now on to `file`, and to the loop. A word in `level` that is none is reported as a warning.
 pub(super) fn install(file: Option<PathBuf>, level: Option<&str>, inbox: Sender<Incoming>) {
     let chosen = level.unwrap_or("warn").parse::<LevelFilter>();
-    let sink = Sink { file: Mutex::new(Target::Unopened(file)), inbox: Mutex::new(inbox) };
+    let sink = Sink { path: file, file: OnceLock::new(), inbox };
     // A second workbench in one process (a test) keeps the first one's log.
     if log::set_boxed_logger(Box::new(sink)).is_ok() {
         log::set_max_level(*chosen.as_ref().unwrap_or(&LevelFilter::Warn));
@@ -35,16 +35,20 @@ pub(super) fn install(file: Option<PathBuf>, level: Option<&str>, inbox: Sender<
 }
 
 struct Sink {
-    file: Mutex<Target>,
-    inbox: Mutex<Sender<Incoming>>,
+    path: Option<PathBuf>,
+    /// Opened for the first line; `None` where it cannot be.
+    file: OnceLock<Option<File>>,
+    inbox: Sender<Incoming>,
 }
 
-enum Target {
-    /// Nothing has been written yet.
-    Unopened(Option<PathBuf>),
-    Open(File),
-    /// There is no such file, or it cannot be written.
-    None,
+impl Sink {
+    /// Add a line to the file. One that cannot be written has nowhere to say so; the Log tab still has it.
+    fn write(&self, line: &str) {
+        let file = self.file.get_or_init(|| open(self.path.as_deref()?).ok());
+        if let Some(mut file) = file.as_ref() {
+            let _ = file.write_all(line.as_bytes());
+        }
+    }
 }
 
 impl Log for Sink {
@@ -58,31 +62,12 @@ impl Log for Sink {
             return;
         }
         let text = record.args().to_string();
-        let line = line(SystemTime::now(), record, &text);
-        self.file.lock().unwrap_or_else(PoisonError::into_inner).write(&line);
+        self.write(&line(SystemTime::now(), record, &text));
         // The loop may be over already.
-        let _ = self
-            .inbox
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .send(Incoming::Message(Message::Logged(record.level(), text)));
+        let _ = self.inbox.send(Incoming::Message(Message::Logged(record.level(), text)));
     }
 
     fn flush(&self) {}
-}
-
-impl Target {
-    fn write(&mut self, line: &str) {
-        if let Self::Unopened(path) = self {
-            *self = path.take().and_then(|path| open(&path).ok()).map_or(Self::None, Self::Open);
-        }
-        if let Self::Open(file) = self
-            && file.write_all(line.as_bytes()).is_err()
-        {
-            // A log that cannot be written has nowhere to say so; the Log tab still has the lines.
-            *self = Self::None;
-        }
-    }
 }
 
 fn open(path: &Path) -> std::io::Result<File> {
@@ -123,9 +108,10 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("state/cmra.log");
         let write = |text: &str| {
-            let mut target = Target::Unopened(Some(path.clone()));
-            target.write(text);
-            target.write("more\n");
+            let (inbox, _) = std::sync::mpsc::channel();
+            let sink = Sink { path: Some(path.clone()), file: OnceLock::new(), inbox };
+            sink.write(text);
+            sink.write("more\n");
         };
         write("one\n");
         write("two\n");
@@ -135,16 +121,6 @@ mod tests {
         write("three\n");
         assert_eq!(fs::read_to_string(&path).unwrap(), "three\nmore\n");
         assert!(path.with_extension("log.old").exists());
-    }
-
-    #[test]
-    fn a_log_that_cannot_be_opened_is_no_error() {
-        let place = tempfile::tempdir().unwrap();
-        let in_the_way = place.path().join("file");
-        fs::write(&in_the_way, "").unwrap();
-        let mut target = Target::Unopened(Some(in_the_way.join("cmra.log")));
-        target.write("lost\n");
-        assert!(matches!(target, Target::None));
     }
 
     #[test]

@@ -177,7 +177,7 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
         KeyCode::BackTab => Some(Action::FocusPrevious),
         _ => {
             if let Some(field) = &mut app.field {
-                field.press(key);
+                field.text.press(key);
             }
             return;
         }
@@ -192,12 +192,12 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
 fn commit(app: &mut App) {
     let Some(mut field) = app.field.take() else { return };
     let page = pages::of(app.tab);
-    let text = field.value().trim().to_owned();
-    if field.all_selected || !page.is_new(app, field.row, &text) {
+    let text = field.text.value().trim().to_owned();
+    if field.text.all_selected || !page.is_new(app, field.row, &text) {
         return;
     }
     if let Err(error) = page.take(app, field.row, &text) {
-        field.error = Some(error);
+        field.text.error = Some(error);
         app.field = Some(field);
     }
 }

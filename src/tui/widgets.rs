@@ -63,6 +63,14 @@ impl<'a> Canvas<'a> {
         self.put(area, (column, area.height / 2), text, Role::Dim);
     }
 
+    /// Write a letter at the foot of a plot, where a curve has a gap.
+    pub(crate) fn put_gap(&mut self, layout: &Layout, x: f64, letter: char) {
+        if let Some(column) = layout.x.cell(x) {
+            let foot = (column, layout.plot.height.saturating_sub(1));
+            self.put(layout.plot, foot, &letter.to_string(), Role::Warning);
+        }
+    }
+
     pub(crate) fn put_line(&mut self, area: Rect, row: u16, line: &Line<'_>) {
         let area = area.intersection(self.buffer.area);
         if row < area.height {

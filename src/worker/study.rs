@@ -18,7 +18,9 @@ use crate::study::context as study;
 
 /// A study that a page requests. A newer one of the same type replaces an older one.
 pub trait Study: Any + Debug + Send + Sync {
-    fn lane(&self) -> Lane;
+    fn lane(&self) -> Lane {
+        Lane::Searches
+    }
 
     /// Whether it measures run times, for which it has the machine to itself.
     fn measures(&self) -> bool {

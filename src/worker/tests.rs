@@ -91,17 +91,6 @@ fn await_started(reports: &Receiver<Report>, id: u64) {
 }
 
 #[test]
-fn a_short_job_reports_once() {
-    let (worker, reports) = start();
-    worker.submit(job(1, Slot::Current, "short"));
-    let report = next(&reports);
-    assert_eq!((report.id, report.slot), (1, Slot::Current));
-    let (run, took) = ended(report.body);
-    assert_eq!(run.scene.title, "short");
-    assert!(took > Duration::ZERO);
-}
-
-#[test]
 fn a_running_job_is_cancelled_within_50_ms_and_keeps_its_part() {
     let (worker, reports) = start();
     worker.submit(job(1, Slot::Current, "endless"));

@@ -56,7 +56,7 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        if let Some(error) = self.field.as_ref().and_then(|field| field.error.clone()) {
+        if let Some(error) = self.field.as_ref().and_then(|field| field.text.error.clone()) {
             return Some((Severity::Error, error));
         }
         if let Some(notice) = &self.notice {

@@ -75,25 +75,17 @@ pub(crate) fn switch(app: &mut App, row: OptionRow) {
 
 pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
     match row {
-        OptionRow::Characters => {
-            app.theme.glyphs = app.theme.glyphs.next();
-            app.request(Effect::SaveSession);
-        }
-        OptionRow::Colours => {
-            app.theme.depth = app.theme.depth.next(app.best_depth);
-            app.request(Effect::SaveSession);
-        }
+        OptionRow::Characters => app.theme.glyphs = app.theme.glyphs.next(),
+        OptionRow::Colours => app.theme.depth = app.theme.depth.next(app.best_depth),
         OptionRow::Mouse => {
             app.mouse = !app.mouse;
             app.request(Effect::Mouse(app.mouse));
         }
         OptionRow::AutoRun => {
             app.auto_run = !app.auto_run;
-            let run = app.auto_run && app.is_stale();
-            if run {
+            if app.auto_run && app.is_stale() {
                 jobs::run_now(app);
             }
-            app.request(Effect::SaveSession);
         }
         OptionRow::Threads => {
             // In a circle: one a core, then 1, 2, up to as many as there are cores.
@@ -101,11 +93,11 @@ pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
             let now = app.threads.map_or(0, |count| count.min(most));
             let next = dialogs::wrap(now, if forward { 1 } else { -1 }, most + 1);
             app.threads = (next > 0).then_some(next);
-            app.request(Effect::SaveSession);
         }
         OptionRow::Interface => next_word(app, "interface.law", forward),
         OptionRow::Contact => next_word(app, "contact.model", forward),
     }
+    app.request(Effect::SaveSession);
 }
 
 /// The next word of a choice that the scene makes sense with.

@@ -22,7 +22,7 @@ use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{About, Page, StatusPart, Table, note};
 use crate::tui::prelude::*;
-use crate::tui::update::act::cursor_moved;
+use crate::tui::update::act::{cursor_moved, moved};
 use crate::tui::update::zoom::Across;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::form::Form;
@@ -93,7 +93,7 @@ impl Page for ExploreTab {
             Action::Export | Action::Copy => return false,
             Action::Mark => runs::pin_design(app, app.sweep_design()),
             Action::Contour => {
-                app.pages.explore.has_contour = !app.pages.explore.has_contour;
+                app.pages.explore.hides_contour = !app.pages.explore.hides_contour;
             }
             Action::FitResiduals => app.pages.explore.residuals = !app.pages.explore.residuals,
             _ if app.pane() == SETUP => return setup::act(app, action),
@@ -252,14 +252,12 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let grid = Arc::clone(&found.grid);
     let at = app.cursor_point(&grid);
     let next = if grid.is_full() {
-        let (across, up) = grid.counts();
-        let axes = grid.plan().axes();
-        let moved = |at: usize, by: isize, count: usize, axis: Option<&Axis>| {
-            // Right and up lead to greater values, also on an axis that runs downward.
-            let down = axis.is_some_and(|axis| axis.ends().0 > axis.ends().1);
-            at.saturating_add_signed(if down { -by } else { by }).min(count - 1)
+        // Right and up lead to greater values, also on an axis that runs downward.
+        let upward = |by: isize, axis: Option<&Axis>| {
+            if axis.is_some_and(|axis| axis.ends().0 > axis.ends().1) { -by } else { by }
         };
-        (moved(at.0, x, across, axes.first()), moved(at.1, y, up, axes.get(1)))
+        let axes = grid.plan().axes();
+        moved(at, (upward(x, axes.first()), upward(y, axes.get(1))), grid.counts())
     } else {
         let upward = x == 0 && picture == Picture::Surface;
         (neighbour(&grid, at.0, usize::from(upward), x + y), 0)

@@ -18,7 +18,7 @@ use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Table, note};
 use crate::tui::prelude::*;
-use crate::tui::update::act::{along, cursor_moved};
+use crate::tui::update::act::{along, cursor_moved, moved};
 use crate::tui::update::zoom::Across;
 use crate::tui::update::{edit, jobs};
 use crate::worker::ReportBody;
@@ -261,15 +261,12 @@ fn in_map(app: &mut App, action: Action) -> bool {
     true
 }
 
-fn move_on_map(app: &mut App, (x, y): (isize, isize)) {
+fn move_on_map(app: &mut App, by: (isize, isize)) {
     let map = app.comparison().and_then(|found| found.map.as_ref());
-    let counts = map.map(|map| (map.x().count(), map.y().count()));
-    if let (Some((across, up)), Some(at)) = (counts, app.efficiency_cursor()) {
-        let moved = |at: usize, by: isize, count: u64| {
-            let last = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
-            at.saturating_add_signed(by).min(last)
-        };
-        app.pages.limit.map_cursor = Some((moved(at.0, x, across), moved(at.1, y, up)));
+    if let Some((map, at)) = map.zip(app.efficiency_cursor()) {
+        let count = |points: u64| usize::try_from(points).unwrap_or(usize::MAX);
+        let counts = (count(map.x().count()), count(map.y().count()));
+        app.pages.limit.map_cursor = Some(moved(at, by, counts));
     }
 }
 

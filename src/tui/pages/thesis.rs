@@ -15,6 +15,7 @@ use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::history::{Change, Setting};
 use crate::tui::app::jobs::Running;
+use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
 use crate::tui::pages::explore::state::{Picture, Spread};
@@ -389,13 +390,18 @@ impl App {
         parts.extend(checking.map(Progress::part));
         if tab.report.is_some() {
             let (rows, counts) = (tab.rows(), tally(tab.rows()));
-            let listed = |show: fn(Verdict) -> &'static str| {
+            let listed = |show: fn(Verdict) -> String| {
                 let parts = Verdict::ALL.iter().zip(counts);
                 let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
                 parts.collect::<Vec<_>>().join(", ")
             };
-            let full = format!("{} rows: {}", rows.len(), listed(Verdict::words));
-            parts.push((Severity::Note, full, listed(Verdict::brief)));
+            let full = listed(|verdict| verdict.words().to_owned());
+            let full = format!("{} rows: {full}", rows.len());
+            // The letters are those of the list.
+            let brief = listed(|verdict| verdict.brief().to_owned());
+            let letters = listed(|verdict| verdict.letter().to_string());
+            let room = usize::from(self.size.0.saturating_sub(2));
+            parts.push((Severity::Note, full, fitting([brief, letters], room)));
         }
         parts
     }

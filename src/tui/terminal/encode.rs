@@ -249,12 +249,6 @@ mod tests {
     }
 
     #[test]
-    fn nothing_changed_is_no_byte() {
-        let buffer = Buffer::with_lines(["same", "same"]);
-        assert_eq!(shown(&[buffer.clone(), buffer]).1, 0);
-    }
-
-    #[test]
     fn wide_characters_do_not_shift_what_follows() {
         let buffer = Buffer::with_lines(["a漢b", "e\u{301}x "]);
         let (parser, _) = shown(&[buffer]);

@@ -105,6 +105,17 @@ pub(crate) fn cursor_moved(action: Action, far: i16) -> Option<(isize, isize)> {
     }
 }
 
+/// A cell of a map moved across and upward, within so many columns and rows.
+pub(crate) fn moved(
+    (x, y): (usize, usize),
+    (across, up): (isize, isize),
+    (columns, rows): (usize, usize),
+) -> (usize, usize) {
+    let along =
+        |at: usize, by, count: usize| at.saturating_add_signed(by).min(count.saturating_sub(1));
+    (along(x, across, columns), along(y, up, rows))
+}
+
 /// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) {
     use Action as A;

@@ -1,7 +1,5 @@
 //! One-line fields: what is typed or pasted into them, what ends them, and how they are drawn.
 
-use std::ops::{Deref, DerefMut};
-
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
@@ -96,24 +94,10 @@ impl Field {
         canvas.put(row, (start, 0), &blank, Role::Text);
         canvas.put(row, (start - 1, 0), "[", Role::Focus);
         let area = Rect { x: row.x + start, width: room, ..row };
-        self.draw(canvas, area.intersection(row));
+        self.text.draw(canvas, area.intersection(row));
         canvas.put(row, (start + room, 0), "]", Role::Focus);
-        if self.error.is_some() {
+        if self.text.error.is_some() {
             canvas.put(row, (0, 0), "x", Role::Error);
         }
-    }
-}
-
-impl Deref for Field {
-    type Target = TextField;
-
-    fn deref(&self) -> &TextField {
-        &self.text
-    }
-}
-
-impl DerefMut for Field {
-    fn deref_mut(&mut self) -> &mut TextField {
-        &mut self.text
     }
 }

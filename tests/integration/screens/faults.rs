@@ -350,7 +350,7 @@ fn quantities_are_named_as_the_screen_names_them() {
     assert!(!bench.message().contains('_'), "{}", bench.message());
     let mut bench = Bench::ascii(120, 36);
     bench.press("4k<Enter>");
-    let typed = bench.app.field.as_ref().expect("a field").value().to_owned();
+    let typed = bench.app.field.as_ref().expect("a field").text.value().to_owned();
     assert_eq!(typed, "percent of baseline");
     bench.press("penetration<Enter>");
     assert!(bench.message().contains("final penetration"), "{}", bench.message());

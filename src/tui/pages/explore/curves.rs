@@ -62,15 +62,6 @@ pub(crate) fn value_scale(app: &App) -> Scale {
     if app.pages.explore.log_values { Scale::Log10 } else { Scale::Linear }
 }
 
-/// The number of a point to draw; NaN where there is none.
-fn drawn(grid: &Grid, (x, y): (usize, usize), output: usize) -> f64 {
-    number(grid.cell(x, y, output))
-}
-
-fn at(axis: &Axis, index: usize) -> f64 {
-    axis.value(u64::try_from(index).unwrap_or(u64::MAX))
-}
-
 fn curves(
     app: &App,
     found: &Found,
@@ -86,7 +77,7 @@ fn curves(
     let (along, repeats) = grid.counts();
     let scale = value_scale(app);
     let line = |y: usize| -> Vec<(f64, f64)> {
-        let point = |x: usize| (grid.coordinate((x, y), 0), drawn(grid, (x, y), output));
+        let point = |x: usize| (grid.coordinate((x, y), 0), number(grid.cell(x, y, output)));
         if grid.is_full() {
             return (0..along).map(point).collect();
         }
@@ -104,7 +95,7 @@ fn curves(
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = named.map_or_else(String::new, |axis| {
             // The first of the family also says what is repeated.
-            let value = significant(at(axis, index), 3);
+            let value = significant(axis.value(index as u64), 3);
             if index == 0 { format!("{}={value}", axis.symbol()) } else { value }
         });
         let emphasis = match (old, index == selected) {
@@ -151,17 +142,9 @@ fn marks(app: &App, grid: &Grid, output: usize, layout: &Layout, canvas: &mut Ca
     let (along, _) = grid.counts();
     let (_, selected) = app.cursor_point(grid);
     for x in 0..along {
-        let gap = match grid.cell(x, selected, output) {
-            grid::Cell::Outcome(outcome) => Some(outcome),
-            grid::Cell::Value(_) | grid::Cell::Waiting => None,
-        };
-        let Some((outcome, cell)) = gap.zip(layout.x.cell(grid.coordinate((x, selected), 0)))
-        else {
-            continue;
-        };
-        let place = (cell, layout.plot.height.saturating_sub(1));
-        let letter = outcome.letter().to_string();
-        canvas.put(layout.plot, place, &letter, Role::Warning);
+        if let grid::Cell::Outcome(outcome) = grid.cell(x, selected, output) {
+            canvas.put_gap(layout, grid.coordinate((x, selected), 0), outcome.letter());
+        }
     }
 }
 
@@ -284,7 +267,7 @@ impl<'a> ChartView<'a> {
         let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let here = self.value((x, y));
-        let through = app.pages.explore.has_contour && here.is_finite();
+        let through = !app.pages.explore.hides_contour && here.is_finite();
         let map = Map {
             contour: through.then_some((here, "".into())),
             cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),

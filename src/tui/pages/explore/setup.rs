@@ -33,6 +33,12 @@ pub enum SetupRow {
     Held(usize),
 }
 
+impl Default for SetupRow {
+    fn default() -> Self {
+        Self::Axis(0, Part::Name)
+    }
+}
+
 impl App {
     /// The rows of the setup, headings included.
     fn setup_rows(&self) -> Vec<SetupRow> {
@@ -77,7 +83,7 @@ impl App {
     /// The selected row; the first of the axes where the selection is not there any more.
     fn setup_row(&self) -> SetupRow {
         let row = self.pages.explore.row;
-        if self.setup_rows().contains(&row) { row } else { SetupRow::Axis(0, Part::Name) }
+        if self.setup_rows().contains(&row) { row } else { SetupRow::default() }
     }
 
     pub(crate) fn setup_form(&self) -> Form {

@@ -90,7 +90,7 @@ impl Default for Visits {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Sweeping {
     /// What was found, by picture.
     pub found: [Option<Found>; 2],
@@ -105,30 +105,12 @@ pub struct Sweeping {
     pub zoomed: Option<ViewRange>,
     pub output: usize,
     pub log_values: bool,
-    /// A contour runs through the point under the cursor: all designs as good as this one.
-    pub has_contour: bool,
+    /// No contour runs through the point under the cursor: all designs as good as this one.
+    pub hides_contour: bool,
     /// The surface shows what a fitted quadratic leaves over.
     pub residuals: bool,
     /// Curves of a family, and which points are visited.
     pub visits: Visits,
-}
-
-impl Default for Sweeping {
-    fn default() -> Self {
-        Self {
-            found: [None, None],
-            warned: None,
-            problem: None,
-            row: SetupRow::Axis(0, Part::Name),
-            cursor: [None; 2],
-            zoomed: None,
-            output: 0,
-            log_values: false,
-            has_contour: true,
-            residuals: false,
-            visits: Visits::default(),
-        }
-    }
 }
 
 impl Sweeping {

@@ -22,7 +22,7 @@ use crate::tui::pages::search::draw::Line;
 use crate::tui::prelude::*;
 use crate::tui::widgets::text::{columns, put, text_role};
 use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, Study};
+use crate::worker::study::{Reporter, Study};
 
 /// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;
@@ -40,10 +40,6 @@ pub struct Comparison {
 }
 
 impl Study for EqualMass {
-    fn lane(&self) -> Lane {
-        Lane::Searches
-    }
-
     /// A scene without such a map, a stack for one, has none.
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let points = usize::try_from(MAP_POINTS * MAP_POINTS)?;

@@ -21,7 +21,7 @@ use crate::tui::pages::limit::{RESIDUAL, panes};
 use crate::tui::pages::{Progress, StatusPart, part, progress};
 use crate::tui::prelude::*;
 use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, Study};
+use crate::worker::study::{Reporter, Study};
 
 /// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {
@@ -42,10 +42,6 @@ pub const LABEL: u16 = 15;
 pub struct LimitSearch(pub Effort);
 
 impl Study for LimitSearch {
-    fn lane(&self) -> Lane {
-        Lane::Searches
-    }
-
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);

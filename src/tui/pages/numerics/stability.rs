@@ -16,7 +16,7 @@ use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::{Progress, StatusPart, part, progress};
 use crate::tui::prelude::*;
-use crate::tui::update::act::cursor_moved;
+use crate::tui::update::act::{cursor_moved, moved};
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::{Grid, Sorting};
@@ -37,10 +37,6 @@ pub struct StabilityMap {
 }
 
 impl Study for StabilityMap {
-    fn lane(&self) -> Lane {
-        Lane::Searches
-    }
-
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         map::accepts(scene)?;
         let watch = &mut reporter.watch(Map::clone);
@@ -73,10 +69,10 @@ pub fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Stability {
-    pub method: Method,
-    pub axis: Axis,
+    /// Which map is wanted: of each variable by one method, then by the other.
+    pub view: usize,
     pub map: Option<(Arc<Scene>, Arc<Map>)>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
@@ -87,22 +83,15 @@ pub struct Stability {
     pub table_page: usize,
 }
 
-impl Default for Stability {
-    fn default() -> Self {
-        Self {
-            method: Method::Thesis,
-            axis: Axis::K,
-            map: None,
-            cursor: None,
-            sorting: Sorting::default(),
-            battery: None,
-            selected: 0,
-            table_page: 0,
-        }
-    }
-}
-
 impl Stability {
+    fn method(&self) -> Method {
+        Method::ALL[self.view / Axis::ALL.len() % Method::ALL.len()]
+    }
+
+    fn axis(&self) -> Axis {
+        Axis::ALL[self.view % Axis::ALL.len()]
+    }
+
     /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
         self.map.as_ref()?.1.present_at()
@@ -115,12 +104,10 @@ impl Stability {
         self.cursor.or_else(|| self.present()).or(Some(middle))
     }
 
-    /// Move the crosshair by rows (up is positive) and columns.
-    pub fn move_cursor(&mut self, rows: isize, columns: isize) {
+    fn move_cursor(&mut self, by: (isize, isize)) {
         if let (Some((row, column)), Some((_, map))) = (self.cursor(), &self.map) {
-            let row = row.saturating_add_signed(rows).min(map.values.len().saturating_sub(1));
-            let column =
-                column.saturating_add_signed(columns).min(map.dt_s.len().saturating_sub(1));
+            let counts = (map.dt_s.len(), map.values.len());
+            let (column, row) = moved((column, row), by, counts);
             self.cursor = Some((row, column));
         }
     }
@@ -236,7 +223,7 @@ pub(crate) fn enter(app: &mut App) {
         return;
     }
     let there = tab.map.as_ref().is_some_and(|(scene, map)| {
-        let is_wanted = map.method == tab.method && map.axis == tab.axis;
+        let is_wanted = map.method == tab.method() && map.axis == tab.axis();
         *scene == app.scene && is_wanted && map.is_complete()
     });
     if !there && !app.jobs.is_coming::<StabilityMap>(&app.scene) {
@@ -263,18 +250,12 @@ fn in_map(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run => ask_map(app),
         Action::View => {
-            // Three variables, then the same with the other method.
-            (tab.axis, tab.method) = match (tab.axis, tab.method) {
-                (Axis::K, method) => (Axis::N, method),
-                (Axis::N, method) => (Axis::B, method),
-                (Axis::B, Method::Thesis) => (Axis::K, Method::Rk4),
-                (Axis::B, Method::Rk4) => (Axis::K, Method::Thesis),
-            };
+            tab.view += 1;
             ask_map(app);
         }
         Action::Enter => load(app),
         _ => match cursor_moved(action, FAR) {
-            Some((columns, rows)) => tab.move_cursor(rows, columns),
+            Some(by) => tab.move_cursor(by),
             None => return false,
         },
     }
@@ -297,8 +278,9 @@ fn load(app: &mut App) {
 }
 
 fn ask_map(app: &mut App) {
-    let Stability { method, axis, .. } = app.pages.numerics.stability;
-    jobs::study(app, Tab::Numerics, StabilityMap { method, axis });
+    let tab = &app.pages.numerics.stability;
+    let map = StabilityMap { method: tab.method(), axis: tab.axis() };
+    jobs::study(app, Tab::Numerics, map);
 }
 
 fn ask_battery(app: &mut App) {

@@ -244,7 +244,7 @@ fn open_field(
     (list, row): (Rect, u16),
     canvas: &mut Canvas<'_>,
 ) {
-    let long = columns(field.value()) >= VALUE_WIDTH;
+    let long = columns(field.text.value()) >= VALUE_WIDTH;
     let Columns { value, unit, .. } = Columns::of(list.width);
     let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
     field.draw_boxed(canvas, Rect { y: list.y + row, height: 1, ..list }, value, room);

@@ -7,6 +7,7 @@ use crate::tui::pages::log::{energy_lines, event_lines};
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::runs::engineering;
 use crate::tui::prelude::*;
+use crate::tui::widgets::text::columns;
 
 /// The projectile, its nose at the right; the plate.
 const PROJECTILE: &str = "===)";
@@ -60,10 +61,6 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let nose = plate + cells(depth, columns(PLATE));
     let start = nose.saturating_sub(columns(PROJECTILE));
     canvas.put(inner, (start, rows / 2), PROJECTILE, Role::Title);
-}
-
-fn columns(text: &str) -> u16 {
-    crate::tui::widgets::text::columns(text)
 }
 
 /// Where a displacement stands between the least and the greatest of those in view.

@@ -159,9 +159,9 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         });
         let outcome: Option<PointOutcome> =
             gap.and_then(|gap| gap.outcome).filter(|_| value.is_none());
-        let Some((outcome, cell)) = outcome.zip(layout.x.cell(*x)) else { continue };
-        let foot = (cell, layout.plot.height.saturating_sub(1));
-        canvas.put(layout.plot, foot, &outcome.letter().to_string(), Role::Warning);
+        if let Some(outcome) = outcome {
+            canvas.put_gap(&layout, *x, outcome.letter());
+        }
     }
 }
 
@@ -379,7 +379,7 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
         let measures = task.measures();
         let value = |at: usize| {
             let found = candidate.measures.get(at).copied().flatten();
-            format!("{} {}", brief(measures[at]), shown(measures[at], found))
+            format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
         };
         let found: Vec<String> = task.shown().into_iter().map(value).collect();
         let values = found.join(", ");
@@ -390,10 +390,6 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
     lines
 }
 
-fn shown(column: &Quantity, value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| column.show(value, 3))
-}
-
 /// Whether neither the scene nor any end of a variable has the result.
 fn is_empty(report: &sensitivity::Report) -> bool {
     report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
@@ -401,7 +397,7 @@ fn is_empty(report: &sensitivity::Report) -> bool {
 
 fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     let output = report.output;
-    let own = shown(output, report.own);
+    let own = output.show_any(report.own, 3);
     let mut lines =
         vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
     lines.push(note("one variable at a time, from low to high end".to_owned()));

@@ -21,7 +21,7 @@ use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::{Progress, StatusPart, part};
 use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, Study};
+use crate::worker::study::{Reporter, Study};
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -421,10 +421,6 @@ pub enum Answer {
 }
 
 impl Study for Request {
-    fn lane(&self) -> Lane {
-        Lane::Searches
-    }
-
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let (threads, plain) = (reporter.threads(), &mut reporter.progress());
         let answer = match self {

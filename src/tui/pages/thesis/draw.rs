@@ -92,38 +92,37 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             canvas.paint_row(line, 0);
         }
     });
-    let pane =
-        PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.to_owned()))
-            .right("Tab: principles");
-    let inner = pane.draw(detail, canvas);
+    let place = app.claim().map_or("", |row| row.claim.place);
+    let inner = PaneFrame::new(place).right("Tab: principles").draw(detail, canvas);
     if let Some(row) = app.claim() {
         let found = &row.found;
-        let mut y = 0;
         let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
-        for (label, text) in [
+        let texts = [
             ("says", row.claim.says),
-            ("computed", found.sound.as_str()),
-            ("as printed", found.printed.as_str()),
-            ("verdict", verdict.as_str()),
+            ("computed", &found.sound),
+            ("as printed", &found.printed),
+            ("verdict", &verdict),
             ("cause", row.claim.cause),
-        ] {
-            if !text.is_empty() {
-                y = labelled(inner, y, label, text, canvas);
-            }
-        }
+        ];
+        let texts = texts.into_iter().filter(|(_, text)| !text.is_empty());
+        labelled(inner, texts, canvas);
     }
 }
 
-/// A label and a text over as many rows as it needs; gives the row after it.
-fn labelled(area: Rect, from: u16, label: &str, text: &str, canvas: &mut Canvas<'_>) -> u16 {
-    canvas.put(area, (0, from), label, Role::Dim);
-    let room = usize::from(area.width.saturating_sub(LABEL).max(8));
-    let mut y = from;
-    for line in wrap(text, room) {
-        canvas.put(area, (LABEL, y), &line, Role::Text);
-        y += 1;
+/// Texts below each other, each with its label and over as many rows as it needs.
+fn labelled<'a>(
+    area: Rect,
+    texts: impl IntoIterator<Item = (&'static str, &'a str)>,
+    canvas: &mut Canvas<'_>,
+) {
+    let mut y = 0;
+    for (label, text) in texts {
+        canvas.put(area, (0, y), label, Role::Dim);
+        for line in wrap(text, usize::from(area.width.saturating_sub(LABEL).max(8))) {
+            canvas.put(area, (LABEL, y), &line, Role::Text);
+            y += 1;
+        }
     }
-    y
 }
 
 enum Line {
@@ -172,15 +171,13 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let presets: Vec<&str> =
         principle.preset.into_iter().chain(principle.see_also.iter().copied()).collect();
     let presets = presets.join(", ");
-    let mut y = 0;
-    for (label, text) in [
+    let texts = [
         ("idea", principle.idea),
-        ("functions", functions.as_str()),
+        ("functions", &functions),
         ("computed", principle.computed),
-        ("presets", presets.as_str()),
-    ] {
-        y = labelled(inner, y, label, text, canvas);
-    }
+        ("presets", &presets),
+    ];
+    labelled(inner, texts, canvas);
 }
 
 fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -31,37 +31,22 @@ const KEYS: [&str; 7] = [
 const GUIDE_COLOUR: usize = 9;
 const GUIDE_POINTS: usize = 90;
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct AccuracyPanes {
-    /// Error against run time.
-    chart: Rect,
-    /// The methods, and a description of the selected one.
-    methods: Rect,
-    answers: Rect,
-}
-
 /// Rows of what `auto` uses and what two accuracies cost.
 const ANSWER_ROWS: u16 = 3;
 
 /// The chart beside the methods, or alone, and a row for each answer below.
-fn panes(body: Rect, alone: bool) -> AccuracyPanes {
+pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (top, answers) = split_bottom(body, ANSWER_ROWS);
     let wanted = match body.width {
-        _ if alone => 0,
+        _ if app.is_full() => 0,
         0..72 => 29,
         72..WIDE => 35,
         WIDE..116 => 54,
         116.. => 63,
     };
-    let (chart, methods) = split_left(top, top.width - wanted.min(top.width));
-    AccuracyPanes { chart, methods, answers }
-}
-
-pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-    let panes = panes(body, app.is_full());
-    chart(app, panes.chart, canvas);
-    methods(app, panes.methods, canvas);
-    let answers = panes.answers;
+    let (left, right) = split_left(top, top.width - wanted.min(top.width));
+    chart(app, left, canvas);
+    methods(app, right, canvas);
     for (row, line) in (0..answers.height).zip(app.accuracy_answers()) {
         let room = usize::from(answers.width.saturating_sub(2));
         // The cost with nothing omitted goes before it is cut in two.
