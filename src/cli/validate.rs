@@ -55,7 +55,7 @@ fn page(report: &[Row]) -> String {
                 format!("{} by {}", row.computed.map_or_else(absent, off), closure_words(row)),
             ),
             (
-                "otherwise",
+                "alternative",
                 row.other.map_or_else(String::new, |value| {
                     let word = if row.closure == "cavity" {
                         "double-yield, with dishing"
@@ -75,7 +75,7 @@ fn page(report: &[Row]) -> String {
             (
                 "projectile",
                 format!(
-                    "{}; must not be used where it yields below {}",
+                    "{}; invalid if the projectile yields below {}",
                     case.projectile,
                     Engineering { value: row.pressure_pa, unit: "Pa", digits: 4 }
                 ),
@@ -123,7 +123,7 @@ fn summary(report: &[Row]) -> String {
     let aside = report.iter().filter(|row| row.case.class == NOT_COUNTED).count();
     let said = format!(
         "{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
-         measurement, or a quantity the model does not aim at). {} further ones cannot be checked. Positive is unconservative: \
+         measurement, or a quantity outside the model). {} further ones cannot be checked. Positive is unconservative: \
          the real plate holds less than computed. Nothing is fitted. The two closures are never combined: cavity with dishing is \
          refused.",
         report.len(),

@@ -35,7 +35,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
         .shown(in_unit)
         .with("mean_high_95", "mean to", "", |it| it.mean.map(|mean| mean.1.1))
         .shown(in_unit)
-        .with("deviation", "deviation", "", |it| it.deviation)
+        .with("deviation", "std dev", "", |it| it.deviation)
         .shown(in_unit);
     let quantile = |table: Table<'c, &'c Summary>, (key, label, share)| {
         table.with(key, label, "", move |it| Some(it.quantile(share)?.value)).shown(in_unit)

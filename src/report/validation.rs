@@ -74,5 +74,5 @@ pub fn table(report: &[Row]) -> Table<'_, Line<'_>> {
         .with("not_checked_because", "why not", "", |it| it.not_checked.map(|it| it.why))
         .with("class", "class", "", Line::class)
         .with("points", "points", "", |it| it.bias.as_ref().map(|bias| bias.points))
-        .with("relative_error_deviation", "deviation", "", |it| it.bias.as_ref()?.deviation)
+        .with("relative_error_deviation", "std dev", "", |it| it.bias.as_ref()?.deviation)
 }

@@ -178,11 +178,11 @@ fn models(scene: &Scene) -> Vec<Plan> {
 
 /// Table 8.1, in other words: each model with how simple it is and what limits it, the default first.
 const TABLE_8_1: [(ContactModel, &str, &str); 5] = [
-    (ContactModel::Hydrodynamic, "simple", "takes the contact force for a modified fluid drag"),
+    (ContactModel::Hydrodynamic, "simple", "models the contact force as a modified fluid drag"),
     (ContactModel::Lumped, "simple", "needs parameters that no source gives; cannot perforate"),
     (ContactModel::HalfSine, "simple", "the duration has to be chosen; cannot perforate"),
     (ContactModel::InitialVelocity, "simple", "the impact takes no time; cannot perforate"),
-    (ContactModel::Appendix, "what chapter 9 was computed with", "not in Table 8.1"),
+    (ContactModel::Appendix, "the method of chapter 9", "not in Table 8.1"),
 ];
 
 /// Appendix A as printed, each quirk put right by itself, all of them, and the engine.

@@ -13,7 +13,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     }
     lines.push(format!(
         "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",
-        "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "plate goes mm"
+        "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "travel mm"
     ));
     let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
     for (plate, run) in plates.enumerate() {

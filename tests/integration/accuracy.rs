@@ -23,7 +23,7 @@ fn the_page_has_chart_table_answers_and_reasons() {
         "relative error",
         "thesis as printed",
         "DOP853 + events",
-        "sweep kernel",
+        "contact kernel",
         "with no term omitted",
         "1e-6: ",
         "stored digits, row S2",

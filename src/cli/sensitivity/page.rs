@@ -42,7 +42,7 @@ fn sobol(page: &mut String, report: &Report) {
     let Some(found) = &report.sobol else { return };
     let _ = writeln!(
         page,
-        "Sobol's indices: parts of the variance, 95 % intervals ({} samples, seed {})",
+        "Sobol's indices: fractions of the variance, 95 % intervals ({} samples, seed {})",
         found.rows, report.effort.seed
     );
     *page += &table("", report).page(

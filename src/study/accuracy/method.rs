@@ -147,7 +147,7 @@ methods! {
     ClosedForm: 'C', "closed form", ENGINE, [Range::None; 2],
         |job| exact::solve(&job.scene);
     /// The contact kernel, as sweeps and searches use it.
-    ContactKernel: 'L', "sweep kernel", ENGINE, TIGHT,
+    ContactKernel: 'L', "contact kernel", ENGINE, TIGHT,
         |job| contact_kernel(&job.scene, job.value());
     /// The simulation without omitted terms.
     Full: 'N', "no term omitted", ENGINE, TIGHT,

@@ -389,7 +389,7 @@ fn fits(text: &str, width: usize) -> usize {
 /// A result's title with shorter words, still distinguished from every other.
 pub fn shortened(title: &str) -> String {
     let words = [
-        ("first arrest", "1st"),
+        ("first arrest", "arrest"),
         ("plate displacement", "travel"),
         ("plate velocity", "speed"),
         ("penetration", "depth"),

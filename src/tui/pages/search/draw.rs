@@ -265,7 +265,7 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
             .into_iter()
             .flatten()
             .collect(),
-        ..Chart::new("samples a bin", x, y, vec![Curve::new('*', "", &steps)])
+        ..Chart::new("samples per bin", x, y, vec![Curve::new('*', "", &steps)])
     };
     canvas.draw(&chart, area);
 }

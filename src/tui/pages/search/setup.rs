@@ -136,7 +136,7 @@ impl App {
                 rows.extend(parts.map(Row::Axis));
             }
             Page::Front => {
-                rows.push(Row::Heading("Make small"));
+                rows.push(Row::Heading("Minimise"));
                 rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
                 rows.extend([Row::Stroke, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
@@ -215,7 +215,7 @@ impl App {
             Row::Output => Line::quantity(setup.output),
             Row::Percent => {
                 let percent = significant(setup.percent, 5);
-                let row = Line::word("deviation", format!("{percent} %"));
+                let row = Line::word("std dev", format!("{percent} %"));
                 Line { text: Some(percent), ..row }
                     .means("standard deviation of every input, lognormal")
             }
