@@ -138,25 +138,33 @@ pub enum Action {
 pub struct Key(pub KeyCode, pub KeyModifiers);
 
 impl Key {
+    /// The keys that are written as words.
+    const NAMED: [(KeyCode, &str); 14] = [
+        (C::Char(' '), "Space"),
+        (C::Tab, "Tab"),
+        (C::BackTab, "Shift-Tab"),
+        (C::Enter, "Enter"),
+        (C::Esc, "Esc"),
+        (C::Delete, "Del"),
+        (C::Home, "Home"),
+        (C::End, "End"),
+        (C::PageUp, "PgUp"),
+        (C::PageDown, "PgDn"),
+        (C::Up, "Up"),
+        (C::Down, "Down"),
+        (C::Left, "Left"),
+        (C::Right, "Right"),
+    ];
+
     /// The key as people write it: `Ctrl-r`, `Space`, `Tab`, `G`.
     pub fn label(self) -> String {
-        let name = match self.0 {
-            KeyCode::Char(' ') => "Space".to_owned(),
-            KeyCode::Char(c) => c.to_string(),
-            KeyCode::BackTab => "Shift-Tab".to_owned(),
-            KeyCode::PageUp => "PgUp".to_owned(),
-            KeyCode::PageDown => "PgDn".to_owned(),
-            KeyCode::Delete => "Del".to_owned(),
-            other => format!("{other}"),
-        };
-        let mut text = String::new();
-        if self.1.contains(KeyModifiers::CONTROL) {
-            text.push_str("Ctrl-");
-        }
-        if self.1.contains(KeyModifiers::SHIFT) && self.0 != KeyCode::BackTab {
-            text.push_str("Shift-");
-        }
-        text + &name
+        let Self(code, modifiers) = self;
+        let control = if modifiers.contains(KeyModifiers::CONTROL) { "Ctrl-" } else { "" };
+        let has_shift = modifiers.contains(KeyModifiers::SHIFT) && code != KeyCode::BackTab;
+        let shift = if has_shift { "Shift-" } else { "" };
+        let named = Self::NAMED.iter().find(|(named, _)| *named == code);
+        let name = named.map_or_else(|| code.to_string(), |(_, name)| (*name).to_owned());
+        format!("{control}{shift}{name}")
     }
 
     /// Reads a key as people write it; `None` where it is none.
@@ -166,24 +174,13 @@ impl Key {
             Some(_) => (KeyModifiers::CONTROL, &text["ctrl-".len()..]),
             None => (KeyModifiers::NONE, text),
         };
+        let named = Self::NAMED.iter().find(|(_, known)| known.eq_ignore_ascii_case(name));
         let mut letters = name.chars();
-        let code = match (letters.next(), letters.next(), name.to_ascii_lowercase().as_str()) {
-            (Some(c), None, _) if !c.is_control() => KeyCode::Char(c),
-            (_, _, "space") => KeyCode::Char(' '),
-            (_, _, "tab") => KeyCode::Tab,
-            (_, _, "shift-tab") => return Some(Self(KeyCode::BackTab, KeyModifiers::NONE)),
-            (_, _, "enter") => KeyCode::Enter,
-            (_, _, "esc") => KeyCode::Esc,
-            (_, _, "del") => KeyCode::Delete,
-            (_, _, "home") => KeyCode::Home,
-            (_, _, "end") => KeyCode::End,
-            (_, _, "pgup") => KeyCode::PageUp,
-            (_, _, "pgdn") => KeyCode::PageDown,
-            (_, _, "up") => KeyCode::Up,
-            (_, _, "down") => KeyCode::Down,
-            (_, _, "left") => KeyCode::Left,
-            (_, _, "right") => KeyCode::Right,
-            (_, _, other) => KeyCode::F(other.strip_prefix('f')?.parse().ok()?),
+        let code = match (named, letters.next(), letters.next()) {
+            (Some((code, _)), _, _) => *code,
+            (None, Some(c), None) if !c.is_control() => KeyCode::Char(c),
+            (None, Some('f' | 'F'), Some(_)) => KeyCode::F(name[1..].parse().ok()?),
+            (None, _, _) => return None,
         };
         Some(Self(code, modifiers))
     }

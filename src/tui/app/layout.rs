@@ -78,6 +78,11 @@ pub fn split_left(area: Rect, width: u16) -> (Rect, Rect) {
     (Rect { width, ..area }, Rect { x: area.x + width, width: area.width - width, ..area })
 }
 
+/// The rows at the top, at most so many, and the rest.
+pub fn split_top(area: Rect, height: u16) -> (Rect, Rect) {
+    split_bottom(area, area.height.saturating_sub(height))
+}
+
 /// The rows above, and those at the bottom, at most this many.
 pub fn split_bottom(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);

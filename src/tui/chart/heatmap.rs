@@ -274,37 +274,16 @@ mod tests {
         if x < 3 && y < 2 { Cell::Mark('P', Tone::Error) } else { Cell::Value(x as f64) }
     }
 
-    fn lines(theme: Theme, cursor: Option<(usize, usize)>) -> Vec<String> {
-        map((&slope, 10.0), 6.5, (theme, cursor))
-    }
-
-    /// A map of values up to `top`, with one contour.
-    fn map(
-        (cell, top): (&dyn Fn(usize, usize) -> Cell, f64),
-        contour: f64,
-        (theme, cursor): (Theme, Option<(usize, usize)>),
-    ) -> Vec<String> {
-        let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
-        let axes = (axis("x", 10.0), axis("y", 5.0));
-        let levels = Levels::of(Scale::Linear, [0.0, top]);
-        let map = Map {
-            contour: Some((contour, "".into())),
-            cursor,
-            ..Map::new("height: y", axes, (11, 6), levels, cell)
-        };
-        map.to_lines(29, 10, theme)
-    }
-
-    #[test]
-    fn bands_marks_contour_and_cursor_are_characters_without_colour() {
-        let text = lines(Theme::PLAIN, Some((4, 3))).join("\n");
-        insta::assert_snapshot!(text);
-    }
-
     #[test]
     fn no_contour_runs_through_what_differs_by_rounding_only() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
-        let text = map((&flat, 110.0), 100.0 + 3e-14, (Theme::PLAIN, None)).join("\n");
+        let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
+        let levels = Levels::of(Scale::Linear, [0.0, 110.0]);
+        let map = Map {
+            contour: Some((100.0 + 3e-14, "".into())),
+            ..Map::new("flat", (axis.clone(), axis), (11, 6), levels, flat)
+        };
+        let text = map.to_lines(29, 10, Theme::PLAIN).join("\n");
         assert!(!text.contains('O'), "{text}");
     }
 

@@ -1,7 +1,8 @@
 //! The help overlay, which lists the key table, and the palette.
 
 use crate::model::variables::Kind;
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::layout::{split_bottom, split_top};
+use crate::tui::app::status::clip;
 use crate::tui::dialogs::{HelpRow, Picker, filter, frame, help_rows};
 use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
@@ -14,17 +15,13 @@ const SENTENCE: u16 = 14;
 pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
     let inner = frame(screen, (92, 48), PaneFrame::new(title).right("q closes"), canvas);
-    let about = about(app, usize::from(inner.width));
+    let about = about(app, inner.width);
     let top = u16::try_from(about.len()).unwrap_or(u16::MAX);
     canvas.put_lines(inner, 0, about);
-    let rest = Rect {
-        y: inner.y + top.min(inner.height),
-        height: inner.height.saturating_sub(top),
-        ..inner
-    };
+    let (_, rest) = split_top(inner, top);
     filter(picker, rest, canvas);
     let rows = help_rows(app, picker.filter.value());
-    list(&rows, picker.selected, below(rest), canvas);
+    list(&rows, picker.selected, split_top(rest, 1).1, canvas);
 }
 
 /// What `:` finds, and what Enter does with the selected one.
@@ -32,8 +29,7 @@ pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Can
     let pane = PaneFrame::new("Find an action, preset, variable or page").right("Esc closes");
     let inner = frame(screen, (76, 20), pane, canvas);
     filter(picker, inner, canvas);
-    let list = below(inner);
-    let list = Rect { height: list.height.saturating_sub(DOES), ..list };
+    let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
     let found = app.palette(picker.filter.value());
     if found.is_empty() {
         canvas.put(list, (0, 0), "nothing has this name", Role::Dim);
@@ -48,16 +44,11 @@ pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Can
         canvas.put(row, (kind, 0), item.kind(), Role::Dim);
     });
     let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
-    let foot = Rect { y: list.bottom(), height: DOES, ..list };
     canvas.put_lines(foot, 0, wrapped(&does, foot.width, Role::Title));
 }
 
 /// Rows that say what Enter does.
 const DOES: u16 = 2;
-
-fn below(area: Rect) -> Rect {
-    Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
-}
 
 fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) {
     if rows.is_empty() {
@@ -78,16 +69,15 @@ fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) 
 }
 
 /// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
-fn about(app: &App, width: usize) -> Vec<(String, Role)> {
+fn about(app: &App, width: u16) -> Vec<(String, Role)> {
     if app.pane() != run::VARIABLES {
         return Vec::new();
     }
     let variable = app.editor.variable();
     let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
     let mut text = |text: String| {
-        for line in wrap(&text, width.saturating_sub(2)) {
-            lines.push((format!("  {line}"), Role::Text));
-        }
+        let indented = wrapped(&text, width.saturating_sub(2), Role::Text);
+        lines.extend(indented.map(|(line, role)| (format!("  {line}"), role)));
     };
     text(variable.meaning.to_owned());
     let range = match &variable.kind {

@@ -1,7 +1,8 @@
 //! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
 
 use crate::model::variables::VARIABLES;
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::layout::{split_left, split_top};
+use crate::tui::app::status::clip;
 use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::dialogs::{Dialog, List, Picker, filter, frame, preset_rows};
@@ -12,6 +13,7 @@ use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
 use crate::tui::widgets::RowList;
+use crate::tui::widgets::text::wrapped;
 
 const NAMES: u16 = 32;
 
@@ -20,15 +22,10 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
     let pane = pane.right("Enter loads, Space pins only");
     let inner = frame(screen, (110, 40), pane, canvas);
     filter(picker, inner, canvas);
-    let body =
-        Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };
+    let (_, body) = split_top(inner, 2);
     let rows = preset_rows(&app.presets, picker.filter.value());
-    let left = Rect { width: NAMES.min(body.width), ..body };
-    let right = Rect {
-        x: body.x + left.width + 2,
-        width: body.width.saturating_sub(left.width + 2),
-        ..body
-    };
+    let (left, right) = split_left(body, NAMES);
+    let (_, right) = split_left(right, 2);
     if rows.is_empty() {
         let text = "none; Enter opens a file by its path";
         canvas.put(body, (0, 0), text, Role::Dim);
@@ -53,16 +50,16 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
 
 /// Title, changes, then comment and notes as far as there is room.
 fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
-    let width = usize::from(area.width);
+    let width = area.width;
     let mut lines: Vec<(String, Role)> = Vec::new();
     if let Some(problem) = &entry.problem {
         lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
-        lines.extend(wrap(problem, width).into_iter().map(|line| (line, Role::Text)));
+        lines.extend(wrapped(problem, width, Role::Text));
         lines.push(("correct its file, or delete it".to_owned(), Role::Dim));
         return canvas.put_lines(area, 0, lines);
     }
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
-    lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
+    lines.extend(wrapped(title, width, Role::Title));
     if entry.part.is_none() {
         let tab = shown_in(entry);
         let text = format!("shows on {}", tab.title());
@@ -75,20 +72,17 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
             lines.push((String::new(), Role::Text));
         }
         for paragraph in paragraphs(text) {
-            lines.extend(wrap(&paragraph, width).into_iter().map(|line| (line, Role::Dim)));
+            lines.extend(wrapped(&paragraph, width, Role::Dim));
         }
     }
     canvas.put_lines(area, 0, lines);
 }
 
 /// The variables it would change, old and new; a long list in as many columns as needed.
-fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> {
+fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<(String, Role)> {
     let scene = match entry.scene_on(&app.scene) {
         Ok(scene) => scene,
-        Err(error) => {
-            let lines = wrap(&error.to_string(), width);
-            return lines.into_iter().map(|line| (line, Role::Text)).collect();
-        }
+        Err(error) => return wrapped(&error.to_string(), width, Role::Text).collect(),
     };
     let differing = App::differing(&app.scene, &scene);
     if differing.is_empty() {
@@ -106,7 +100,7 @@ fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> 
         let (old, new) = (brief(&app.scene), brief(&scene));
         let unit = variable.unit().trim_matches('-');
         let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
-        lines.push((clip(&text, width), Role::Text));
+        lines.push((clip(&text, usize::from(width)), Role::Text));
     }
     lines
 }

@@ -300,47 +300,32 @@ pub(crate) struct SweepPanes {
     pub slices: Vec<Rect>,
 }
 
+/// The setup beside one chart, or two where there is room; or beside the map, with scale and slices at its right. On a narrow
+/// screen the pane beside the map is the one that is of use: the setup while it has the keys, else scale and slices.
 pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
-    match app.picture() {
-        Picture::Line => lines(body, app.pane(), app.is_full()),
-        Picture::Surface => surface(body, app.pane(), app.is_full()),
-    }
-}
-
-/// The setup beside one chart, or two where there is room.
-fn lines(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
-    if full_pane && focus == SETUP {
-        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
-    }
-    let (setup, rest) = if full_pane {
-        (None, body)
-    } else {
-        let (left, right) = split_left(body, setup_width(body.width));
-        (Some(left), right)
+    let on_setup = app.pane() == SETUP;
+    let (left, rest) = match (app.is_full(), on_setup) {
+        (true, true) => return SweepPanes { setup: Some(body), ..SweepPanes::default() },
+        (true, false) => (None, body),
+        (false, _) => {
+            let (left, rest) = split_left(body, setup_width(body.width));
+            (Some(left), rest)
+        }
     };
-    let plots = if rest.height >= 26 {
+    let is_line = app.picture() == Picture::Line;
+    let plots = if is_line && rest.height >= 26 {
         let (top, bottom) = split_bottom(rest, rest.height / 2);
         vec![top, bottom]
     } else {
         vec![rest]
     };
-    SweepPanes { setup, plots, ..SweepPanes::default() }
+    match left {
+        Some(left) if !is_line && (body.width >= ROOMY || !on_setup) => surface(body, left, rest),
+        setup => SweepPanes { setup, plots, ..SweepPanes::default() },
+    }
 }
 
-/// The map; setup at its left, scale and slices at its right. On a narrow screen the pane at the left is the one that is of
-/// use: the setup while it has the keys, else scale and slices.
-fn surface(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
-    let on_setup = focus == SETUP;
-    if full_pane && on_setup {
-        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
-    }
-    if full_pane {
-        return SweepPanes { plots: vec![body], ..SweepPanes::default() };
-    }
-    let (left, rest) = split_left(body, setup_width(body.width));
-    if body.width < ROOMY && on_setup {
-        return SweepPanes { setup: Some(left), plots: vec![rest], ..SweepPanes::default() };
-    }
+fn surface(body: Rect, left: Rect, rest: Rect) -> SweepPanes {
     let (setup, map, side) = if body.width < ROOMY {
         (None, rest, left)
     } else {

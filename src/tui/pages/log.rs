@@ -100,80 +100,51 @@ impl App {
     }
 
     fn whole_lines(&self) -> Vec<LogLine> {
-        let mut lines = Vec::new();
-        heading(&mut lines, "Messages of this session, newest first");
-        if self.log.is_empty() {
-            push(&mut lines, Role::Dim, "none".to_owned());
-        }
-        let (newest, older): (Vec<_>, Vec<_>) =
-            self.log.iter().rev().enumerate().partition(|(at, _)| *at < NEWEST);
-        let message = |lines: &mut Vec<LogLine>, notice: &Notice| {
-            push(
-                lines,
-                text_role(notice.severity),
-                format!("{:<8} {}", notice.severity.word(), notice.text),
-            );
+        let message = |notice: &Notice| {
+            let word = notice.severity.word();
+            (text_role(notice.severity), format!("{word:<8} {}", notice.text))
         };
-        for (_, notice) in newest {
-            message(&mut lines, notice);
-        }
-        if let Some(shown) = &self.shown {
-            let which = if self.is_stale() { " (of another scene: press r)" } else { "" };
-            warnings(&mut lines, &shown.run, which);
-            stack(&mut lines, &shown.run);
-            events(&mut lines, &shown.run);
-            energy(&mut lines, &shown.run.ledger);
-            cost(&mut lines, &shown.run);
-        } else {
-            heading(&mut lines, "Run");
-            push(&mut lines, Role::Dim, "no run yet".to_owned());
+        let mut messages: Vec<LogLine> = self.log.iter().rev().map(message).collect();
+        let older = messages.split_off(NEWEST.min(messages.len()));
+        let mut lines = Vec::new();
+        section(&mut lines, "Messages of this session, newest first", messages);
+        match &self.shown {
+            Some(shown) => of_run(&mut lines, &shown.run, self.is_stale()),
+            None => section(&mut lines, "Run", [(Role::Dim, "no run yet".to_owned())]),
         }
         if !older.is_empty() {
-            heading(&mut lines, "Older messages");
-        }
-        for (_, notice) in older {
-            message(&mut lines, notice);
+            section(&mut lines, "Older messages", older);
         }
         lines
     }
 }
 
-fn push(lines: &mut Vec<LogLine>, role: Role, text: String) {
-    lines.push((role, text));
-}
-
-fn heading(lines: &mut Vec<LogLine>, text: &str) {
+/// A heading and the lines below it, apart from what stands above.
+fn section(lines: &mut Vec<LogLine>, heading: &str, body: impl IntoIterator<Item = LogLine>) {
     if !lines.is_empty() {
-        push(lines, Role::Text, String::new());
+        lines.push((Role::Text, String::new()));
     }
-    push(lines, Role::Title, text.to_owned());
-}
-
-fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
-    heading(lines, &format!("Warnings of the run{which}"));
-    let warnings = envelope::warnings(run);
-    if warnings.is_empty() {
-        push(lines, Role::Dim, "none".to_owned());
-    }
-    for warning in warnings {
-        push(lines, Role::Warning, format!("! {warning}"));
+    lines.push((Role::Title, heading.to_owned()));
+    let before = lines.len();
+    lines.extend(body);
+    if lines.len() == before {
+        lines.push((Role::Dim, "none".to_owned()));
     }
 }
 
-fn stack(lines: &mut Vec<LogLine>, run: &Run) {
+fn of_run(lines: &mut Vec<LogLine>, run: &Run, is_stale: bool) {
+    let plain = |texts: Vec<String>| texts.into_iter().map(|text| (Role::Text, text));
+    let which = if is_stale { " (of another scene: press r)" } else { "" };
+    let warnings = envelope::warnings(run).into_iter();
+    let warnings = warnings.map(|warning| (Role::Warning, format!("! {warning}")));
+    section(lines, &format!("Warnings of the run{which}"), warnings);
     if let Some(stack) = &run.stack {
-        heading(lines, "Stack: plate by plate");
-        let table = crate::study::stack::table(run, stack).into_iter();
-        lines.extend(table.map(|line| (Role::Text, line)));
+        section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
     }
-}
-
-fn events(lines: &mut Vec<LogLine>, run: &Run) {
-    heading(lines, "Events");
-    if run.events.is_empty() {
-        push(lines, Role::Dim, "none".to_owned());
-    }
-    lines.extend(event_lines(run).into_iter().map(|line| (Role::Text, line)));
+    section(lines, "Events", plain(event_lines(run)));
+    let energy = "Energy: where it was at the start, and where it went";
+    section(lines, energy, plain(energy_lines(&run.ledger)));
+    section(lines, "Computation", plain(cost(run)));
 }
 
 pub fn event_lines(run: &Run) -> Vec<String> {
@@ -185,11 +156,6 @@ pub fn event_lines(run: &Run) -> Vec<String> {
             format!("{tag:<2}{time:>10}  {}", event.kind.words())
         })
         .collect()
-}
-
-fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
-    heading(lines, "Energy: where it was at the start, and where it went");
-    lines.extend(energy_lines(ledger).into_iter().map(|line| (Role::Text, line)));
 }
 
 /// The energy ledger, one term a line, with its share of the energy at the start.
@@ -214,27 +180,23 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
     lines
 }
 
-fn cost(lines: &mut Vec<LogLine>, run: &Run) {
-    heading(lines, "Computation");
+fn cost(run: &Run) -> Vec<String> {
     let estimate = estimate_words(run, "").unwrap_or_else(|| "not estimated".to_owned());
     let omitted =
         if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
     let cost = &run.cost;
-    for (name, text) in [
+    let steps = format!(
+        "{} accepted, {} rejected, {} evaluations",
+        cost.steps, cost.rejected, cost.rhs_evaluations
+    );
+    let lines = [
         ("method", format!("{}: {}", cost.method, cost.reason)),
-        (
-            "steps",
-            format!(
-                "{} accepted, {} rejected, {} evaluations",
-                cost.steps, cost.rejected, cost.rhs_evaluations
-            ),
-        ),
+        ("steps", steps),
         ("end", run.end.words().to_owned()),
         ("error", estimate),
         ("omitted", omitted),
-    ] {
-        push(lines, Role::Text, format!("{name:<13}{text}"));
-    }
+    ];
+    lines.map(|(name, text)| format!("{name:<13}{text}")).into()
 }
 
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
