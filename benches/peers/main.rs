@@ -26,7 +26,7 @@ use timing::{TARGET, Times, Tuned, alternate, tune};
 
 /// Scenes on which implicit peers are worth their time.
 const STIFF: [&str; 4] = ["S13", "S14'", "S15", "S16'"];
-/// The word that asks for the surfaces alone.
+/// The argument that runs the surfaces only.
 const SURFACES: &str = "surfaces";
 
 fn main() -> std::io::Result<()> {

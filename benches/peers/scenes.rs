@@ -1,4 +1,4 @@
-//! The eighteen scenes, and the answers the solvers are judged by: none of these comes from a solver that is timed.
+//! The eighteen scenes, and the answers the solvers are compared with: none of these comes from a solver that is timed.
 
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ const TIGHT: f64 = 1e-14;
 /// Time, s, and depth, m, at the end of the contact.
 pub(crate) type End = (f64, f64);
 
-/// What a solver is judged by.
+/// What a solver is compared with.
 pub(crate) struct Reference {
     ending: Ending,
     end: End,
@@ -87,7 +87,7 @@ impl Reference {
 }
 
 /// A bound on how far an uncocked spring gives way under the greatest contact force, over the nose radius. (Undamped the
-/// plate swings at most twice as far as its rest position, in a convex potential.)
+/// plate oscillates at most twice as far as its rest position, in a convex potential.)
 fn greatest_give(scene: &Scene) -> f64 {
     let (r, v) = (scene.projectile.tip_radius_m, scene.projectile.velocity_m_s);
     let pressure = scene.flow_strength_pa() + scene.drag_kg_m3() * v * v;

@@ -27,7 +27,7 @@ use crate::solvers::Outcome;
 
 /// Measured error of both outputs.
 const TARGET: f64 = 1e-6;
-/// One in so many points is checked.
+/// One in this many points is checked.
 const CHECKED: usize = 37;
 /// Displacements below this are not known relative to themselves, m.
 const NANOMETRE: f64 = 1e-9;

@@ -58,7 +58,7 @@ mod tests {
 
     /// Tests have no terminal: 80 columns.
     #[test]
-    fn a_long_line_goes_on_below_its_last_column() {
+    fn a_long_line_continues_below_its_last_column() {
         let words = ["word"; 30].join(" ");
         let wide = format!("name{:50}", "");
         for (lead, indent) in [("  name    ", 10), ("    ", 6), ("", 2), (wide.as_str(), 2)] {

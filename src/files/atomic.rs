@@ -397,7 +397,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_program_left_is_taken_away_and_nothing_else() {
+    fn leftovers_of_a_killed_program_are_removed_and_nothing_else() {
         let place = tempfile::tempdir().unwrap();
         let (left, mine) = (place.path().join(".cmra-Ab12.tmp"), place.path().join("mine.tmp"));
         fs::write(&left, "half a sess").unwrap();
@@ -463,7 +463,7 @@ mod tests {
     }
 
     #[test]
-    fn a_partial_table_takes_another_name_and_leaves_what_is_there() {
+    fn a_partial_table_takes_another_name_and_replaces_nothing() {
         let place = tempfile::tempdir().unwrap();
         let (path, scene) = (place.path().join("a.csv"), place.path().join("a.partial.toml"));
         fs::write(&path, "complete").unwrap();

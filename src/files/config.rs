@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_configuration_is_read_and_what_is_not_there_is_empty() {
+    fn a_configuration_is_read_and_missing_keys_are_empty() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("config.toml");
         assert_eq!(load(&path), Ok(Config::default()));

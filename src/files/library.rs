@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn coils_store_what_the_formula_says() {
+    fn coils_store_the_energy_of_the_formula() {
         for (name, tau, rho, g) in [
             ("steel-coil-700", 700e6_f64, 7850.0, 79.3e9),
             ("steel-coil-1200", 1200e6, 7850.0, 79.3e9),

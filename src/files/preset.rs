@@ -341,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn a_broken_own_preset_is_told_and_never_overwritten() {
+    fn a_broken_own_preset_is_reported_and_never_overwritten() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         fs::create_dir_all(&paths.presets).unwrap();
@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn what_keeps_presets_from_being_found_is_told() {
+    fn unreadable_presets_are_reported() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let told = || list(Some(&paths)).1.iter().map(ToString::to_string).collect::<Vec<_>>();

@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn what_another_program_has_kept_meanwhile_is_put_aside() {
+    fn the_session_of_another_program_is_backed_up() {
         let place = tempfile::tempdir().unwrap();
         let (path, aside) =
             (place.path().join("session.toml"), place.path().join("session.other.toml"));

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_named_with_line_and_cure() {
+    fn errors_are_reported_with_line_and_cure() {
         let told = |text: &str| parse(text, "a.csv").unwrap_err();
         assert!(told("v,perforated\n1,1\n").contains("has no column `velocity_m_s`"));
         let head = "velocity_m_s,perforated,residual_m_s,penetration_m\n";

@@ -275,7 +275,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_cannot_be_followed_is_refused_with_its_reason() {
+    fn a_scene_that_cannot_be_computed_is_refused_with_the_reason() {
         let dop853 = Scheme::Dop853 { tolerance: 1e-8 };
         let solve = |pairs: &str| Phase::of(&scene(pairs)).solve(dop853, 20_000);
         assert_eq!(solve("k=1e6 n=0.1"), Err(Refusal::StepBudget));

@@ -414,7 +414,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_no_number_is_not_shown_as_one() {
+    fn values_that_are_not_numbers_are_not_shown() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let shown = [
                 shortest(value),

@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn sums_and_products_keep_what_doubles_lose() {
+    fn sums_and_products_keep_the_digits_that_doubles_lose() {
         let tiny = of(1e-20);
         assert_eq!(((of(1.0) + tiny) - of(1.0)).nearest().to_bits(), 1e-20f64.to_bits());
         let third = of(1.0) / of(3.0);
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_stays_none() {
+    fn nan_stays_none() {
         let nan = of(f64::NAN);
         for value in [nan + of(1.0), nan * of(2.0), of(1.0) / nan, nan.exp(), nan.ln()] {
             assert!(value.nearest().is_nan());

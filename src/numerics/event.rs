@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sign_change_is_landed_on_by_steps_anew_whatever_the_dense_output_is_off_by() {
+    fn a_sign_change_is_located_by_new_steps_despite_errors_of_the_dense_output() {
         for error in [0.0, 1e-3, -1e-3, 0.05] {
             let dip = Dip { depth: 0.04, error, exists: true };
             let part = found(&dip, &[0.5, 1.0]).unwrap();

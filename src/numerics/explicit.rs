@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_budget_and_underflow_are_told() {
+    fn nan_budget_and_underflow_are_reported() {
         let start = Start { t: 0.0, y: [0.0], step: None };
         let mut count = many();
         let end = dop853::integrate(&Cliff, start, 1e-6, &mut count);

@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_settle_is_refused() {
+    fn a_solution_that_does_not_converge_is_refused() {
         let explodes = |_: f64, y: &[f64; 1]| [y[0] * y[0]];
         assert!(solve(0.0, 2.0, &[1.0], &[1.0], explodes).is_none());
         let broken = |_: f64, _: &[f64; 1]| [f64::NAN];

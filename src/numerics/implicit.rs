@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn no_convergence_is_told_not_hidden() {
+    fn missing_convergence_is_reported() {
         struct Wild;
         impl ImplicitSystem<1> for Wild {
             fn carried(&self, y: &[f64; 1]) -> [f64; 1] {

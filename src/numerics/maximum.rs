@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_exceed_the_known_is_not_located() {
+    fn maxima_below_the_known_one_are_not_located() {
         let asked = Cell::new(0);
         let count = |s: f64| {
             asked.set(asked.get() + 1);

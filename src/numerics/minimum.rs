@@ -37,7 +37,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_kept_away_from() {
+    fn nan_is_avoided() {
         let found = in_bracket(0.0, 10.0, |x| if x > 5.0 { f64::NAN } else { (x - 1.0).abs() });
         assert!((found - 1.0).abs() < 1e-9, "{found}");
     }

@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn thinned_points_keep_ends_a_spike_a_gap_and_what_is_far_apart() {
+    fn thinned_points_keep_ends_a_spike_a_gap_and_distant_points() {
         // A sine with a spike and a gap in a million points of one second, then ten points of a second each.
         let (spike, gap) = (654_321, 700_000..800_000);
         let value = |index: usize| match index {

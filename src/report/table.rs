@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn files_keep_order_digits_and_what_does_not_exist() {
+    fn files_keep_order_digits_and_missing_values() {
         let table = table();
         assert_eq!(
             table.csv(),

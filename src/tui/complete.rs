@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_path_is_completed_by_what_begins_like_it() {
+    fn a_path_is_completed_by_its_prefix() {
         let place = tempfile::tempdir().unwrap();
         let at = |name: &str| format!("{}/{name}", place.path().display());
         for name in ["run-1.csv", "run-2.csv", "other.csv", ".hidden"] {

@@ -399,7 +399,7 @@ mod tests {
     }
 
     #[test]
-    fn a_session_that_cannot_be_kept_is_told_once_and_again_when_it_can() {
+    fn a_session_that_cannot_be_kept_is_reported_once() {
         let (place, paths, io_thread, inbox) = start();
         // Where the folder should be there is a file.
         let state = paths.state.clone();
@@ -433,7 +433,7 @@ mod tests {
     }
 
     #[test]
-    fn a_preset_is_not_replaced_unasked() {
+    fn a_preset_is_not_replaced_without_consent() {
         let (_place, paths, io_thread, inbox) = start();
         let ask = |overwrite| {
             io_thread.ask(Task::SavePreset {
@@ -462,7 +462,7 @@ mod tests {
     }
 
     #[test]
-    fn of_questions_asked_again_only_the_newest_is_answered_and_on_leaving_none() {
+    fn only_the_newest_of_repeated_requests_is_answered_and_none_on_quitting() {
         let complete = |text: &str| Request::Task(Task::Complete(text.to_owned()));
         let copy = || Request::Task(Task::KeepCopy(String::new(), String::new()));
         let of = |requests: Vec<Request>| -> VecDeque<Request> {

@@ -489,7 +489,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_pane_says_of_its_keys_works_there() {
+    fn the_listed_keys_of_a_pane_work_there() {
         for pane in all_panes() {
             for row in pane.keys {
                 assert!(pane.knows(row.action), "{:?} in {}", row.action, pane.label);

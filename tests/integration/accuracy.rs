@@ -50,7 +50,7 @@ fn pages_of_odd_scenes_keep_to_80_columns() {
 }
 
 #[test]
-fn csv_keeps_a_row_for_each_point_and_says_why_there_is_no_result() {
+fn csv_keeps_a_row_for_each_point_with_the_reason_for_a_missing_result() {
     let output = cmra(&["accuracy", "thesis-baseline", "rigid-mount", "--quick", "--csv", "-"]);
     assert!(output.status.success());
     let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
@@ -95,7 +95,7 @@ fn json_is_a_list_with_references_answers_and_points() {
 }
 
 #[test]
-fn a_file_is_written_once_and_bad_input_is_told() {
+fn a_file_is_written_once_and_bad_input_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("accuracy.csv");
     let path = path.to_str().unwrap();
@@ -142,7 +142,7 @@ fn springs_of_every_kind_are_measured() {
 }
 
 #[test]
-fn the_stability_map_names_what_it_varies() {
+fn the_stability_map_names_its_variable() {
     let output = cmra(&["stability", "--map", "k", "concept-helical-spring"]);
     assert_eq!(output.status.code(), Some(2));
     let told = text(&output.stderr);

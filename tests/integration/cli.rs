@@ -162,7 +162,7 @@ fn set_changes_variables_in_order() {
 }
 
 #[test]
-fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
+fn errors_of_the_command_line_have_one_line() {
     let place = Place::new();
     for (arguments, fragments) in [
         ("run --set gama=2", &["`gama` is not a variable", "`gamma`"][..]),
@@ -238,7 +238,7 @@ fn contradictory_options_are_refused() {
 }
 
 #[test]
-fn a_broken_scene_file_is_told_with_its_lines() {
+fn a_broken_scene_file_is_reported_with_its_lines() {
     let place = Place::new();
     place.write("bad.toml", "format = 1\n[plate]\nmass_ration = 2\ncocking_m = -1\n");
     let done = place.cmra("run bad.toml");
@@ -356,7 +356,7 @@ fn the_sidecar_runs_again_to_the_same_digits() {
 }
 
 #[test]
-fn nothing_is_overwritten_unasked() {
+fn nothing_is_overwritten_without_force() {
     let place = Place::new();
     place.write("out.csv", "mine");
     let done = place.cmra("run --csv out.csv");
@@ -534,7 +534,7 @@ fn without_a_terminal_the_workbench_prints_the_plain_run() {
 
 #[cfg(unix)]
 #[test]
-fn a_reader_that_leaves_early_is_no_error() {
+fn a_closed_pipe_is_not_an_error() {
     use std::io::Read as _;
     use std::process::{Command, Stdio};
     let mut child = Command::new(env!("CARGO_BIN_EXE_cmra"))

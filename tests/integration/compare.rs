@@ -15,7 +15,7 @@ fn json(arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn valid_numbers_of_the_model_page_stand_side_by_side() {
+fn valid_numbers_of_the_model_page_are_reproduced() {
     let found = json(&[]);
     let number = |candidate: &str, key: &str| found["candidates"][candidate][key].as_f64().unwrap();
     for (candidate, depth, limit) in [
@@ -79,7 +79,7 @@ fn the_page_begins_with_the_verdict_and_says_how_mass_was_taken() {
 }
 
 #[test]
-fn a_limit_beyond_the_range_is_said_and_no_absurd_number_is_shown() {
+fn a_limit_beyond_the_range_is_reported_without_a_number() {
     for scene in [&["gamma=0.05"][..], &["gamma=0.00056", "n=1", "interface=plastic"]] {
         let set: Vec<&str> = scene.iter().flat_map(|pair| ["--set", pair]).collect();
         let page = output(&set);
@@ -150,7 +150,7 @@ fn the_map_is_drawn_with_its_line_and_written_as_rows() {
 
 /// A stop takes up energy that the closed form does not know.
 #[test]
-fn the_closed_form_is_left_out_for_a_scene_with_a_stop() {
+fn the_closed_form_is_omitted_for_a_scene_with_a_stop() {
     let found: Value = serde_json::from_str(&output(&["--set", "stop=50mm", "--json"])).unwrap();
     assert!(found["closed_form"].is_null() && found["verdict"].is_string());
 }

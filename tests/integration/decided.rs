@@ -77,7 +77,7 @@ fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
 
 /// The nose is out of the back of the plate, and stays there.
 #[test]
-fn a_nose_that_stands_out_of_the_rear_face_is_said_as_such() {
+fn a_nose_beyond_the_rear_face_is_reported() {
     let found = of("h=0.012 v_i=170 mount=rigid");
     assert_eq!(found.outcome, Outcome::Arrested);
     let out = found.protrusion_m().unwrap();

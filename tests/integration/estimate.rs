@@ -17,7 +17,7 @@ use cmra::study::quantities;
 
 use crate::random::{Random, scene, typed};
 
-/// Scenes that are judged, and those of them that every run of the tests judges.
+/// Number of scenes compared, and of those compared in every run of the tests.
 const JUDGED: usize = 1_000;
 const SAMPLE: usize = 250;
 /// How far below the true error the estimate may be, and how far above.
@@ -27,15 +27,15 @@ const ABOVE: f64 = 1e3;
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Steps a run may take here.
 const STEPS_MAX: usize = 20_000;
-/// Steps DOP853 may take to judge it.
+/// Maximum number of steps of DOP853 as the reference.
 const JUDGE_STEPS_MAX: usize = 20_000;
-/// A judge that is less certain than this is none.
+/// A reference with a greater uncertainty is not used.
 const UNCERTAINTY_MAX: f64 = 1e-11;
 /// What DOP853 may be off that its two tolerances do not show: it lands on singular zeros within its own rounding.
 const EXPLICIT_FLOOR: f64 = 2e-12;
 /// Known shortfalls: too low, and too high.
 const KNOWN: (usize, usize) = (0, 0);
-/// Shots of which every result is judged by itself, and the loose tolerance they are computed at.
+/// Shots of which every result is compared with itself, and the loose tolerance they are computed at.
 const SHOTS: usize = 300;
 const LOOSE: f64 = 1e-4;
 /// Far below that: errors of this size are rounding.
@@ -107,7 +107,7 @@ fn assert_estimates_hold(count: usize) {
     let (mut low, mut high) = (0, 0);
     while judged < count {
         drawn += 1;
-        // What moves for ever or is stiffer than its judges is passed over.
+        // Scenes that move for ever or are too stiff for the references are skipped.
         assert!(drawn <= count + count / 4, "{judged} of {drawn} could be judged");
         let changes = random.changes();
         let scene = scene(&changes);

@@ -67,7 +67,7 @@ fn valid_the_peak_on_an_oblique_foil_is_that_of_the_engaged_area() {
 
 /// Whatever steps: with a series, and without, to rounding the same, and no row above it by more than the tolerance.
 #[test]
-fn the_peak_force_is_no_less_than_the_rows_and_does_not_depend_on_them() {
+fn the_peak_force_bounds_the_rows_and_does_not_depend_on_them() {
     let mut random = Random(0x5eed_0015);
     let mut told = Vec::new();
     for _ in 0..150 {
@@ -99,7 +99,7 @@ fn the_peak_force_is_no_less_than_the_rows_and_does_not_depend_on_them() {
 
 /// The force into the mount is located within the steps: no row is above it, by any step, with a stop, a damper and both.
 #[test]
-fn the_force_into_the_mount_is_no_less_than_the_rows_and_does_not_depend_on_them() {
+fn the_force_into_the_mount_bounds_the_rows_and_does_not_depend_on_them() {
     let mount_n = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
     let mut random = Random(0x5eed_0016);
     let mut judged = 0;
@@ -152,7 +152,7 @@ fn the_peak_force_of_oblique_shots_follows_the_tolerance() {
     }
 }
 
-/// The plate has turned before the first arrest, and swings forward again, undamped: what the interface then carries is
+/// The plate has turned before the first arrest, and oscillates forward again, undamped: what the interface then carries is
 /// `m_p/(m_p + m_2 ...) k x` over `A S_y` at the x at which its energy is all in the spring. The issue's own run gave 0.790.
 #[test]
 fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
@@ -174,9 +174,9 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
     }
 }
 
-/// A plate that swings ever faster about the zero of a singular spring: the horizon is not reached, and that is told.
+/// A plate that oscillates ever faster about the zero of a singular spring: the horizon is not reached, and that is reported.
 #[test]
-fn a_horizon_that_is_not_reached_is_told_and_the_series_is_bounded() {
+fn a_horizon_that_is_not_reached_is_reported_and_the_series_is_bounded() {
     let mut own = scene("n=0.2 k=7.5e6 S_y=2.1e9 run.horizon_s=0.1");
     own.title = String::new();
     let mut steps = 0;

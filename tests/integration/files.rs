@@ -241,7 +241,7 @@ proptest! {
 }
 
 #[test]
-fn a_table_is_spelt_as_asked_and_has_its_scene_beside_or_within() {
+fn a_table_has_the_chosen_dialect_and_its_scene_beside_or_inline() {
     let table = |arguments: &[&str]| says("run", &[&["--csv", "-"], arguments].concat(), 0).0;
     let plain = table(&[]);
     assert!(plain.starts_with("time_s,mode,penetration_m,") && !plain.contains('\r'));
@@ -272,7 +272,7 @@ fn a_table_is_spelt_as_asked_and_has_its_scene_beside_or_within() {
     let path = place.path().join("a.csv");
     says("run", &["--meta", "inline", "--csv", path.to_str().unwrap()], 0);
     assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
-    // Sweeps are respelt as they are made.
+    // Sweeps are rewritten as they are made.
     let sweep = |style: &str| {
         says("sweep", &["--over", "gamma=1..2:300", "--csv", "-", "--csv-style", style], 0).0
     };
@@ -283,7 +283,7 @@ fn a_table_is_spelt_as_asked_and_has_its_scene_beside_or_within() {
 }
 
 #[test]
-fn a_sweep_says_at_its_head_what_was_held_and_what_varied() {
+fn the_head_of_a_sweep_lists_held_and_varied_variables() {
     let table = |meta: &[&str]| {
         let over = ["--over", "gamma=1..2:3", "--over", "k=1e3..1e5:2:log", "--set", "d=0.01"];
         says("sweep", &[&over[..], &["--outputs", "stroke_m", "--csv", "-"], meta].concat(), 0).0
@@ -314,7 +314,7 @@ fn a_sweep_says_at_its_head_what_was_held_and_what_varied() {
 }
 
 #[test]
-fn a_result_that_does_not_exist_is_told_the_nearest_in_a_line_that_can_be_read() {
+fn an_unknown_result_gets_the_nearest_names_in_a_short_line() {
     for (command, arguments, hint) in [
         (
             "sweep",

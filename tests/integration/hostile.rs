@@ -1,11 +1,11 @@
-//! Files that are no scenes, devices that never end, places that cannot be written: told in one short line, with the exit
+//! Files that are not scenes, devices that never end, places that cannot be written: reported in one short line, with the exit
 //! status of the contract.
 
 use std::fs;
 
 use crate::support::{cmra, says};
 
-/// What is said of a scene file that is refused.
+/// The error text of a refused scene file.
 #[track_caller]
 fn refused(content: &[u8]) -> String {
     let place = tempfile::tempdir().unwrap();
@@ -18,7 +18,7 @@ fn refused(content: &[u8]) -> String {
 }
 
 #[test]
-fn what_is_no_scene_is_refused_in_a_short_line() {
+fn a_file_that_is_not_a_scene_is_refused_in_a_short_line() {
     let deep = format!("format = 1\na = {}{}\n", "[".repeat(50_000), "]".repeat(50_000));
     let long_key = format!("format = 1\n{} = 1\n", "k".repeat(100_000));
     let huge = format!("format = 1\nnotes = \"{}\"\n", "x".repeat(2 << 20));
@@ -47,7 +47,7 @@ fn a_title_cannot_command_the_terminal() {
 
 #[cfg(unix)]
 #[test]
-fn a_device_that_never_ends_is_no_scene_and_no_table() {
+fn an_endless_device_is_refused_as_scene_and_table() {
     let (_, error) = says("run", &["/dev/zero"], 2);
     assert!(error.contains("more than 1048576 bytes"), "{error}");
     let table = "format = 1\n[mechanism.spring]\nkind = \"table\"\n[mechanism.spring.table]\n\
@@ -110,7 +110,7 @@ fn names_and_arguments_cannot_command_the_terminal() {
 }
 
 #[test]
-fn a_file_of_something_else_has_few_of_its_lines_told() {
+fn a_file_of_another_kind_reports_a_few_lines_only() {
     let unknown: Vec<String> = (0..60_000).map(|number| format!("k{number} = 1\n")).collect();
     let unknown = unknown.concat();
     let axis = "{ name = \"gamma\", from = 1, to = 2, count = 3 },";
@@ -129,7 +129,7 @@ fn a_file_of_something_else_has_few_of_its_lines_told() {
 
 #[cfg(unix)]
 #[test]
-fn a_path_that_leads_nowhere_says_what_is_in_the_way() {
+fn an_impossible_path_names_the_obstacle() {
     use std::os::unix::ffi::OsStrExt as _;
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name).to_str().unwrap().to_owned();
@@ -147,7 +147,7 @@ fn a_path_that_leads_nowhere_says_what_is_in_the_way() {
         let (_, error) = says("run", &[&name], 2);
         assert!(error.contains(expected), "{error}");
     }
-    // A name that is no text opens all the same.
+    // A name that is not UTF-8 works, too.
     let name = place.path().join(std::ffi::OsStr::from_bytes(b"\xff\xfe.toml"));
     fs::write(&name, "format = 1\ntitle = \"found\"\n").unwrap();
     let out = cmra("run", &[]).arg(&name).output().unwrap().stdout;
@@ -155,7 +155,7 @@ fn a_path_that_leads_nowhere_says_what_is_in_the_way() {
 }
 
 #[test]
-fn where_a_table_cannot_go_is_told_before_the_work_and_not_after_it() {
+fn an_unwritable_table_is_refused_before_the_computation() {
     let place = tempfile::tempdir().unwrap();
     let mine = place.path().join("mine.csv");
     fs::write(&mine, "mine").unwrap();
@@ -182,7 +182,7 @@ fn where_a_table_cannot_go_is_told_before_the_work_and_not_after_it() {
 }
 
 #[test]
-fn numbers_out_of_range_are_told_with_the_range() {
+fn numbers_out_of_range_are_refused_with_the_range() {
     for (subcommand, arguments, expected) in [
         ("sweep", ["--over=gamma=1..2:5", "--threads=100000"], "1..=1024"),
         ("sweep", ["--over=gamma=1..2:5", "--threads=0"], "1..=1024"),
@@ -194,7 +194,7 @@ fn numbers_out_of_range_are_told_with_the_range() {
     }
 }
 
-/// A pipe nobody writes to.
+/// A pipe without a writer.
 #[cfg(unix)]
 pub(crate) fn pipe(path: &std::path::Path) {
     fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -332,7 +332,7 @@ fn very_many_layers_are_refused() {
 /// A sweep that is cut off keeps its rows and leaves nothing else behind; one that was told to outlive its terminal does.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_long_sweep_that_is_cut_off_keeps_what_it_has() {
+fn an_interrupted_sweep_keeps_its_finished_points() {
     use rustix::process::{Pid, Signal, kill_process};
     for (signal, ignored) in
         [(Signal::HUP, false), (Signal::INT, false), (Signal::TERM, false), (Signal::HUP, true)]
@@ -342,7 +342,7 @@ fn a_long_sweep_that_is_cut_off_keeps_what_it_has() {
         let words = "sweep --over gamma=1..2:1000000000 --threads 2 --csv a.csv --force";
         fs::write(place.path().join("a.csv"), "complete").unwrap();
         let trap = if ignored { "trap '' HUP;" } else { "" };
-        // Whoever started the tests may have ignored the signal (nohup), and no shell can take that back.
+        // The tests may run with the signal ignored (nohup), which no shell can undo.
         let mut child = std::process::Command::new("env")
             .args(["--default-signal=HUP", "sh", "-c", &format!("{trap} exec '{program}' {words}")])
             .current_dir(place.path())
@@ -372,7 +372,7 @@ fn a_long_sweep_that_is_cut_off_keeps_what_it_has() {
         assert_eq!(child.wait().unwrap().code(), Some(1), "{signal:?}");
         let mut names = names();
         names.sort();
-        // What is not complete does not pass for the table that was asked for.
+        // An incomplete table does not get the requested name.
         assert_eq!(names, ["a.csv", "a.partial.csv", "a.partial.toml"]);
         assert_eq!(fs::read_to_string(place.path().join("a.csv")).unwrap(), "complete");
         let rows = fs::read_to_string(place.path().join("a.partial.csv")).unwrap();

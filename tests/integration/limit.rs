@@ -28,7 +28,7 @@ fn valid_limits_of_the_model_page_come_with_their_margin() {
 }
 
 #[test]
-fn the_page_says_what_there_is_and_what_there_is_not() {
+fn the_page_has_its_sections_and_reasons_for_missing_ones() {
     let page = output(&["--set", "v_i=400", "--samples", "20"]);
     for words in
         ["limit velocity  344.328", "which perforates", "Lambert-Jonas", "V50", "common velocity"]
@@ -44,12 +44,12 @@ fn the_page_says_what_there_is_and_what_there_is_not() {
     let always = output(&["--set", "S_y=0"]);
     assert!(always.contains("no limit: everything"), "{always}");
     assert!(json(&["--set", "S_y=0"])["limit_velocity_m_s"].is_null());
-    // Without scatter nothing is said of it.
+    // Without scatter it is not reported.
     assert!(!output(&["--scatter", "0"]).contains("V50"));
 }
 
 #[test]
-fn the_criterion_is_asked_for_and_said() {
+fn the_criterion_is_an_option_and_is_reported() {
     let by = |word: &str| json(&["--set", "mount=rigid", "--scatter", "0", "--criterion", word]);
     let (passage, protrusion) = (by("passage"), by("protrusion"));
     assert_eq!(passage["criterion"], "passage");
@@ -91,7 +91,7 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     }
 }
 
-/// What is said of oblique limits is what `cmra validate` computes.
+/// The caution about oblique limits agrees with `cmra validate`.
 #[test]
 fn valid_an_oblique_limit_says_how_far_it_is_off() {
     use cmra::study::limit::OBLIQUE_SHORTFALL;
@@ -110,7 +110,7 @@ fn valid_an_oblique_limit_says_how_far_it_is_off() {
     assert!(json(&oblique)["caution"].as_str().is_some_and(|text| text.contains(told)));
     assert!(json(&["--scatter", "0"])["caution"].is_null());
     assert!(!output(&["--scatter", "0"]).contains("oblique"));
-    // Without a limit there is nothing to be said against it.
+    // Without a limit there is no caution.
     assert!(
         !output(&["--set", "theta=30deg", "--set", "h=5", "--scatter", "0"]).contains("oblique")
     );

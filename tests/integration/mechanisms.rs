@@ -224,7 +224,7 @@ fn random_mechanisms_keep_their_energy() {
 
 /// A sweep, a limit and a quick contact go the full way for every kind: the contact kernel takes no curve, and the rest as a run does.
 #[test]
-fn quick_ways_leave_curves_to_the_full_run() {
+fn the_contact_kernel_leaves_curves_to_the_simulation() {
     for kind in SpringKind::ALL {
         let own = scene(&format!("spring={}", kind.word()));
         let quick = contact_end(&own, own.run.tolerance);
@@ -248,7 +248,7 @@ fn cocked_mechanisms_push_the_plate_with_the_shot() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused_with_name_value_rule_and_cure() {
+fn an_impossible_value_is_refused_with_name_value_rule_and_cure() {
     let refused = |pairs: &str| {
         let own = scene(pairs);
         variables::validate(&own).unwrap_err().to_string()

@@ -63,7 +63,7 @@ fn who_cannot_run_a_spring_says_so_and_the_others_stand() {
 }
 
 #[test]
-fn a_model_is_set_by_name_and_what_it_cannot_be_is_said() {
+fn a_model_is_set_by_name_and_unknown_names_are_refused() {
     let (json, status) = cmra(&["run", "--set", "model=half-sine", "--set", "t_d=150us", "--json"]);
     assert_eq!(status, 0);
     let run: serde_json::Value = serde_json::from_str(&json).unwrap();

@@ -26,7 +26,7 @@ fn the_probability_of_perforation_is_that_of_the_velocity() {
 }
 
 #[test]
-fn the_page_tells_inputs_outcomes_and_quantiles_and_a_seed_gives_its_digits() {
+fn the_page_has_inputs_outcomes_and_quantiles_and_a_seed_fixes_the_digits() {
     let quick = ["--samples", "200"];
     let (page, _) = out(&quick, 0);
     for words in

@@ -53,7 +53,7 @@ fn a_front_has_both_laws_and_the_designs_of_the_thesis() {
 }
 
 #[test]
-fn what_cannot_be_kept_exits_1_and_bad_requests_are_refused() {
+fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
     let over = ["--over", "gamma=0.8..7", "--laws", "fused"];
     let impossible = ["--subject-to", "percent_of_baseline<=1"];
     let (page, _) = out(&[&over[..], &impossible, &QUICK].concat(), 1);

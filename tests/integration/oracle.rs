@@ -32,7 +32,7 @@ const ROWS: usize = 50;
 
 /// What one step size gives.
 struct Stepped<'a> {
-    /// Depth, displacement of the projectile and of the plate at each time asked for, m.
+    /// Depth, displacement of the projectile and of the plate at each time requested, m.
     rows: Vec<[f64; 3]>,
     shot: Shot<'a>,
     /// It came to the last of the times.
@@ -160,7 +160,7 @@ impl<'a> Beside<'a> {
         }
     }
 
-    /// The outcome, the hole and the greatest displacement, as a run tells them for the horizon or for good.
+    /// The outcome, the depth and the greatest displacement of a run, at the horizon or at the end.
     fn compare_ends(&self, run: &Run, when: &str, found: &mut Vec<String>) {
         let shot = &self.fine.shot;
         let (deepest, farthest) = (shot.hole_m(), shot.farthest_m);
@@ -199,7 +199,7 @@ fn compare(pairs: &str) -> (Vec<String>, bool, Option<Run>) {
 fn compare_at(pairs: &str, step_s: f64) -> (Vec<String>, bool, Option<Run>) {
     let own = draw::read(pairs);
     if !Shot::new(&own, step_s).go_to(own.run.horizon_s.unwrap()) {
-        // It rattles: so many events say nothing.
+        // It rattles: the events are too many to compare.
         return (Vec::new(), false, None);
     }
     let beside = Beside::new(&own, step_s);
@@ -320,7 +320,7 @@ fn valid_a_damped_elastic_stop_presses_again_a_plate_that_turns_before_it_is_cle
 
 /// A spring that presses the plate forward on an elastic stop: the swing about where they hold each other has two ends.
 #[test]
-fn valid_a_plate_pressed_on_an_elastic_stop_swings_to_its_far_end() {
+fn valid_a_plate_pressed_on_an_elastic_stop_oscillates_to_its_far_end() {
     for pairs in [
         "n=2.32 k=3.03e9 m=0.5 b=140 d=0.000995 gamma=4.25 v_i=32.5 h=0.00237 x_stop=-0.000404 k_stop=135000 b_stop=7630",
         "n=1.23 k=1.29e6 d=0.0128 gamma=0.555 v_i=377 h=0.00418 dishing=false x_stop=-0.0128 k_stop=595000 b_stop=54.2",

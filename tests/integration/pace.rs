@@ -21,7 +21,7 @@ fn interrupted(arguments: &[&str], words: &str) -> (String, Terminal) {
 }
 
 #[test]
-fn a_long_run_tells_the_time_it_has_reached_and_keeps_it() {
+fn a_long_run_reports_the_time_it_has_reached() {
     let words = "run --set k=1e9 --set n=1.5 --set run.horizon_s=1000 --csv long.csv";
     let arguments: Vec<&str> = words.split(' ').collect();
     let (page, terminal) = interrupted(&arguments, " s after ");
@@ -31,7 +31,7 @@ fn a_long_run_tells_the_time_it_has_reached_and_keeps_it() {
 }
 
 #[test]
-fn whatever_takes_long_tells_how_far_it_is() {
+fn every_long_computation_reports_its_progress() {
     for (words, said) in [
         ("limit --samples 1000000", " shots or so"),
         // On a busy machine the page itself tells of points.

@@ -212,7 +212,7 @@ fn a_stop_of_zero_gap_makes_the_mount_rigid() {
     }
 }
 
-/// After a fused arrest on a linear spring the joined body swings harmonically; on a damper alone it coasts.
+/// After a fused arrest on a linear spring the joined body oscillates harmonically; on a damper alone it coasts.
 #[test]
 fn valid_motion_after_arrest_against_closed_forms() {
     let swing = run("k=1e5");
@@ -279,7 +279,7 @@ fn series_is_ordered_finite_and_ends_where_the_results_say() {
 }
 
 #[test]
-fn a_cancelled_run_keeps_what_it_has() {
+fn a_cancelled_run_keeps_its_partial_results() {
     let mut asked = 0;
     let run = simulate(&Arc::new(scene("k=1e9")), &Settings::default(), &mut |_| {
         asked += 1;

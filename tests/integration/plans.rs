@@ -1,4 +1,4 @@
-//! What a plan leaves out changes nothing: every quick way against the general path, which integrates all it is given, over
+//! Omitted terms change nothing: the contact kernel and the closed forms against the general path, which integrates all it is given, over
 //! thousands of random scenes.
 
 use std::collections::BTreeMap;

@@ -118,7 +118,7 @@ struct Expected {
 }
 
 #[test]
-fn valid_every_preset_gives_what_its_case_expects() {
+fn valid_every_preset_gives_the_expected_results() {
     for preset in all() {
         let name = &preset.name;
         let path = in_repository(&format!("tests/cases/presets/{name}.toml"));

@@ -17,7 +17,7 @@ use rustix::process::{Pid, Signal, kill_process};
 /// How long anything may take before a test gives up: generous, for busy machines.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 
-/// The size most screens are judged at.
+/// The usual size of the screens under test.
 const SIZE: (u16, u16) = (80, 24);
 
 /// How the program is to be started.
@@ -66,7 +66,7 @@ impl Terminal {
         Self::start_with(Start::default())
     }
 
-    /// Start as told.
+    /// Starts with these settings.
     pub(crate) fn start_with(mut start: Start<'_>) -> Self {
         let size = PtySize { cols: SIZE.0, rows: SIZE.1, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
@@ -220,7 +220,7 @@ impl Terminal {
     /// Wait for the end of the program and take all it has drawn.
     pub(crate) fn wait_exit(&mut self, patience: Duration) -> ExitStatus {
         let status = self.exit.recv_timeout(patience).expect("it ends in time");
-        // Its last bytes are in the terminal by now; the reader ends when nobody has it open any more.
+        // Its last bytes are in the terminal by now; the reader ends when the other end is closed.
         while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(200)) {
             self.take(&bytes);
         }
@@ -313,7 +313,7 @@ fn rows(count: u16) -> NonZeroU16 {
     NonZeroU16::new(count).expect("a terminal has a size")
 }
 
-/// Bytes as they come, until the other end is gone or nobody wants them; on hold, none are taken until the release.
+/// Bytes as they come, until either end is closed; on hold, none are taken until the release.
 fn read_in_background(
     mut reader: Box<dyn Read + Send>,
     stop: Arc<AtomicBool>,

@@ -56,7 +56,7 @@ fn least_mass_is_not_least_tile() {
 }
 
 #[test]
-fn every_study_warns_of_what_is_outside_the_validity() {
+fn every_study_warns_outside_the_validity() {
     let stop = object("limit", &["--set", "x_stop=30mm", "--scatter", "0"], 0);
     assert!(warnings(&stop).contains("a rigid stop asks the fused interface"), "{stop}");
     let (page, _) = says("limit", &["--scatter", "0"], 0);
@@ -90,7 +90,7 @@ fn variables_and_quantities_are_explained() {
 
 /// The closure's yield strength stands in the place of `S_y`, a beam's own measures in that of k.
 #[test]
-fn monte_carlo_varies_what_the_scene_uses() {
+fn monte_carlo_varies_the_variables_that_the_scene_uses() {
     let symbols = |arguments: &[&str]| -> Vec<String> {
         let found = object("montecarlo", &[arguments, &["--samples", "2"]].concat(), 0);
         let inputs = found["inputs"].as_array().unwrap();

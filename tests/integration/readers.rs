@@ -1,4 +1,4 @@
-//! Every reader of text from outside, held against texts that nobody meant to write: a corpus, and what becomes of it when bytes
+//! Every reader of text from outside, tested with malformed texts: a corpus, and what becomes of it when bytes
 //! are changed at random. A reader accepts what makes sense and comes back the same, or says in a short text why it does not.
 
 use std::cell::Cell;
@@ -204,7 +204,7 @@ fn read_session(place: &Path, text: &str) -> Result<(), String> {
     let path = &folder.path().join("session.toml");
     fs::write(path, text).unwrap();
     let loaded = session::load(path);
-    // One that cannot be read is put aside and never lost.
+    // One that cannot be read is backed up and never lost.
     assert_eq!(path.exists(), loaded.notice.is_none());
     loaded.notice.map_or(Ok(()), Err)
 }
@@ -298,7 +298,7 @@ fn most_memory() -> u64 {
         / 1024
 }
 
-/// Feed every reader with its corpus and with so many mutated inputs.
+/// Feed every reader with its corpus and with a given number of mutated inputs.
 fn feed_all(count: usize) {
     let place = tempfile::tempdir().unwrap();
     let total = Cell::new(0);
@@ -328,7 +328,7 @@ fn feed_all(count: usize) {
 }
 
 #[test]
-fn readers_accept_what_makes_sense_and_refuse_the_rest() {
+fn readers_accept_valid_input_and_refuse_the_rest() {
     feed_all(USUAL);
 }
 

@@ -59,7 +59,7 @@ fn a_value_is_being_typed() {
 }
 
 #[test]
-fn a_text_that_is_no_value() {
+fn a_text_that_is_not_a_value() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("<Enter>12 mm<Enter>");
     assert_snapshot!(bench.screen());

@@ -26,7 +26,7 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
 }
 
 #[test]
-fn what_cannot_be_reached_exits_1_and_names_the_nearest() {
+fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     let fused = ["--set", "interface=fused"];
     let arguments = ["--over", "k=0..7.5MN/m", "--goal", "percent_of_baseline=60"];
     let arguments = [&arguments[..], &fused].concat();

@@ -12,7 +12,7 @@ const QUICK: [&str; 4] = ["--samples", "64", "--trajectories", "10"];
 
 /// On a rigid mount the mass ratio does nothing, and what is left explains everything.
 #[test]
-fn what_does_nothing_has_indices_of_zero() {
+fn an_input_without_effect_has_indices_of_zero() {
     let asked = ["--json", "--set", "mount=rigid", "--over", "gamma=1..2", "--over", "v_i=80..120"];
     let text = output(&[&asked[..], &["--output", "final_penetration_m"], &QUICK].concat());
     let found: Value = serde_json::from_str(&text).unwrap();

@@ -60,7 +60,7 @@ fn random(count: usize) -> Vec<Vec<u8>> {
         let last = if last.eq_ignore_ascii_case(&'q') { 'x' } else { last };
         let mut sequence = control(first, &numbers, last);
         if draw(4) == 0 {
-            // A byte that belongs there as little as any, but is no key by itself.
+            // A byte that belongs there as little as any, but is not a key by itself.
             let at = 2 + draw(sequence.len() - 2);
             sequence.insert(at, [b';', b'<', 0x80, 0xff, b'0', b':'][draw(6)]);
         }

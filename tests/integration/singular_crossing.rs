@@ -67,9 +67,9 @@ fn a_swing_takes_few_steps() {
     }
 }
 
-/// A plate that is thrown off, swings for ever and never meets the slow projectile again within five hundred swings.
+/// A plate that is thrown off, oscillates for ever and never meets the slow projectile again within five hundred oscillations.
 #[test]
-fn what_swings_on_undecided_ends_as_moving_unless_a_horizon_is_asked() {
+fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
     let pairs = "n=0.776547 m=1 k=4.36516e7 b=4.40647 d=0.565023 gamma=1.50492e-4 v_i=166.74 S_y=0 C_d=0 interface=plastic";
     let found = run(scene(pairs));
     assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Swings));
@@ -79,10 +79,10 @@ fn what_swings_on_undecided_ends_as_moving_unless_a_horizon_is_asked() {
     assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);
 }
 
-/// On a spring with n < 1 a damped plate swings ever faster while it dies down: without end in a finite time. It rests once its energy
+/// On a spring with n < 1 a damped plate oscillates ever faster while it dies down: without end in a finite time. It rests once its energy
 /// is below the rounding of all others, so that a horizon far beyond is reached, and the energies still balance.
 #[test]
-fn a_plate_that_dies_down_in_ever_faster_swings_reaches_its_horizon() {
+fn a_plate_that_decays_in_ever_faster_oscillations_reaches_its_horizon() {
     const HORIZON_S: f64 = 0.01;
     let told = "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 \
         run.horizon_s=0.01";

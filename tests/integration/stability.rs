@@ -1,6 +1,6 @@
 //! Stability: what is promised for stiff and extreme scenes, held over ten thousand of them.
 //!
-//! Inside the numerical envelope a scene is right, in the steps that its swings and events account for. Outside, it is never silently
+//! Inside the numerical envelope a scene is right, in the steps that its oscillations and events account for. Outside, it is never silently
 //! wrong, and ends by itself. One that falls short is printed as the changes a person would type.
 
 use std::ops::ControlFlow;
@@ -22,8 +22,8 @@ mod draw;
 const SCENES: u64 = 10_000;
 /// Greatest relative energy residual.
 const RESIDUAL_MAX: f64 = 1e-8;
-/// Steps a run may take besides those that its swings and events ask for, and how they grow with the tolerance: the implicit
-/// method's, whose estimate of order 4 is asked for the tolerance to the power 2/3, grow fastest.
+/// Steps a run may take besides those that its oscillations and events need, and how they grow with the tolerance: those of the implicit
+/// method grow fastest, since its estimate of order 4 must meet the tolerance to the power 2/3.
 const STEPS_MAX: f64 = 2_500.0;
 const STEPS_AT: f64 = 1e-9;
 const STEPS_POWER: f64 = 1.0 / 6.0;
@@ -40,7 +40,7 @@ const TOLD_MAX: f64 = 1e-5;
 /// Parts by which the impact velocity is changed to see what rounding alone does to a result: some projectiles are caught and let
 /// go hundreds of times, and each time multiplies what the last digit of an input does.
 const ROUNDED: [f64; 2] = [1e-14, -1e-14];
-/// A difference that is no more than so many times what rounding does is the scene's own.
+/// A difference of at most this many times the rounding error is due to the scene.
 const TIMES_ROUNDING: f64 = 10.0;
 
 /// In what a run falls short.
@@ -59,7 +59,7 @@ enum Class {
     StepBudget,
     EventBudget,
     NonFiniteEnd,
-    /// More steps than its swings and events account for.
+    /// More steps than its oscillations and events account for.
     ManySteps,
 }
 
@@ -111,9 +111,9 @@ fn course_of(scene: &Arc<Scene>) -> Course {
 /// Steps that half a swing, or an event, may take.
 ///
 /// An expansion of order N at the tolerance e may go the part r = e^(1/N) of the way to the nearest singularity in complex time.
-/// That of a smooth swing is a quarter of it away at the least (elliptic functions; a linear spring has none): half a swing
-/// takes 2/r steps, twice as many where an event starts it anew. A power law is singular at its zero. On the way there, and
-/// back on the other side, each step leaves the part 1 - r of the way, until the law is left out.
+/// That of a smooth swing is a quarter of it away at least (elliptic functions; a linear spring has none): half a swing
+/// takes 2/r steps, twice as many where an event starts it again. A power law is singular at its zero. On the way there, and
+/// back on the other side, each step leaves the part 1 - r of the way, until the law is omitted.
 fn steps_per_turn(scene: &Scene) -> f64 {
     let part = (LOCAL * scene.run.tolerance).powf(1.0 / ORDER);
     let (spring, damper) = (&scene.mechanism.spring, &scene.mechanism.damper);
@@ -127,7 +127,7 @@ fn steps_per_turn(scene: &Scene) -> f64 {
     steps
 }
 
-/// Whether the steps are no more than the swings and events account for.
+/// Whether the steps are no more than the oscillations and events account for.
 fn is_bounded(course: &Course) -> bool {
     let cost = &course.run.cost;
     let asked = (cost.turns + cost.events) as f64 * steps_per_turn(&course.run.scene);
@@ -221,7 +221,7 @@ fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
         return None;
     }
     let estimate = estimate_of(scene);
-    // Where no estimate can be given, that is said.
+    // Where no estimate can be given, that is reported.
     let told = estimate.is_none_or(|estimate| 10.0 * estimate >= difference);
     let is_own = || difference <= TIMES_ROUNDING * by_rounding(scene, measure(run).unwrap());
     if told && (difference <= TOLD_MAX || is_own()) {
@@ -298,7 +298,7 @@ fn sweep(scenes: Scenes, count: u64, stride: u64) -> Vec<Shortfall> {
     all
 }
 
-/// One scene in so many is run by default.
+/// One scene in this many is run by default.
 const SAMPLE: u64 = 41;
 
 #[test]
@@ -444,7 +444,7 @@ fn json_of(arguments: &[&str]) -> (serde_json::Value, Option<i32>) {
 }
 
 #[test]
-fn the_exit_status_of_the_battery_says_whether_a_row_falls_short() {
+fn the_exit_status_of_the_stiff_scenes_is_1_if_one_fails() {
     let (value, code) = json_of(&["--quick", "--json"]);
     let rows = value["rows"].as_array().unwrap();
     assert!(rows.len() >= 10);
@@ -467,7 +467,7 @@ fn a_map_comes_with_its_limit_and_every_cell() {
         let row = row.as_str().unwrap();
         assert!(row.len() == columns && row.chars().all(|cell| "SioX.?".contains(cell)), "{row}");
     }
-    // The stiffest damper blows up at the longest step, the weakest does not at the shortest.
+    // The stiffest damper diverges at the longest step, the weakest does not at the shortest.
     assert!(rows[rows.len() - 1].as_str().unwrap().ends_with('X'));
     assert!(!rows[0].as_str().unwrap().starts_with('X'));
 }

@@ -57,7 +57,7 @@ fn valid_free_plates_leave_the_velocity_of_the_closed_form() {
 }
 
 #[test]
-fn a_base_plate_too_thin_is_perforated_and_says_what_is_left() {
+fn a_base_plate_too_thin_is_perforated_with_a_residual_velocity() {
     let found = run(scene("h=0.002 v_i=400 base=0.002 elements=2"));
     let stack = found.stack.as_ref().unwrap();
     assert_eq!(

@@ -1,5 +1,5 @@
 //! What every study's command keeps to: a table can be made again from what lies beside it, pages repeat what was changed, and
-//! nothing that was asked for is ignored.
+//! nothing that was requested is ignored.
 
 use std::fs;
 use std::path::Path;
@@ -88,7 +88,7 @@ fn a_scene_that_somebody_wrote_is_not_replaced_by_a_studys() {
 }
 
 #[test]
-fn pages_repeat_what_was_changed() {
+fn pages_list_the_changed_inputs() {
     let place = tempfile::tempdir().unwrap();
     for words in [
         "limit --scatter 0",

@@ -93,7 +93,7 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
             Value::String(text) => assert_eq!(field, text, "{key}"),
             Value::Array(list) => {
                 let mut words: Vec<&str> = list.iter().filter_map(Value::as_str).collect();
-                // Nobody asks a point of a sweep for its series.
+                // A point of a sweep needs no series.
                 words.extend(["series"].iter().filter(|_| key == "omitted"));
                 assert_eq!(*field, words.join("; "), "{key}");
             }
@@ -238,7 +238,7 @@ fn bad_sweeps_are_refused_before_anything_runs() {
 }
 
 #[test]
-fn a_value_for_what_is_swept_is_said_to_have_no_effect() {
+fn a_set_value_of_a_swept_variable_is_reported_to_have_no_effect() {
     let place = tempfile::tempdir().unwrap();
     let done = sweep(place.path(), "figure-9.2 --set b=20 --set gamma=3 --csv -");
     assert_eq!(done.code, 0, "{}", done.err);
@@ -291,7 +291,7 @@ fn the_scene_beside_the_rows_makes_them_again() {
         };
         assert_eq!(rows_of(&again.out), rows_of(&read(&format!("{name}.csv"))), "{what}");
     }
-    // Someone's own scene is never replaced, and that is said before anything runs.
+    // Someone's own scene is never replaced, and that is reported before anything runs.
     fs::write(place.path().join("mine.toml"), "format = 1\n").unwrap();
     let done = sweep(place.path(), "figure-9.2 --csv mine.csv --force");
     assert_eq!(done.code, 2, "{}", done.err);
@@ -301,7 +301,7 @@ fn the_scene_beside_the_rows_makes_them_again() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_keeps_the_finished_rows() {
-    // Ten million points by whole runs, and by the quick way: nobody waits for that here.
+    // Ten million points by whole runs, and by the contact kernel: too long to run here.
     let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
     assert!(interrupted(what).contains("will take about"));
     interrupted(&format!("{what} --outputs percent_of_baseline"));

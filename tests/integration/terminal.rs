@@ -154,7 +154,7 @@ fn signals_end_the_process_with_the_terminal_restored() {
 /// Each ends a process by default, without a word to the terminal. Numbers as on Linux: USR1 10, USR2 12, ALRM 14, XCPU 24.
 #[cfg(target_os = "linux")]
 #[test]
-fn signals_that_nobody_expects_restore_the_terminal_too() {
+fn unexpected_signals_restore_the_terminal_too() {
     for (signal, code) in
         [(Signal::USR1, 138), (Signal::USR2, 140), (Signal::ALARM, 142), (Signal::XCPU, 152)]
     {
@@ -201,7 +201,7 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     // It is stuck in a write: it would draw, and nothing comes.
     terminal.signal(Signal::TERM);
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 143);
-    // Whoever takes bytes again finds the terminal as it was.
+    // A reader that continues finds the terminal unchanged.
     terminal.take_again();
     terminal.assert_restored();
     let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
@@ -264,7 +264,7 @@ fn stops_and_comes_back(stop: impl Fn(&mut Terminal, &str)) {
 }
 
 #[test]
-fn the_mouse_is_the_terminals_until_asked_for_and_its_wheel_moves_then() {
+fn the_mouse_belongs_to_the_terminal_until_it_is_switched_on() {
     let mut terminal = started();
     assert_eq!(terminal.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
     terminal.send(":mouse\r");
@@ -340,7 +340,7 @@ fn bytes_stay_few() {
     terminal.send("L");
     let coarse = terminal.settle(QUIET);
     assert!((1..=4096).contains(&coarse), "a coarse nudge: {coarse} bytes");
-    // A key held for two seconds, thirty times a second, in one go: frames are left out.
+    // A key held for two seconds, thirty times a second, in one go: frames are omitted.
     for _ in 0..60 {
         terminal.send("l");
     }

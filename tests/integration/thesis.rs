@@ -18,7 +18,7 @@ fn every_verdict_is_the_stored_one() {
     assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
     let on = |basis| report.iter().filter(|row| row.found.basis == basis).count();
     assert!(on(Basis::Read) >= 15 && on(Basis::Computed) > 150, "{}", on(Basis::Read));
-    // What was computed is said, unless nothing can be.
+    // What was computed is reported, unless nothing can be.
     for row in &report {
         let told = !row.found.sound.is_empty() || !row.found.printed.is_empty();
         assert!(told || row.found.verdict == Verdict::Unchecked, "{}", row.claim.id);
@@ -36,7 +36,7 @@ fn every_verdict_is_the_stored_one() {
 }
 
 #[test]
-fn a_verdict_that_changes_is_told() {
+fn a_changed_verdict_is_reported() {
     let mut report: Vec<_> = thesis::claims()[2..5].iter().map(thesis::check).collect();
     report[1].found.verdict = Verdict::Reproduced;
     let told = differences(&report);
@@ -50,7 +50,7 @@ fn a_verdict_that_changes_is_told() {
 }
 
 #[test]
-fn claims_have_names_of_their_own_and_open_what_exists() {
+fn claims_have_unique_names_and_open_existing_scenes() {
     let mut ids = HashSet::new();
     for claim in thesis::claims() {
         assert!(ids.insert(claim.id), "{} twice", claim.id);
@@ -94,7 +94,7 @@ fn found(id: &str) -> thesis::Found {
 
 /// What issue and thesis say, with numbers worked out by hand.
 #[test]
-fn rows_that_were_unfair_say_what_the_thesis_says() {
+fn corrected_rows_quote_the_thesis() {
     // Closed form: limits of 73.459 m/s (rigid) and 109.955 m/s (free, gamma = 1) at 1.52e7 Pa: a tenth of the strength takes
     // the root of ten off 232.295 and 347.708 m/s.
     let strength = found("9.1-strength").sound;
@@ -139,7 +139,7 @@ fn rows_that_were_unfair_say_what_the_thesis_says() {
 }
 
 #[test]
-fn reproduce_refuses_a_text_that_no_row_has_and_counts_what_it_did() {
+fn reproduce_refuses_a_text_without_a_match_and_counts_its_rows() {
     let (page, error, status) = cmra(&["reproduce", "--only", "nope"]);
     assert_eq!((page.as_str(), status), ("", 2));
     assert!(error.contains("--only nope: none of the 199 rows"), "{error}");

@@ -120,7 +120,7 @@ fn named_modules_are_found() {
 }
 
 #[test]
-fn nobody_knows_what_it_must_not_know() {
+fn imports_point_one_way() {
     let mut complaints = Vec::new();
     for source in sources() {
         let code_lines = source.code().lines().count();
@@ -143,7 +143,7 @@ fn nobody_knows_what_it_must_not_know() {
 }
 
 #[test]
-fn every_file_says_what_it_is_and_keeps_to_one_subject() {
+fn every_file_has_a_head_and_a_bounded_length() {
     let mut complaints = Vec::new();
     for source in sources() {
         if !source.text.starts_with("//! ") {

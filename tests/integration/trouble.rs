@@ -125,7 +125,7 @@ fn a_window_of_absurd_size_is_drawn_on_in_part() {
 }
 
 #[test]
-fn the_terminal_itself_is_no_target_of_an_export() {
+fn an_export_to_the_terminal_device_is_refused() {
     let mut terminal = started(Start::default());
     terminal.send("e\x15/dev/tty\r");
     terminal.wait_for("is a device or a pipe");
@@ -172,7 +172,7 @@ fn leaving_takes_no_time_whatever_is_being_computed() {
             terminal.send(&key.to_string());
             terminal.settle(Duration::from_millis(30));
         }
-        // Whoever leaves hammers on the keys.
+        // Keys may be pressed repeatedly on quitting.
         for _ in 0..200 {
             terminal.send("j");
         }
@@ -184,7 +184,7 @@ fn leaving_takes_no_time_whatever_is_being_computed() {
 }
 
 #[test]
-fn a_book_on_the_keyboard_fills_a_field_and_no_more() {
+fn very_long_input_fills_a_field_only() {
     let mut terminal = started(Start::default());
     terminal.send("jj\r");
     terminal.settle(QUIET);

@@ -97,7 +97,7 @@ fn banned(text: &str) -> Vec<&'static (&'static str, &'static str)> {
 }
 
 #[test]
-fn texts_are_found_and_their_words_judged() {
+fn texts_are_found_and_their_words_checked() {
     assert_eq!(texts(r#"say("6 left out", "a \"quoted\" one")"#, false).len(), 2);
     assert!(texts("/// left out", false).is_empty());
     assert_eq!(texts("/// left out", true), [" left out"]);

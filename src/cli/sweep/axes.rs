@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_axes_say_what_to_write() {
+    fn bad_axes_are_refused_with_the_form_to_write() {
         for (text, fragments) in [
             ("gamma", &["--over gamma", "NAME=LO..HI:COUNT"][..]),
             ("gamma=1:5", &["NAME=LO..HI:COUNT", "NAME=A,B,C"]),

@@ -90,7 +90,7 @@ fn valid_the_initial_velocity_is_the_limit_of_short_histories() {
 }
 
 #[test]
-fn valid_the_initial_velocity_swings_as_far_as_energy_allows_and_invents_nothing() {
+fn valid_the_initial_velocity_model_reaches_the_energy_limit_only() {
     let run = run("model=initial-velocity");
     let expected = 50.0 * (2.0 * 0.0295 / 1e5f64).sqrt();
     assert!(close(run.max_plate_displacement_m.unwrap(), expected, 1e-9));
@@ -211,7 +211,7 @@ fn valid_the_listing_gives_the_baselines_of_the_model_page() {
 }
 
 #[test]
-fn valid_what_the_printed_coupling_costs() {
+fn valid_the_error_of_the_printed_coupling() {
     // Of 7.129 mm, rho = 2780, dt = 1e-6: an independent port of the listing.
     let known = [
         (0.8, 78.4, 60.1),

@@ -486,7 +486,7 @@ mod tests {
     }
 
     #[test]
-    fn what_it_is_not_made_for_is_refused() {
+    fn scenes_outside_its_scope_are_refused() {
         assert_eq!(solve(&scene("k=1e5 theta=10deg")), Err(Refusal::NoReference));
         assert_eq!(solve(&scene("k=1e5 x_stop=0.001")), Err(Refusal::StopWithinContact));
         assert_eq!(solve(&scene("k=1e6 n=0.1")), Err(Refusal::TooStiff));
@@ -497,7 +497,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plate_that_swings_through_a_singular_zero_agrees_with_dop853() {
+    fn a_plate_that_oscillates_through_a_singular_zero_agrees_with_dop853() {
         use crate::model::contact_phase::{Phase, Scheme};
         for pairs in [
             "d=0.001 k=1e6 n=0.5",

@@ -372,7 +372,7 @@ mod tests {
 
     /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
     #[test]
-    fn the_run_tells_of_spring_stop_and_interface() {
+    fn a_run_warns_of_spring_stop_and_interface() {
         let mut scene = inside();
         scene.mechanism.spring.coefficient = 1e6;
         assert!(!checks(&of_run(&run(&scene))).contains(&Check::Spring));

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn use_is_told_in_words() {
+    fn use_is_described_in_words() {
         let when = |name: &str| used_when(find(name).unwrap());
         assert_eq!(when("v_i"), "always");
         assert_eq!(when("m"), "where b > 0");

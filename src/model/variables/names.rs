@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_usual_names_are_variables_and_a_strange_one_is_told_them() {
+    fn the_usual_names_are_variables_and_an_unknown_one_gets_their_list() {
         assert!(USUAL.split(' ').all(|name| find(name).is_ok()));
         let hint = nearest("quux");
         assert!(hint.contains(USUAL) && hint.len() < 120, "{hint}");

@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_no_result_has_is_told_the_nearest_ones_in_a_line_that_can_be_read() {
+    fn an_unknown_name_gets_the_nearest_names_in_a_short_line() {
         assert!(USUAL.iter().all(|name| find(name).is_some()));
         assert_eq!(nearest("stroke"), "did you mean `stroke_m`?");
         assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");

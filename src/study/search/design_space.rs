@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn what_perforates_has_no_depth_and_a_stop_keeps_what_is_done() {
+    fn a_perforated_plate_has_no_depth_and_a_stop_keeps_finished_results() {
         let space =
             DesignSpace::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
         let found = whole(&space, &[vec![100.0], vec![800.0]], 1);

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn opposite_effects_do_not_cancel_in_mu_star_and_holes_are_left_out() {
+    fn opposite_effects_do_not_cancel_in_mu_star_and_missing_values_are_omitted() {
         // Rises on the lower half and falls by as much on the upper.
         let bend = effects(1, 400, |x| (x[0] - 0.5).abs() * if x[0] > 0.4 { 0.0 } else { 1.0 });
         assert!(bend[0].magnitude.unwrap() > 0.1);

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_vary_has_no_indices_and_points_without_a_value_are_counted() {
+    fn a_constant_result_has_no_indices_and_missing_values_are_counted() {
         let flat = indices(2, 64, 1, |_| 0.1);
         assert!(flat.inputs.iter().all(|input| input.first.is_none() && input.total.is_none()));
         let holes = indices(2, 256, 1, |x| if x[0] > 0.9 { f64::NAN } else { x[1] });

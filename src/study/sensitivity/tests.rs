@@ -37,7 +37,7 @@ fn a_stop_keeps_what_there_is() {
 }
 
 #[test]
-fn points_without_a_value_are_left_out_and_counted() {
+fn points_without_a_value_are_omitted_and_counted() {
     let asked = axes(&[("v_i", 200.0, 300.0)]);
     let found = found(&rigid(), asked, "percent_of_baseline").unwrap();
     let sobol = found.sobol.unwrap();

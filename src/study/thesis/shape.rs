@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn shapes_are_told_apart() {
+    fn shapes_are_distinguished() {
         let root = curve(f64::sqrt);
         assert!(rises(&root) && flattens(&root) && !falls(&root));
         let square = curve(|x| x * x);

@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn no_contour_runs_through_what_differs_by_rounding_only() {
+    fn no_contour_runs_between_values_equal_within_rounding() {
         let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
         let levels = Levels::of(Scale::Linear, [0.0, 110.0]);

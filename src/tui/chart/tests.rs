@@ -146,7 +146,7 @@ fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
 }
 
 #[test]
-fn a_logarithmic_axis_has_decades_and_counts_what_it_cannot_show() {
+fn a_logarithmic_axis_has_decades_and_counts_hidden_points() {
     let points = [(-1.0, 5.0), (0.0, 5.0), (1.0, 1.0), (1000.0, 1000.0), (f64::NAN, 1.0)];
     let axis = |label| Axis::new(label, ViewRange::new(1.0, 1000.0)).scale(Scale::Log10);
     let chart = Chart {
@@ -254,7 +254,7 @@ fn hidden_labels_leave_their_row_to_the_plot() {
 }
 
 #[test]
-fn charts_without_room_draw_what_fits() {
+fn charts_without_room_draw_the_part_that_fits() {
     let chart = small(vec![Curve::new('*', "now", &RISING)]);
     assert_eq!(chart.to_lines(0, 0, Theme::PLAIN), [""; 0]);
     assert_eq!(chart.to_lines(1, 1, Theme::PLAIN), ["+"]);

@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn cycling_comes_back_to_what_the_terminal_can_show() {
+    fn cycling_returns_to_the_characters_of_the_terminal() {
         let full = ColourDepth::Rgb;
         let path = [full, full.next(full), full.next(full).next(full)];
         assert_eq!(path, [full, ColourDepth::Sixteen, ColourDepth::None]);

@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ascii_pass_leaves_nothing_but_ascii_and_keeps_columns() {
+    fn the_ascii_pass_writes_ascii_only_and_keeps_columns() {
         let area = Rect::new(0, 0, 20, 1);
         let mut buffer = Buffer::empty(area);
         buffer.set_string(0, 0, "┌─ 5 µs → ·… ⣿⠁⡀│日", Style::new());

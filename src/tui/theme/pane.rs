@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn the_focused_pane_is_told_apart_at_every_depth() {
+    fn the_focused_pane_is_distinguished_at_every_colour_depth() {
         let area = Rect::new(0, 0, 20, 3);
         for depth in
             [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]

@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_in_view_stays_within_the_bounds() {
+    fn the_view_stays_within_the_bounds() {
         use Action::{PanLeft, PanRight, ZoomFit, ZoomIn, ZoomOut};
         let linear = |actions: &[Action]| after(Scale::Linear, 1.0, actions);
         assert_eq!(linear(&[ZoomIn]), Some((1.0, 8.5)));

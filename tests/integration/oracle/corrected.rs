@@ -11,7 +11,7 @@ fn all_agree(scenes: &[&str]) {
     }
 }
 
-/// A table's force that falls at its end goes on falling, and drives the plate away: what the plate has left is no bound then. All of it
+/// A table's force that falls at its end goes on falling, and drives the plate away: the plate's remaining energy is not a bound then. All of it
 /// by hand: beyond 4 mm the force is `F_2 + s (x - x_2)` with the three-point slope s = -2.5e6 N/m of the points, so the plate goes on
 /// like exp(t sqrt(-s/m)), and a projectile that only grips cannot follow.
 #[test]
@@ -82,7 +82,7 @@ fn valid_a_half_sine_history_with_a_stop_and_a_second_approach() {
     ]);
 }
 
-/// A cocked spring presses the plate on the undamped elastic stop at which it starts: it swings between its start and twice the rest's
+/// A cocked spring presses the plate on the undamped elastic stop at which it starts: it oscillates between its start and twice the rest's
 /// place, k d^n / `k_stop`, beyond, and comes back to the stop with no speed at all each time. It once went through it there.
 #[test]
 fn valid_a_plate_that_turns_at_its_elastic_stop_stays_on_it() {

@@ -124,7 +124,7 @@ pub(crate) fn stacked(random: &mut Random) -> String {
     loop {
         let of_any = |random: &mut Random| {
             let words = if chance(random, 0.5) { plain(random) } else { curved(random) };
-            // Thin and struck hard, so that something goes through; and a run that is told for good.
+            // Thin and struck hard, so that something perforates; and the final state of a run.
             let kept = words.split(' ').filter(|word| {
                 let name = word.split('=').next().unwrap();
                 !["h", "v_i", "run.horizon_s", "theta", "interface", "g"].contains(&name)

@@ -8,7 +8,7 @@ use super::{OFF, STEP_S, draw, program};
 
 /// How long each plate is looked at, s.
 const LOOK_S: f64 = 1e-3;
-/// A projectile that has less of its velocity left than this part is amplified too much to say anything.
+/// A projectile that has less of its residual velocity than this part is amplified too much to compare.
 const SLOW: f64 = 0.05;
 
 /// What the steps make of one plate: the velocity behind it, if any, and the depth.
@@ -55,7 +55,7 @@ pub(crate) fn compare(words: &str) -> Vec<String> {
             if fine.left.is_some() || run.exit_time_s.is_some() {
                 found.push(format!("plate {passed} leaves {:?}", run.residual_velocity_m_s));
             }
-            // One that is still moving is told nothing of.
+            // A run that is still moving has no outcome to compare.
             if let Some(depth_m) = run.final_penetration_m {
                 let off_m = (coarse.depth_m - fine.depth_m).abs();
                 let deep = depth_m > fine.depth_m || near(depth_m, fine.depth_m, off_m);

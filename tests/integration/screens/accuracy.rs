@@ -73,7 +73,7 @@ fn point(method: Method, knob: Knob) -> Point {
     Point { knob, result: refused.map_or(Ok(measured), Err) }
 }
 
-/// Made-up measurements of the first so many methods.
+/// Made-up measurements of the first few methods.
 fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     let reference = Reference {
         basis: Basis::Stored("S2"),
@@ -142,7 +142,7 @@ fn reports_of_replaced_studies_are_dropped() {
 }
 
 #[test]
-fn escape_stops_and_what_there_is_stays() {
+fn escape_stops_and_keeps_partial_results() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");
     let study = bench.studies().remove(0);
@@ -155,7 +155,7 @@ fn escape_stops_and_what_there_is_stays() {
 }
 
 #[test]
-fn the_crosshair_tells_what_a_run_time_buys() {
+fn the_crosshair_shows_the_error_for_a_run_time() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     bench.keys("LLLL");
     assert!(bench.message().starts_with("within "), "{}", bench.message());
@@ -169,7 +169,7 @@ fn the_crosshair_tells_what_a_run_time_buys() {
 }
 
 #[test]
-fn the_table_is_written_and_never_over_a_file_unasked() {
+fn the_table_is_written_and_never_over_a_file_without_consent() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let (to, csv, has_scene) = bench.exported().expect("an export");
@@ -227,7 +227,7 @@ fn the_chart_is_zoomed_panned_and_fitted_again() {
 }
 
 #[test]
-fn slopes_spreads_scales_and_the_floor_are_drawn_when_asked_for() {
+fn slopes_spreads_scales_and_the_floor_are_drawn_on_request() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.screen().contains("reference's floor"), "{}", bench.screen());
     bench.keys(":reference slopes<Enter>");

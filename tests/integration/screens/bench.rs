@@ -27,7 +27,7 @@ use ratatui::backend::TestBackend;
 /// A workbench on a desk.
 pub(crate) struct Bench {
     pub(crate) app: App,
-    /// Effects nobody has looked at yet.
+    /// Effects that no assertion has taken yet.
     pub(crate) effects: Vec<Effect>,
     /// The slots of the tasks submitted, by their numbers.
     slots: Vec<(u64, Slot)>,
@@ -60,7 +60,7 @@ impl Bench {
         bench
     }
 
-    /// Before anything has been asked for.
+    /// Before anything has been requested.
     pub(crate) fn closed(glyphs: GlyphSet, size: (u16, u16)) -> Self {
         let base = Base {
             name: "thesis-baseline".to_owned(),
@@ -143,7 +143,7 @@ impl Bench {
         self.send(Message::Report(Report { id, slot, body }));
     }
 
-    /// Report that a task has done so many points.
+    /// Report that a task has done a given number of points.
     pub(crate) fn progress(&mut self, id: u64, done: usize, total: usize) {
         let (progress, elapsed) = (Progress::Points(done, total), Duration::from_millis(600));
         self.reply(id, ReportBody::Progress { progress, elapsed });
@@ -179,7 +179,7 @@ impl Bench {
         }
     }
 
-    /// Press keys and answer what was asked for after each.
+    /// Press keys and answer what was requested after each.
     pub(crate) fn keys(&mut self, keys: &str) {
         self.press(keys);
         self.answer();

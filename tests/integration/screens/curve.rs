@@ -1,4 +1,4 @@
-//! A spring's measured curve in the workbench: choosing the kind asks for the file, which becomes one edit.
+//! A spring's measured curve in the workbench: choosing the kind requests the file, which becomes one edit.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
         "{:?}",
         bench.effects
     );
-    // What is wrong with the file is said where its name was typed, and nothing is lost.
+    // What is wrong with the file is reported where its name was typed, and nothing is lost.
     report(&mut bench, Err("`curve.csv`, line 3: `0.002;900` is not a point"));
     assert!(bench.screen().contains("line 3"), "{}", bench.screen());
     report(&mut bench, Ok(&[[0.0, 0.0], [0.0, 900.0]]));

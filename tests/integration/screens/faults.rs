@@ -195,7 +195,7 @@ fn zoom_on_a_logarithmic_axis_goes_by_decades() {
 
 /// `z` and Space in the Log leave the Run tab as it is.
 #[test]
-fn keys_do_not_change_what_another_tab_shows() {
+fn keys_do_not_change_another_tab() {
     let mut bench = Bench::ascii(120, 40);
     let before = bench.screen();
     bench.keys("7z v<Esc>1");
@@ -419,7 +419,7 @@ fn the_second_axis_is_named_with_its_unit() {
 }
 
 #[test]
-fn numerics_says_what_auto_uses_and_why() {
+fn numerics_names_the_method_of_auto_with_its_reason() {
     for size in [(60, 16), (80, 24), (120, 40)] {
         let bench = accuracy::open(GlyphSet::Ascii, size);
         let screen = bench.screen();

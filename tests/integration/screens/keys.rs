@@ -260,7 +260,7 @@ fn reset_takes_the_presets_value_and_can_be_undone() {
 }
 
 #[test]
-fn while_a_run_goes_on_the_newest_edit_wins_after_a_pause() {
+fn during_a_run_the_newest_edit_wins_after_a_pause() {
     let mut bench = bench();
     select(&mut bench, "v_i");
     bench.press("l");
@@ -282,7 +282,7 @@ fn while_a_run_goes_on_the_newest_edit_wins_after_a_pause() {
 }
 
 #[test]
-fn a_result_that_lands_while_the_scene_goes_on_asks_for_the_next() {
+fn a_result_of_an_edited_scene_requests_the_next_one() {
     let mut bench = bench();
     select(&mut bench, "v_i");
     bench.press("l");
@@ -497,7 +497,7 @@ fn export_asks_for_the_ticked_runs_and_columns() {
 }
 
 #[test]
-fn an_export_is_spelt_as_chosen_with_its_scene_where_chosen() {
+fn an_export_has_the_chosen_dialect_and_place_of_its_scene() {
     let mut bench = bench();
     bench.press("e");
     // The last two rows: style, and where the scene goes.
@@ -690,7 +690,7 @@ fn leaving_asks_only_while_a_run_has_been_going_on_for_long() {
 }
 
 #[test]
-fn a_run_that_goes_on_says_how_far_it_is() {
+fn a_long_run_reports_its_progress() {
     let mut bench = bench();
     bench.press("jjl");
     let job = bench.jobs().remove(0);

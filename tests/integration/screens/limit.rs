@@ -67,7 +67,7 @@ fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     }
 }
 
-/// Answer what was asked for.
+/// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     end(bench, |_| {});
 }
@@ -95,7 +95,7 @@ fn the_limit_tab_at_every_size() {
 }
 
 #[test]
-fn what_there_is_not_is_said() {
+fn missing_results_are_explained() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("3");
     assert_snapshot!("limit_begins", bench.screen());
@@ -116,7 +116,7 @@ fn what_there_is_not_is_said() {
 }
 
 #[test]
-fn the_limit_is_found_once_a_scene_and_again_when_asked() {
+fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 %: 100 m/s is stopped"));
     bench.keys("13");
@@ -134,7 +134,7 @@ fn the_limit_is_found_once_a_scene_and_again_when_asked() {
 }
 
 #[test]
-fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
+fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("3");
     let study = bench.studies().remove(0);
@@ -178,7 +178,7 @@ fn the_crosshair_walks_from_shot_to_shot() {
 }
 
 #[test]
-fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
+fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e");
     assert_snapshot!("limit_export", bench.screen());
@@ -224,7 +224,7 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
 }
 
 #[test]
-fn an_oblique_limit_comes_with_what_measurements_say() {
+fn an_oblique_limit_comes_with_the_measured_bias() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/theta<Enter><Enter>30<Enter>3");
     answer(&mut bench);
@@ -235,7 +235,7 @@ fn an_oblique_limit_comes_with_what_measurements_say() {
     assert!(!bench.screen().contains("oblique limits"));
 }
 
-/// With room for all there is nothing to turn; nobody who looks for another pane is thrown out of the tab.
+/// With room for all there is nothing to turn; a key for another pane does not leave the tab.
 #[test]
 fn where_there_is_one_pane_tab_says_how_to_go_on() {
     let mut bench = Bench::ascii(120, 40);

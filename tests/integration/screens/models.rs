@@ -1,4 +1,4 @@
-//! The interaction models in the workbench: side by side by one key, their variables only where they matter.
+//! The interaction models in the workbench: compared by one key, with their variables shown only where they matter.
 
 use cmra::model::scene::{ContactModel, SpringKind};
 

@@ -23,7 +23,7 @@ fn in_search(size: (u16, u16)) -> Bench {
 }
 
 #[test]
-fn what_is_looked_for_is_undone_and_redone_like_any_edit() {
+fn the_search_setup_is_undone_and_redone_like_any_edit() {
     let mut bench = in_search((80, 24));
     let scene = bench.app.scene.clone();
     bench.keys("<Enter>50 %<Enter>");
@@ -111,7 +111,7 @@ fn a_key_of_another_pane_says_where_it_works() {
 
 /// Things are found by their names and by what else people call them; what is in no name matches nothing.
 #[test]
-fn the_palette_finds_by_name_and_synonym_and_says_what_enter_does() {
+fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
     for (typed, name, does) in [
         ("pareto", "Pareto front", "Enter: pareto front"),
         ("optimise", "Pareto front", "Enter: pareto front"),
@@ -137,7 +137,7 @@ fn the_palette_finds_by_name_and_synonym_and_says_what_enter_does() {
 }
 
 #[test]
-fn the_keys_row_leaves_out_what_has_nothing_to_act_on() {
+fn the_keys_row_omits_keys_without_effect() {
     let mut bench = in_search((120, 36));
     let keys = |bench: &Bench| bench.screen().lines().last().unwrap().to_owned();
     bench.press("<Tab>");
@@ -250,7 +250,7 @@ fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
 }
 
 #[test]
-fn a_search_that_matches_no_preset_says_what_opens_a_file() {
+fn a_search_without_a_match_explains_how_to_open_a_file() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("p/");
     bench.press("zzz");

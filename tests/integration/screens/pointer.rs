@@ -176,7 +176,7 @@ fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
 }
 
 #[test]
-fn a_map_without_values_says_why_and_what_to_do() {
+fn a_map_without_values_gives_the_reason_and_the_cure() {
     let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
     bench.press("/v_i<Enter><Enter>2000<Enter><Esc>2");
     bench.answer();

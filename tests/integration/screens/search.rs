@@ -82,7 +82,7 @@ fn compared(scene: &Arc<Scene>) -> Comparison {
     Comparison { report, map }
 }
 
-/// Answer what was asked for.
+/// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
         let found = if let Some(request) = study.asked.of::<Request>() {
@@ -178,7 +178,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
 }
 
 #[test]
-fn esc_stops_what_the_tab_says_it_stops_before_the_run() {
+fn esc_stops_the_task_named_in_the_tab_before_the_run() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("1");
     bench.press("r");
@@ -212,7 +212,7 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
 }
 
 #[test]
-fn what_was_found_is_exported() {
+fn results_are_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let (to, text, has_scene) = bench.exported().expect("an export");
@@ -221,7 +221,7 @@ fn what_was_found_is_exported() {
 }
 
 #[test]
-fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
+fn on_a_small_screen_results_or_setup_have_the_room() {
     let mut bench = open(GlyphSet::Ascii, (60, 16));
     for _ in 0..4 {
         bench.keys("4");
@@ -263,7 +263,7 @@ fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
 
 /// Where everything perforates there is no percentage of a baseline, and each page says what to do instead.
 #[test]
-fn what_has_no_value_anywhere_says_so_and_what_to_do() {
+fn a_result_without_any_value_says_what_to_do() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("/v_i<Enter><Enter>2000<Enter>4<Tab>");
     answer(&mut bench);

@@ -60,7 +60,7 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
     CASES.iter().take(count).enumerate().map(row).collect()
 }
 
-/// Answer what was asked for.
+/// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
         let found = if let Some(asked) = study.asked.of::<StabilityMap>() {
@@ -83,7 +83,7 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 }
 
 #[test]
-fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
+fn the_crosshair_starts_at_the_scene_and_describes_each_cell() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.message().contains("accurate (1 %); analytic limit 0.0015 s; the scene"));
     bench.keys("kkkkkkkkkkkkLL");
@@ -93,7 +93,7 @@ fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
 }
 
 #[test]
-fn variable_and_method_are_chosen_and_mapped_anew() {
+fn variable_and_method_are_chosen_and_mapped_again() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
     assert_eq!(
@@ -105,7 +105,7 @@ fn variable_and_method_are_chosen_and_mapped_anew() {
         bench.studies()[1].asked.of(),
         Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
     );
-    // A map that came back belongs to what was asked for last.
+    // A map that came back belongs to what was requested last.
     bench.app.jobs.studies.clear();
     bench.keys("1");
     bench.effects.clear();
@@ -127,7 +127,7 @@ fn an_edited_scene_is_mapped_when_the_tab_opens() {
 }
 
 #[test]
-fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
+fn the_stiff_scenes_run_once_can_be_stopped_and_name_failures() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = bench.studies().remove(0);
@@ -142,7 +142,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
     bench.keys("jj");
     assert!(bench.message().contains("fails: energy"), "{}", bench.message());
-    // Whoever comes back to a part of it gets all of it.
+    // Returning to a partial result completes it.
     bench.keys("<Tab><Tab>");
     answer(&mut bench);
     bench.keys("<Tab><Tab>");

@@ -24,18 +24,18 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::style::Color;
 
-/// A sweep that was asked for.
+/// A sweep that was requested.
 struct Job {
     id: u64,
     plan: Arc<Plan>,
 }
 
-/// The sweeps asked for and not answered.
+/// The sweeps requested and not answered.
 fn jobs(bench: &mut Bench) -> Vec<Job> {
     bench.sweeps().into_iter().map(|(id, _, plan)| Job { id, plan }).collect()
 }
 
-/// A grid of the job, filled until so many points are done.
+/// A grid of the job, filled until a given number of points are done.
 fn grid(job: &Job, points: usize) -> Arc<Grid> {
     let watch = &mut |progress: study::Progress, _: Option<&Grid>| {
         if progress.done >= points { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -52,7 +52,7 @@ pub(super) fn answer(bench: &mut Bench) {
     }
 }
 
-/// A bench on a figure with so many points along every axis.
+/// A bench on a figure with a given number of points along every axis.
 pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     let mut scene = preset::resolve(figure, None).unwrap().scene;
@@ -72,7 +72,7 @@ pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16,
     bench
 }
 
-/// Press keys and answer what was asked for after each.
+/// Press keys and answer what was requested after each.
 fn keys(bench: &mut Bench, keys: &str) {
     let mut rest = keys;
     while let Some(first) = rest.chars().next() {
@@ -109,7 +109,7 @@ fn one_curve_and_a_logarithmic_surface() {
 }
 
 #[test]
-fn what_has_no_value_is_a_letter_with_its_meaning() {
+fn points_without_a_value_are_letters_with_a_legend() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
     keys(&mut bench, "2<Tab>jjjjjj<Enter>v_i<Enter>");
     keys(&mut bench, "<Enter>150<Enter><Enter>400<Enter><Tab>");
@@ -348,7 +348,7 @@ fn a_scene_without_a_sweep_gets_usual_axes() {
 }
 
 #[test]
-fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
+fn results_are_exported_and_nothing_is_replaced_without_consent() {
     let mut bench = open_map("figure-9.7", 5, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2e");
     assert_snapshot!("surface_export", bench.screen());
@@ -368,7 +368,7 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
 
 /// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.
 #[test]
-fn a_quadratic_fit_shows_what_it_leaves_over() {
+fn a_quadratic_fit_shows_its_residuals() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
     keys(&mut bench, "2");
     assert!(!bench.screen().contains("quadratic fit"));

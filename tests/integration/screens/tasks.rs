@@ -21,7 +21,7 @@ impl Counted {
         Self { bench: Bench::ascii(80, 24), presses: 0 }
     }
 
-    /// Press one key and answer what it asks for.
+    /// Press one key and answer what it requests.
     fn key(&mut self, key: &str) -> &mut Self {
         self.presses += 1;
         self.bench.press(key);
@@ -96,7 +96,7 @@ fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
 }
 
 #[test]
-fn what_1e_6_costs_here_and_using_that_method_takes_2() {
+fn the_cheapest_method_for_1e_6_is_used_with_2_keys() {
     let mut task = Counted::start();
     task.key("5");
     accuracy::answer(&mut task.bench, Method::ALL.len());
@@ -134,7 +134,7 @@ fn the_knee_of_the_front_takes_4() {
 }
 
 #[test]
-fn whether_it_pays_over_velocity_takes_1() {
+fn the_comparison_over_velocity_takes_1() {
     let mut task = Counted::start();
     task.key("3");
     let asked = task.bench.effects.clone();

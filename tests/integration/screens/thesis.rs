@@ -46,7 +46,7 @@ fn all_counted(columns: u16, rows: u16) -> String {
     bench.screen()
 }
 
-/// The number of the study of the claims that was asked for.
+/// The number of the study of the claims that was requested.
 fn asked(bench: &mut Bench) -> Option<u64> {
     let studies = bench.studies();
     Some(studies.iter().rev().find(|it| it.asked.of::<Claims>().is_some())?.id)
@@ -85,7 +85,7 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
 }
 
 #[test]
-fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
+fn enter_opens_the_scene_of_a_claim_and_undo_returns() {
     let mut bench = bench(80, 24);
     // 2.3.1, the inelastic collision: a free plate.
     bench.keys("jjjj<Enter>");

@@ -12,7 +12,7 @@ fn scene(figure: u32) -> Scene {
     preset::resolve(&format!("figure-9.{figure}"), None).unwrap().scene
 }
 
-/// The figure's sweep with so many points along every axis.
+/// The figure's sweep with a given number of points along every axis.
 fn grid(figure: u32, count: usize) -> Grid {
     let mut scene = scene(figure);
     let sweep = scene.sweep.as_mut().unwrap();
@@ -56,7 +56,7 @@ fn span(values: &[f64]) -> f64 {
 }
 
 #[test]
-fn every_figure_holds_what_its_caption_says() {
+fn every_figure_agrees_with_its_caption() {
     // Held: gamma, d, b, k, n; NaN where the figure sweeps it. Ranges of Table 9.2.
     let nan = f64::NAN;
     let ranges = [

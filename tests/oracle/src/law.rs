@@ -3,7 +3,7 @@
 //! It keeps no mode from one step to the next. What the interface does is read off the state at the start of every step: u > 0 at
 //! the bottom of the hole deepens it, u > 0 above the bottom closes the gap, u < 0 pulls out, and at u = 0 the bodies stay together
 //! unless the greatest push or pull would part them. Whether the plate rests on a rigid stop, and what an elastic one pushes with,
-//! follows from the state as well. A step is cut, by bisection, where the sign of something changes that the law asks for. Nothing
+//! follows from the state as well. A step is cut, by bisection, where the sign of something changes that the law depends on. Nothing
 //! of the engine is used but the oblique section's area; the springs are in `springs.rs`, other contacts than the hydrodynamic one
 //! in `contacts.rs`.
 
@@ -249,7 +249,7 @@ impl<'a> Shot<'a> {
         }
     }
 
-    /// Whether something that the law asks for changes on the way to a state.
+    /// Whether something that the law depends on changes on the way to a state.
     fn changes(&self, now: Now, to: State) -> bool {
         let from = self.state;
         let interface_changes = match now.interface {

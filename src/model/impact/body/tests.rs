@@ -92,7 +92,7 @@ fn a_projection_puts_one_component_exactly_on_its_event() {
 }
 
 #[test]
-fn valid_what_is_left_of_the_energy_bounds_displacement_and_load() {
+fn valid_the_remaining_energy_bounds_displacement_and_load() {
     // A linear spring: x = sqrt(2 E/k), and the interface carries half of its force where both bodies weigh the same.
     let energy_j = 0.2;
     let exact = (2.0 * energy_j / 1e5f64).sqrt();

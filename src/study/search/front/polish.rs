@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_better_or_stopped_changes_nothing() {
+    fn a_worse_or_stopped_candidate_changes_nothing() {
         let judged = Judged { objectives: vec![1.0], violation: 0.0 };
         let start = Individual { shares: vec![0.3], judged: judged.clone() };
         assert_eq!(polish(start.clone(), (0, 100), &mut |_| None), start);

@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn a_touch_is_told_from_a_crossing_and_from_a_miss() {
+    fn a_touch_differs_from_a_crossing_and_from_a_miss() {
         let touch = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
         assert_eq!((touch.len(), touch[0].kind), (1, Kind::Touch));
         assert!((touch[0].from.at - 0.372).abs() < 1e-3);
@@ -347,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn a_jump_and_a_pole_are_no_solutions() {
+    fn a_jump_and_a_pole_are_not_solutions() {
         let step = scan(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
         assert_eq!((step.len(), step[0].kind), (1, Kind::Jump));
         assert!((step[0].from.at - 0.3217).abs() < 1e-13 && (step[0].to.at - 0.3217).abs() < 1e-13);
@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_depend_on_the_place_is_one_plateau() {
+    fn a_constant_function_is_one_plateau() {
         let flat = scan(|_| Some(7.0), 7.0, 11);
         assert_eq!(flat.len(), 1);
         assert_eq!((flat[0].kind, flat[0].from.at, flat[0].to.at), (Kind::Plateau, 0.0, 1.0));
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_keeps_what_was_found() {
+    fn a_stop_keeps_the_results() {
         let mut asked = 0;
         let function: Function<'_> = &mut |shares| {
             asked += 1;
