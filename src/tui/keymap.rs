@@ -417,7 +417,7 @@ pub static LINES: &[Line] = &[
         (A::Down, "down", &[plain('j'), special(C::Down)]),
         (A::Up, "up", &[plain('k'), special(C::Up)]),
         (A::Right, "right", &[plain('l'), special(C::Right)]),
-    ], "move the selection or the cursor (arrows too); in a form h and l change the value"),
+    ], "move the selection or cursor, as arrows do; h l change values"),
     everywhere(&[
         (A::FarLeft, "far-left", &[plain('H'), shifted(C::Left)]),
         (A::FarRight, "far-right", &[plain('L'), shifted(C::Right)]),
@@ -438,7 +438,7 @@ pub static LINES: &[Line] = &[
     everywhere(&[(A::Run, "run", &[plain('r')])], "run again what this page computes"),
     everywhere(&[(A::Export, "export", &[plain('e')]), (A::Copy, "copy", &[plain('y')])], "export, copy what this page shows"),
     everywhere(&[(A::Presets, "presets", &[plain('p')]), (A::Save, "save", &[plain('s')])], "presets, threats, materials and absorbers; save the scene"),
-    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, auto-run, threads, models"),
+    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, threads, models"),
     everywhere(&[(A::FullPane, "full-pane", &[plain('z')])], "show this pane alone"),
     everywhere(&[(A::Quit, "quit", &[plain('q')]), (A::QuitWithSummary, "quit-with-summary", &[plain('Q')])], "quit (the session is kept), quit and print a summary"),
     everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),
@@ -452,7 +452,7 @@ pub static LINES: &[Line] = &[
     with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear x axis, y axis"),
     listed(&[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
     listed(&[(A::Window, "window", &[plain('c')])], "show the contact only, or the whole response"),
-    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "show the next quantity on a right-hand axis; after the last none"),
+    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "second axis at the right: next quantity, after the last none"),
     listed(&[(A::Difference, "difference", &[plain('D')])], "show curves as differences to the first pinned run"),
     listed(&[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
     with(Part::Table, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
@@ -462,6 +462,17 @@ pub static LINES: &[Line] = &[
 mod tests {
     use super::*;
     use crate::tui::pages::all_panes;
+
+    /// The help of 80 columns shows every key and its meaning in full.
+    #[test]
+    fn keys_and_meanings_fit_the_help_of_80_columns() {
+        let map = Keymap::default();
+        let lines = LINES.iter().map(|line| (map.line_label(line), line.meaning));
+        let panes = all_panes().flat_map(|pane| pane.keys);
+        for (keys, help) in lines.chain(panes.map(|row| (map.label(row.action), row.help))) {
+            assert!(keys.len() <= 13 && help.len() <= 61, "{keys}: {help}");
+        }
+    }
 
     /// No key has two meanings, about twenty lines hold everywhere, and no pane has more than eight of its own.
     #[test]

@@ -123,7 +123,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
     let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
     let start = canvas.put(area, (1, 0), &lead, Role::Key);
-    let hint = "Enter keep  Esc all";
+    let hint = "Enter keep  Esc show all";
     let room = area.width.saturating_sub(start + columns(hint) + 2);
     field.draw(canvas, Rect { x: area.x + start, width: room, ..area });
     let hint_at = area.width.saturating_sub(columns(hint) + 1);

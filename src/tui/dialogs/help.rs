@@ -9,7 +9,7 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::text::wrapped;
 
-const SENTENCE: u16 = 14;
+const SENTENCE: u16 = 15;
 
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
 pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {

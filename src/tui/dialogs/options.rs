@@ -45,7 +45,7 @@ impl OptionRow {
             Self::AutoRun => ("auto-run", on(app.auto_run)),
             Self::Threads => (
                 "threads",
-                app.threads.map_or_else(|| "one a core".to_owned(), |count| count.to_string()),
+                app.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string()),
             ),
             Self::Interface => ("interface law", of("interface.law")),
             Self::Contact => ("contact model", of("contact.model")),

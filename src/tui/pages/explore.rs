@@ -43,7 +43,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Down, "curve", "move to another curve, or down the map"),
     ] },
     PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count, a quantity or a held value"),
+        key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
         key(A::Right, "change", "change the value by a step, or take the next one"),
         key(A::Down, "move", "move to another row"),
         key(A::Find, "find", "find a row of the setup"),

@@ -34,11 +34,11 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "show or hide V50 and its spread (every input varies by 2 %)"),
-        key(A::Enter, "load", "load the impact velocity under the cursor into the scene (u undoes)"),
+        key(A::Enter, "load", "load the impact velocity under the cursor (u undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
-        key(A::View, "absorber", "compare with the next absorber of the library, or the scene's own"),
+        key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
         key(A::Enter, "load", "load the scene with this absorber (u undoes)"),
     ] },
     PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[

@@ -24,7 +24,7 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type the value: 25.4mm, 7.5MN/m, 1/3, *2, +5%; for a choice, show the list"),
+        key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Right, "change", "change the value by a step (H L ten steps, , . a tenth)"),
         key(A::Down, "move", "move to another variable"),
         key(A::Find, "find", "find a variable by symbol or word"),
@@ -33,13 +33,13 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor in time (H L ten columns)"),
-        key(A::View, "view", "show another quantity in this chart, or force over displacement"),
+        key(A::View, "view", "show another quantity, or force over displacement"),
         key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Window, "window", "show the contact only, or the whole response"),
         key(A::Down, "chart", "select the chart below or above"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
-        key(A::SecondAxis, "2nd axis", "show another quantity on a right-hand axis; after the last none"),
+        key(A::SecondAxis, "2nd axis", "second axis at the right: next quantity, after the last none"),
         key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
     PaneSpec { pane: RUNS, label: "Runs", has: &[Part::Table], keys: &[

@@ -49,7 +49,7 @@ pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off), a goal or a quantity"),
+        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
         key(A::Run, "search", "search with this setup"),
         key(A::Down, "move", "move to another row"),

@@ -266,7 +266,7 @@ impl App {
             parts.push((
                 Severity::Note,
                 format!("reference {words}, {sure}"),
-                format!("by {words}"),
+                format!("ref. {words}"),
             ));
             parts.push(part(
                 Severity::Note,
