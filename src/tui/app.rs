@@ -38,18 +38,19 @@ use crate::tui::widgets::table::Sorting;
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Origin {
     /// Compiled in; never overwritten.
     Bundled,
     /// The user's own, in the data directory.
     Mine,
     /// A file elsewhere, or a scene without a file.
+    #[default]
     Other,
 }
 
 /// What the scene is compared with: the preset it was loaded from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Base {
     pub name: String,
     pub origin: Origin,
@@ -57,7 +58,7 @@ pub struct Base {
 }
 
 /// The whole state.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is one switch of the screen, shown and toggled by itself"
@@ -127,37 +128,13 @@ impl App {
             size: (80, 24),
             theme,
             best_depth: theme.depth,
-            tab: Tab::Run,
             focus: Tab::ALL.map(|tab| pages::of(tab).about().panes[0].pane),
-            full_pane: [false; Tab::ALL.len()],
-            field: None,
-            keymap: Keymap::default(),
-            first_run: false,
             scene: Arc::clone(&base.scene),
             base,
-            editor: Editor::default(),
-            history: History::default(),
-            shown: None,
-            jobs: Jobs::default(),
-            pins: Vec::new(),
-            selected_run: 0,
-            runs_sorted: Sorting::default(),
             current_visible: true,
-            charts: Charts::default(),
-            pages: pages::States::default(),
-            dialog: None,
-            notice: None,
-            log: Vec::new(),
-            log_scroll: 0,
-            find: Find::default(),
             auto_run: true,
-            mouse: false,
-            presets: Vec::new(),
-            session_lost: false,
-            threads: None,
-            recent: Vec::new(),
             directory,
-            effects: Vec::new(),
+            ..Self::default()
         }
     }
 

@@ -12,7 +12,7 @@ use Action as A;
 use OptionRow as O;
 
 /// A pane: what can have the focus, by its tab and its place among the tab's panes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pane {
     pub tab: Tab,
     at: u8,

@@ -25,8 +25,6 @@ pub enum Message {
     Click(Target),
     /// The wheel was turned, upward or not, over something.
     Wheel(bool, Option<Target>),
-    /// An action was chosen from the palette or the help overlay.
-    Act(Action),
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),

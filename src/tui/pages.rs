@@ -287,6 +287,12 @@ pages! {
     Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.";
 }
 
+impl Default for Tab {
+    fn default() -> Self {
+        Self::ALL[0]
+    }
+}
+
 impl Tab {
     /// Its place in the title row, from 0.
     pub fn index(self) -> usize {

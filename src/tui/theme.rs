@@ -48,7 +48,7 @@ pub enum Role {
 }
 
 /// Glyphs and colours together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Theme {
     pub glyphs: GlyphSet,
     pub depth: ColourDepth,
@@ -76,29 +76,22 @@ impl Theme {
             Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
             Role::Dim | Role::Border | Role::Event => self.faint(),
-            Role::Focus => self.coloured(bold, colours::FOCUS),
-            Role::Error if self.depth == ColourDepth::None => bold.add_modifier(Modifier::REVERSED),
-            Role::Error => self.coloured(bold, colours::ERROR),
-            Role::Warning if self.depth == ColourDepth::None => bold,
-            Role::Warning => self.coloured(plain, colours::WARNING),
-            Role::Note if self.depth == ColourDepth::None => {
-                plain.add_modifier(Modifier::UNDERLINED)
-            }
-            Role::Note => self.coloured(plain, colours::NOTE),
-            Role::Curve(0) => self.coloured(bold, colours::curve(0)),
-            Role::Curve(index) => self.coloured(plain, colours::curve(index)),
+            Role::Focus => coloured(bold, colours::FOCUS.at(self.depth)),
+            Role::Error if self.is_plain() => bold.add_modifier(Modifier::REVERSED),
+            Role::Error => coloured(bold, colours::ERROR.at(self.depth)),
+            Role::Warning if self.is_plain() => bold,
+            Role::Warning => coloured(plain, colours::WARNING.at(self.depth)),
+            Role::Note if self.is_plain() => plain.add_modifier(Modifier::UNDERLINED),
+            Role::Note => coloured(plain, colours::NOTE.at(self.depth)),
+            Role::Curve(0) => coloured(bold, colours::curve(0, self.depth)),
+            Role::Curve(index) => coloured(plain, colours::curve(index, self.depth)),
         }
     }
 
     /// The style of a pane's title. Without colour the focused one is reversed: a bold border alone is easily missed.
     pub fn title(self, focused: bool) -> Style {
-        match (focused, self.depth) {
-            (false, _) => self.style(Role::Title),
-            (true, ColourDepth::None) => self.style(Role::Focus).add_modifier(Modifier::REVERSED),
-            (true, ColourDepth::Sixteen | ColourDepth::Ansi256 | ColourDepth::Rgb) => {
-                self.style(Role::Focus)
-            }
-        }
+        let style = self.style(if focused { Role::Focus } else { Role::Title });
+        if focused && self.is_plain() { style.add_modifier(Modifier::REVERSED) } else { style }
     }
 
     /// The colour of a heat map's shade, 0 the least of ten, and the ink that can be read on it; `None` where there are fewer
@@ -118,20 +111,16 @@ impl Theme {
 
     /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
     fn faint(self) -> Style {
-        match self.depth {
-            ColourDepth::None => Style::new(),
-            ColourDepth::Sixteen | ColourDepth::Ansi256 | ColourDepth::Rgb => {
-                Style::new().add_modifier(Modifier::DIM)
-            }
-        }
+        if self.is_plain() { Style::new() } else { Style::new().add_modifier(Modifier::DIM) }
     }
 
-    fn coloured(self, style: Style, colour: colours::Shade) -> Style {
-        match colour.at(self.depth) {
-            Some(colour) => style.fg(colour),
-            None => style,
-        }
+    fn is_plain(self) -> bool {
+        self.depth == ColourDepth::None
     }
+}
+
+fn coloured(style: Style, colour: Option<Color>) -> Style {
+    Style { fg: colour, ..style }
 }
 
 #[cfg(test)]

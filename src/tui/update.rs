@@ -46,7 +46,6 @@ fn take(app: &mut App, message: Message) {
             let code = if up { KeyCode::Up } else { KeyCode::Down };
             press(app, KeyEvent::new(code, KeyModifiers::NONE));
         }
-        Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => app.jobs.long.push(id),

@@ -62,7 +62,6 @@ pub struct Jobs {
     pub asked_to_quit: bool,
     /// Why the last run gave no result.
     pub failure: Option<String>,
-    pub cancelled: bool,
 }
 
 impl Jobs {

@@ -179,7 +179,8 @@ fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
     rows.get(picker.selected).map(|entry| (*entry).clone())
 }
 
-fn base_of(entry: PresetEntry) -> Base {
+/// What edits of a preset are compared with.
+pub(crate) fn base_of(entry: PresetEntry) -> Base {
     let origin = match entry.origin {
         "bundled" => Origin::Bundled,
         "mine" => Origin::Mine,

@@ -90,7 +90,6 @@ impl Page for ExploreTab {
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
             Action::Run => compute(app),
-            Action::Export | Action::Copy => return false,
             Action::Mark => runs::pin_design(app, app.sweep_design()),
             Action::Contour => {
                 app.pages.explore.hides_contour = !app.pages.explore.hides_contour;

@@ -203,10 +203,6 @@ fn in_curve(app: &mut App, action: Action) -> bool {
         }
         Action::Down | Action::PageDown => turn(app, 1),
         Action::Up | Action::PageUp => turn(app, -1),
-        Action::First => {
-            app.pages.limit.cursor = (!app.pages.limit.shots().is_empty()).then_some(0);
-        }
-        Action::Last => app.pages.limit.cursor = app.pages.limit.shots().len().checked_sub(1),
         Action::LogX => app.pages.limit.log.0 = !app.pages.limit.log.0,
         Action::LogY => app.pages.limit.log.1 = !app.pages.limit.log.1,
         Action::Enter => load_shot(app),

@@ -105,7 +105,6 @@ impl Page for SearchTab {
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
             Action::Run => look(app),
-            Action::Export | Action::Copy => return false,
             _ if app.pane() == SETUP => return false,
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),

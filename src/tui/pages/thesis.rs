@@ -17,6 +17,7 @@ use crate::tui::app::history::{Change, Setting};
 use crate::tui::app::jobs::Running;
 use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
+use crate::tui::dialogs::presets::base_of;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
 use crate::tui::pages::explore::state::{Picture, Spread};
 use crate::tui::pages::run::{self, step_of};
@@ -127,7 +128,27 @@ impl Page for ThesisTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.thesis_status()
+        let tab = &app.pages.thesis;
+        let mut parts = Vec::new();
+        let kept = tab.report.as_ref().map(|report| report.is_complete);
+        let checking = progress::<Claims>(app, "checking the claims", "of", "", false, kept);
+        parts.extend(checking.map(Progress::part));
+        if tab.report.is_some() {
+            let (rows, counts) = (tab.rows(), tally(tab.rows()));
+            let listed = |show: fn(Verdict) -> String| {
+                let parts = Verdict::ALL.iter().zip(counts);
+                let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
+                parts.collect::<Vec<_>>().join(", ")
+            };
+            let full = listed(|verdict| verdict.words().to_owned());
+            let full = format!("{} rows: {full}", rows.len());
+            // The letters are those of the list.
+            let brief = listed(|verdict| verdict.brief().to_owned());
+            let letters = listed(|verdict| verdict.letter().to_string());
+            let room = usize::from(app.size.0.saturating_sub(2));
+            parts.push((Severity::Note, full, fitting([brief, letters], room)));
+        }
+        parts
     }
 
     fn report(&self, app: &mut App, _running: &Running, news: &ReportBody) {
@@ -234,11 +255,7 @@ fn open(app: &mut App) {
             scene: Arc::new(scene.clone()),
         }),
         Opens::Preset(name) => {
-            app.presets.iter().find(|entry| entry.name == name).map(|entry| Base {
-                name: entry.name.clone(),
-                origin: Origin::Bundled,
-                scene: Arc::new(entry.scene.clone()),
-            })
+            app.presets.iter().find(|entry| entry.name == name).cloned().map(base_of)
         }
     };
     let Some(base) = base else {
@@ -380,29 +397,5 @@ impl App {
                 ))
             }
         }
-    }
-
-    pub fn thesis_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.thesis;
-        let mut parts = Vec::new();
-        let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let checking = progress::<Claims>(self, "checking the claims", "of", "", false, kept);
-        parts.extend(checking.map(Progress::part));
-        if tab.report.is_some() {
-            let (rows, counts) = (tab.rows(), tally(tab.rows()));
-            let listed = |show: fn(Verdict) -> String| {
-                let parts = Verdict::ALL.iter().zip(counts);
-                let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
-                parts.collect::<Vec<_>>().join(", ")
-            };
-            let full = listed(|verdict| verdict.words().to_owned());
-            let full = format!("{} rows: {full}", rows.len());
-            // The letters are those of the list.
-            let brief = listed(|verdict| verdict.brief().to_owned());
-            let letters = listed(|verdict| verdict.letter().to_string());
-            let room = usize::from(self.size.0.saturating_sub(2));
-            parts.push((Severity::Note, full, fitting([brief, letters], room)));
-        }
-        parts
     }
 }

@@ -6,9 +6,10 @@
 
 use ratatui::style::Color;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ColourDepth {
     /// None: `NO_COLOR`, or a terminal without colours.
+    #[default]
     None,
     Sixteen,
     Ansi256,
@@ -61,16 +62,10 @@ impl ColourDepth {
     }
 }
 
-/// One colour at the three depths that have colours; `None` is the terminal's own foreground.
+/// One colour at the three depths that have colours: by the terminal's palette, of xterm's 256, and as red, green, blue.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade {
-    sixteen: Option<Color>,
-    fixed: Option<Fixed>,
-}
-
-/// A colour that does not depend on the terminal's palette: of xterm's 256, and as red, green, blue.
-#[derive(Clone, Copy, Debug)]
-struct Fixed {
+    sixteen: Color,
     ansi: u8,
     rgb: (u8, u8, u8),
 }
@@ -78,20 +73,18 @@ struct Fixed {
 impl Shade {
     /// The colour to use at a depth, or `None` for the terminal's own foreground.
     pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
+        let (r, g, b) = self.rgb;
         match depth {
             ColourDepth::None => None,
-            ColourDepth::Sixteen => self.sixteen,
-            ColourDepth::Ansi256 => self.fixed.map(|fixed| Color::Indexed(fixed.ansi)),
-            ColourDepth::Rgb => self.fixed.map(|fixed| {
-                let (r, g, b) = fixed.rgb;
-                Color::Rgb(r, g, b)
-            }),
+            ColourDepth::Sixteen => Some(self.sixteen),
+            ColourDepth::Ansi256 => Some(Color::Indexed(self.ansi)),
+            ColourDepth::Rgb => Some(Color::Rgb(r, g, b)),
         }
     }
 }
 
 const fn shade(sixteen: Color, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
-    Shade { sixteen: Some(sixteen), fixed: Some(Fixed { ansi, rgb }) }
+    Shade { sixteen, ansi, rgb }
 }
 
 /// Border and title of the focused pane.
@@ -102,18 +95,18 @@ pub(super) const NOTE: Shade = shade(Color::Cyan, 31, (0x1A, 0x85, 0x9C));
 
 /// Blue, orange, reddish purple, foreground, ochre, teal: after Okabe and Ito (2008, "Color universal design"), darkened or
 /// lightened where white or black would swallow them.
-const CURVES: [Shade; 6] = [
-    shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6)),
-    shade(Color::Yellow, 166, (0xD5, 0x5E, 0x00)),
-    shade(Color::Magenta, 169, (0xC8, 0x70, 0xA2)),
-    Shade { sixteen: None, fixed: None },
-    shade(Color::LightYellow, 136, (0x98, 0x7E, 0x10)),
-    shade(Color::LightMagenta, 30, (0x12, 0x8C, 0x8C)),
+const CURVES: [Option<Shade>; 6] = [
+    Some(shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6))),
+    Some(shade(Color::Yellow, 166, (0xD5, 0x5E, 0x00))),
+    Some(shade(Color::Magenta, 169, (0xC8, 0x70, 0xA2))),
+    None,
+    Some(shade(Color::LightYellow, 136, (0x98, 0x7E, 0x10))),
+    Some(shade(Color::LightMagenta, 30, (0x12, 0x8C, 0x8C))),
 ];
 
-/// The colour of a curve; repeats after six, the marker characters later.
-pub(super) fn curve(index: usize) -> Shade {
-    CURVES[index % CURVES.len()]
+/// The colour of a curve at a depth, or `None` for the terminal's own foreground. It repeats after six, the markers later.
+pub(super) fn curve(index: usize, depth: ColourDepth) -> Option<Color> {
+    CURVES[index % CURVES.len()].and_then(|shade| shade.at(depth))
 }
 
 /// Ten steps from dark blue over grey to light yellow, after cividis (Nunez, Anderton and Renslow 2018), from xterm's palette:
@@ -204,7 +197,7 @@ mod tests {
     #[test]
     fn fixed_shades_are_readable_on_white_and_on_black() {
         let all = [FOCUS, ERROR, WARNING, NOTE];
-        for fixed in all.iter().chain(&CURVES).filter_map(|shade| shade.fixed) {
+        for fixed in all.into_iter().chain(CURVES.into_iter().flatten()) {
             for rgb in [fixed.rgb, xterm(fixed.ansi)] {
                 let l = luminance(rgb);
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
@@ -229,7 +222,7 @@ mod tests {
     fn curves_have_different_colours_at_every_depth() {
         for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
             let colours: std::collections::HashSet<_> =
-                (0..CURVES.len()).map(|i| curve(i).at(depth)).collect();
+                (0..CURVES.len()).map(|i| curve(i, depth)).collect();
             assert_eq!(colours.len(), CURVES.len(), "{depth:?}");
         }
     }

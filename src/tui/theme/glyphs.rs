@@ -8,9 +8,10 @@ use std::fmt;
 use ratatui::buffer::Buffer;
 use ratatui::symbols::border;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum GlyphSet {
     /// `+ - |` and letters: one dot a cell, works everywhere.
+    #[default]
     Ascii,
     /// Lines and half blocks: two dots a cell, one above the other.
     Block,

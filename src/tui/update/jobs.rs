@@ -24,7 +24,6 @@ pub(crate) const LONG: Duration = Duration::from_secs(5);
 pub(crate) fn after_edit(app: &mut App) {
     app.jobs.serial += 1;
     app.jobs.failure = None;
-    app.jobs.cancelled = false;
     if !app.auto_run {
         return;
     }
@@ -46,7 +45,6 @@ pub(crate) fn run_now(app: &mut App) {
 pub(crate) fn submit_now(app: &mut App) {
     app.jobs.overdue = false;
     app.jobs.failure = None;
-    app.jobs.cancelled = false;
     submit(app);
     app.request(Effect::After(QUIET, Message::RunDue(app.jobs.serial)));
 }
@@ -160,7 +158,6 @@ fn run_report(app: &mut App, report: Report) {
             if let Some(run) = found.and_then(|found| found.get()) {
                 ended(app, run, took);
             } else {
-                app.jobs.cancelled = true;
                 app.tell("cancelled: r runs again");
             }
         }
@@ -177,7 +174,6 @@ fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
     if run.end != EndReason::Cancelled {
         return show(app, run, Some(took));
     }
-    app.jobs.cancelled = true;
     app.tell("cancelled: partial results are shown");
     show(app, run, None);
 }
