@@ -1,4 +1,4 @@
-//! What a study came to, for people: tables, charts, maps and whole reports, each from one description.
+//! The results of studies for people: tables, charts, maps and whole reports, each from one description.
 //!
 //! A description knows neither screen nor file; the renderers make SVG, HTML and Markdown of it, `cli::draw` lines of text.
 
@@ -30,7 +30,7 @@ pub mod validation;
 /// Words about a result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// What it is about; empty where the words say it.
+    /// Its subject; empty if the words contain it.
     pub about: &'static str,
     /// The words.
     pub text: String,

@@ -1,4 +1,4 @@
-//! What is asked of the simulation, and how the answers are told: studies (`study`) and their tables, charts and pages (`report`).
+//! Studies of the simulation (`study`), and their tables, charts and pages (`report`).
 //!
 //! A crate of its own, so that it is compiled beside the terminal's parts and again only when it changes. `cmra` re-exports both
 //! modules.

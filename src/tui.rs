@@ -25,7 +25,7 @@ mod signals;
 mod start;
 mod terminal;
 
-/// What most pages, dialogs and updates name.
+/// The common imports of pages, dialogs and updates.
 mod prelude {
     pub(crate) use ratatui::layout::Rect;
 

@@ -101,7 +101,7 @@ pub enum ReportBody {
 }
 
 impl ReportBody {
-    /// What was found, or is there so far, where it is of this type.
+    /// The result, or the partial result, if it has this type.
     pub fn found<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         match self {
             Self::Part(found) | Self::Ended { found: Some(found), .. } => found.get(),
@@ -130,7 +130,7 @@ pub struct Worker {
     shared: Arc<Shared>,
 }
 
-/// What the threads and their owner share.
+/// The state shared by the threads and their owner.
 struct Shared {
     lanes: [Queue; Lane::ALL.len()],
     quiet: Quiet,

@@ -10,7 +10,7 @@ use crate::cli::{
     sensitivity, stability, sweep, validate, variables,
 };
 
-/// What commands are for, as `cmra --help` groups them.
+/// The groups of commands in `cmra --help`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Group {
     Explore,

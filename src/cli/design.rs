@@ -136,7 +136,7 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
     ]
 }
 
-/// What a cocked spring holds, J.
+/// The energy of a cocked spring, J.
 fn variables_energy_j(scene: &Scene) -> f64 {
     let spring = crate::model::mechanism::Mechanism::of(scene).spring;
     spring.energy(0.0 - scene.plate.cocking_m)

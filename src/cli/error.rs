@@ -1,4 +1,4 @@
-//! What can go wrong on the command line, and the exit code it has.
+//! Errors of the command line, and their exit codes.
 
 use std::io;
 use std::process::ExitCode;

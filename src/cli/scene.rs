@@ -73,7 +73,7 @@ impl SceneArguments {
         self.scene.as_deref().map_or(bundled::BASELINE, |name| name.to_str().unwrap_or("a file"))
     }
 
-    /// What was changed of it.
+    /// Its changes.
     pub(super) fn changes(&self) -> &Changes {
         &self.changes
     }

@@ -1,4 +1,4 @@
-//! What the commands that look for designs have in common: reading bounds.
+//! Common parts of the search commands: reading bounds.
 
 use clap::Args;
 

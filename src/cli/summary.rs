@@ -166,7 +166,7 @@ fn stack(page: &mut String, run: &Run) {
     page.push_str("\nelement 1 in full:\n");
 }
 
-/// What was required of a mechanism that is more than one power law.
+/// The load of a mechanism that is more than one power law.
 fn mechanism(page: &mut String, run: &Run) {
     if run.scene.mechanism.is_plain() {
         return;

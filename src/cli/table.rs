@@ -70,7 +70,7 @@ impl TableArguments {
         }
     }
 
-    /// What happens to an existing file.
+    /// The handling of an existing file.
     pub(super) fn existing(&self) -> Existing {
         Existing::replaced(self.force)
     }

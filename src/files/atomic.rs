@@ -23,7 +23,7 @@ const SUFFIX: &str = ".tmp";
 /// A temporary file so old is locked by the program that writes it, or that program was killed.
 const LEFTOVER: Duration = Duration::from_secs(60);
 
-/// What to do about a file that is there already.
+/// The handling of an existing file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
     /// Leave it alone and report it.
@@ -278,7 +278,7 @@ fn prepare(path: &Path, existing: Existing) -> Result<Ready, FileError> {
 }
 
 impl Ready {
-    /// What is written to.
+    /// The target.
     fn open(&mut self) -> io::Result<&mut File> {
         match &mut self.place {
             Place::Beside(file) => Ok(file.as_file_mut()),

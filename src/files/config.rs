@@ -8,7 +8,7 @@ use serde::Deserialize;
 use crate::files::error::FileError;
 use crate::files::read;
 
-/// What may be written there; everything is optional.
+/// The allowed keys; all are optional.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {

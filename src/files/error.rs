@@ -17,7 +17,7 @@ pub enum FileError {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the system.
         source: io::Error,
     },
     /// The file cannot be written.
@@ -25,7 +25,7 @@ pub enum FileError {
     Write {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the system.
         source: io::Error,
     },
     /// The file, its name or its place cannot be used: which, why, and the cure.
@@ -37,7 +37,7 @@ pub enum FileError {
     /// Neither a preset nor a file.
     #[error("`{}` is neither a preset nor a file: {hint}", clean::line(.name))]
     UnknownScene {
-        /// What was written.
+        /// The text as written.
         name: String,
         /// The nearest names, or what to write.
         hint: String,
@@ -50,7 +50,7 @@ pub enum FileError {
     Unmendable {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The error.
         problem: SceneErrors,
     },
     /// A table cannot be put into CSV.
@@ -102,7 +102,7 @@ pub(super) fn shown(path: &Path) -> String {
     clean::line(&path.to_string_lossy()).into_owned()
 }
 
-/// What the system said, lower case and without its error number.
+/// The error text of the system, lower case and without its number.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or(&text);
@@ -117,7 +117,7 @@ fn reason(error: &io::Error) -> String {
 pub struct SceneErrors {
     /// The file's name as the user wrote it.
     pub file: String,
-    /// What is wrong.
+    /// The error.
     pub problems: Vec<Problem>,
     /// More problems exist than are listed.
     pub more: bool,

@@ -29,7 +29,7 @@ const MARK: &str = "# exported by cmra";
 pub struct Destination {
     /// The CSV file.
     pub path: PathBuf,
-    /// What may happen to a file that is there.
+    /// The handling of an existing file.
     pub existing: Existing,
     /// Where the scene goes.
     pub meta: Meta,
@@ -80,7 +80,7 @@ impl Meta {
         }
     }
 
-    /// What it is, in words.
+    /// Its description.
     pub fn words(self) -> &'static str {
         match self {
             Self::Beside => "in a .toml file beside it, which runs it again",

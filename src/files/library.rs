@@ -17,7 +17,7 @@ use crate::model::library::{Entry, Library, Status};
 use crate::model::scene::Scene;
 use crate::model::variables::VARIABLES;
 
-/// What an entry has besides the keys of a scene.
+/// The fields of an entry besides the keys of a scene.
 const KEYS: [&str; 5] = ["title", "status", "source", "note", "warning"];
 
 /// The text of the library that comes with the program.

@@ -255,7 +255,7 @@ fn own_presets(paths: &Paths) -> (Vec<(String, PathBuf)>, Vec<FileError>) {
     (own, problems)
 }
 
-/// What a person who wrote `name` may have meant.
+/// The likely meaning of `name`.
 fn hint(name: &str, paths: Option<&Paths>) -> String {
     let own = paths.map(|paths| own_presets(paths).0).unwrap_or_default();
     let names: Vec<&str> = BUNDLED

@@ -109,7 +109,7 @@ pub(super) fn syntax(message: &str) -> String {
     format!("not TOML: {}", message.replace('\n', ", "))
 }
 
-/// What is wrong with a value, in the words of a scene file.
+/// The error of a value, in the words of a scene file.
 pub(super) fn misfit(error: &toml::de::Error) -> String {
     let text = clean::line(error.message()).into_owned();
     [("f64", "a number"), ("u64", "a whole number"), ("a sequence", "a list")].into_iter().fold(
@@ -432,7 +432,7 @@ fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
     }
 }
 
-/// What to say about a key that is not in the table.
+/// The error text for an unknown key.
 fn unknown(path: &str, is_table: bool) -> String {
     const SHOWN_MAX: usize = 80;
     let shown = clean::line(path);

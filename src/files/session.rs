@@ -22,10 +22,10 @@ const RECENT_MAX: usize = 10;
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
-/// What stands before the writer's name in the head of the file.
+/// The text before the writer's name in the head of the file.
 const WRITER: &str = "written by workbench ";
 
-/// What the workbench had open.
+/// The open state of the workbench.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
     /// The scene on the screen.
@@ -40,12 +40,12 @@ pub struct Session {
     pub recent: Vec<PathBuf>,
 }
 
-/// What was found of the last session.
+/// The result of loading the last session.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Loaded {
     /// The session, or what could be read of it; `None`: start with the baseline.
     pub session: Option<Session>,
-    /// What went wrong, and where the file was put, for the message row and the log.
+    /// The error, and the place of the file, for the message row and the log.
     pub notice: Option<String>,
     /// The file as it was read.
     pub known: Known,
@@ -81,7 +81,7 @@ struct PinRow {
     scene: String,
 }
 
-/// What this workbench last read or wrote there, by which it notices another writer of the same file, and its own name there.
+/// The content that this workbench last read or wrote there, by which it notices another writer of the same file, and its own name there.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Known {
     text: Option<String>,
@@ -234,7 +234,7 @@ pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
     atomic::write(to, text.as_bytes(), Existing::Replace)
 }
 
-/// What can be read of a session, and what cannot.
+/// The readable part of a session, and the errors.
 fn parse(text: &str) -> (Option<Session>, Vec<String>) {
     let file: SessionFile = match toml::from_str(text) {
         Ok(file) => file,

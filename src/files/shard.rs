@@ -75,7 +75,7 @@ impl Part {
     /// Read the lines of a sidecar; what is wrong, in words, where they are not those of a part.
     ///
     /// # Errors
-    /// What is wrong with it, in words.
+    /// The error in words.
     pub fn read(sidecar: &str) -> Result<Self, String> {
         let note = |key: &str| {
             let head = format!("# {key}: ");
@@ -109,7 +109,7 @@ impl Part {
     }
 }
 
-/// What a careful reader of the rows should know, as lines of a sidecar.
+/// Warnings about the rows, as lines of a sidecar.
 fn warnings(scene: &Scene) -> Vec<String> {
     let axes = scene.sweep.iter().flat_map(|sweep| &sweep.axes);
     let axes: Vec<Axis> = axes.filter_map(|axis| Axis::of(axis, &COUNTS).ok()).collect();

@@ -35,7 +35,7 @@ impl Style {
         }
     }
 
-    /// What it is, in words.
+    /// Its description.
     pub fn words(self) -> &'static str {
         match self {
             Self::Plain => "commas, as every program reads it",
@@ -44,7 +44,7 @@ impl Style {
         }
     }
 
-    /// What a file begins with, before its first line.
+    /// The prefix of a file, before its first line.
     pub fn head(self) -> &'static str {
         match self {
             Self::Plain | Self::Crlf => "",

@@ -38,7 +38,7 @@ worded! {
     }
 }
 
-/// What a method found for the contact phase, and what it spent.
+/// The result of a method for the contact phase, and its cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// How it ends.

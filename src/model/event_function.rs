@@ -3,7 +3,7 @@
 
 use crate::model::motion::{Expansion, Motion, State};
 
-/// What ends a stretch of smooth motion.
+/// The events that end a stretch of smooth motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EventId {
     /// The area law changes, going deeper.
@@ -165,7 +165,7 @@ impl EventFunction {
         if has_force { self.rounding_of(motion, state, forces) } else { 0.0 }
     }
 
-    /// What rounding may leave of the form at a state where it is zero.
+    /// The rounding error of the form at a state where it is zero.
     pub(super) fn rounding(&self, motion: &Motion<'_>, state: &State) -> f64 {
         self.rounding_of(motion, state, self.forces(motion, state))
     }

@@ -63,7 +63,7 @@ pub struct Entry {
     pub status: Status,
     /// The publication the values come from.
     pub source: String,
-    /// What else is to be known; may be empty.
+    /// Further remarks; may be empty.
     pub note: String,
     /// Why a result with it must be read with care; may be empty.
     pub warning: String,

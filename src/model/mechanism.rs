@@ -155,7 +155,7 @@ pub fn sign(z: f64) -> f64 {
     }
 }
 
-/// What carries the plate.
+/// The mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {
     /// The springs together.

@@ -1,4 +1,4 @@
-//! What a run gives back: series, events, outcome, energy ledger, cost and warnings. Plain data in SI units.
+//! The results of a run: series, events, outcome, energy ledger, cost and warnings. Plain data in SI units.
 //!
 //! A quantity that does not exist for a scene is `None`, never zero. A run that had to end early keeps all it has and says
 //! why in [`Run::end`]. Nothing here reads a clock: the caller measures the time.
@@ -20,7 +20,7 @@ pub use model_note::ModelNote;
 pub use stack::StackRun;
 pub use warning::Warning;
 
-/// What a run should deliver besides its results.
+/// The output that a run delivers besides its results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
     /// Keep the series to draw from.
@@ -57,7 +57,7 @@ pub struct Run {
     pub peak_contact_force_n: Option<f64>,
     /// Greatest plate displacement x; `None` where nothing ever stops the plate or the run ended before it was known, m.
     pub max_plate_displacement_m: Option<f64>,
-    /// What is known of depth and displacement where they are not final.
+    /// Bounds of depth and displacement where they are not final.
     pub at_least: AtLeast,
     /// The greatest depth for which a run that ends undecided has energy left, m; `None` where it is final, or would perforate.
     pub penetration_at_most_m: Option<f64>,
@@ -79,15 +79,15 @@ pub struct Run {
     pub events: Vec<Event>,
     /// Where the energy went.
     pub ledger: EnergyLedger,
-    /// What was required of the mechanism.
+    /// The load of the mechanism.
     pub mechanism: MechanismLoad,
     /// The outcome of the shot behind this plate, where the scene is a stack.
     pub stack: Option<Arc<StackRun>>,
-    /// What the computation cost.
+    /// The cost of the computation.
     pub cost: Cost,
     /// The terms that this scene did not need.
     pub omitted: Vec<&'static str>,
-    /// What a careful reader should know.
+    /// Warnings.
     pub warnings: Vec<Warning>,
 }
 
@@ -150,7 +150,7 @@ pub struct Arrest {
 }
 
 worded! {
-    /// What the bodies are doing.
+    /// The mode of motion.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub enum Mode: word {
         Penetrating = "penetrating",
@@ -169,7 +169,7 @@ worded! {
 pub struct Sample {
     /// Time since first contact, s.
     pub t_s: f64,
-    /// What the bodies are doing.
+    /// The mode of motion.
     pub mode: Mode,
     /// Depth of the nose in the plate now, m (negative once it has left through the entry face).
     pub penetration_m: f64,
@@ -290,7 +290,7 @@ impl EnergyLedger {
             + self.stop_j
     }
 
-    /// What does not add up, relative to the energy at the start.
+    /// The error of the balance, relative to the energy at the start.
     pub fn residual(&self) -> f64 {
         (self.final_j() - self.initial_j()) / self.initial_j()
     }
@@ -312,14 +312,14 @@ impl AtLeast {
     }
 }
 
-/// What a run required of its mechanism.
+/// The load of the mechanism in a run.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct MechanismLoad {
     /// Greatest energy stored in the springs, cocked or on the way, J; `None` without a spring, or where it is not known.
     pub stored_j: Option<f64>,
     /// Yield strength over the greatest bending stress of the beams; `None` without beams.
     pub yield_margin: Option<f64>,
-    /// What the mechanism adds to the plate's mass, kg; `None` where it adds nothing.
+    /// The mass that the mechanism adds to the plate, kg; `None` if none.
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
@@ -330,7 +330,7 @@ pub struct MechanismLoad {
     pub rotation_j: Option<f64>,
 }
 
-/// What the computation cost.
+/// The cost of the computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Cost {
     /// Accepted steps.

@@ -32,13 +32,13 @@ pub struct Scene {
     pub plate: Plate,
     /// Spring, damper and stop behind the plate.
     pub mechanism: Mechanism,
-    /// What the interface between projectile and plate can carry once they move together.
+    /// The strength of the interface between projectile and plate once they move together.
     pub interface: Interface,
     /// How the contact force is modelled.
     pub contact: Contact,
     /// How the run is computed.
     pub run: RunSettings,
-    /// What stands behind the plate.
+    /// The stack behind the plate.
     pub stack: Stack,
     /// The sweep this scene is the base of, if any.
     pub sweep: Option<Sweep>,
@@ -107,14 +107,14 @@ defaulted! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Plate {
         pub mass_ratio: f64 = 1.0,
-        /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
+        /// The input that defines the plate's size; the mass ratio follows from it, unless it is the input itself.
         pub size: PlateSize = PlateSize::Ratio,
         pub mount: Mount = Mount::Sprung,
         pub cocking_m: f64 = 0.0,
     }
 }
 
-/// What gives the plate's size.
+/// The input that defines the plate's size.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum PlateSize {
     /// gamma.
@@ -187,7 +187,7 @@ defaulted! {
 }
 
 worded! {
-    /// What holds projectile and plate together.
+    /// The interface between projectile and plate.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum InterfaceLaw: word {
         /// The thesis: once together, together for good.
@@ -237,7 +237,7 @@ pub struct SweepAxis {
 pub const LAYERS_MAX: usize = 50;
 
 defaulted! {
-    /// What stands behind the scene's own plate.
+    /// The elements behind the scene's own plate.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Stack {
         pub base_thickness_m: Option<f64> = None,
@@ -256,7 +256,7 @@ pub struct Layer {
     pub target: Target,
     /// The plate as a body.
     pub plate: Plate,
-    /// What carries it.
+    /// The mechanism or mount that carries it.
     pub mechanism: Mechanism,
 }
 

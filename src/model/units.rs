@@ -98,7 +98,7 @@ impl QuantityError {
     }
 }
 
-/// What was written, cut short where it would hide the rest of the sentence.
+/// The text as written, shortened where it would hide the rest of the sentence.
 fn quoted(text: &str) -> String {
     const SHOWN_MAX: usize = 40;
     match text.char_indices().nth(SHOWN_MAX) {
@@ -107,7 +107,7 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// What a number without a unit means.
+/// The unit of a bare number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bare {
     /// SI, on the command line; an angle needs its unit there.
@@ -291,7 +291,7 @@ fn number_prefix(text: &str) -> usize {
     end
 }
 
-/// What is shown where there is no number: nothing shown is NaN or infinite.
+/// The text for a missing number: NaN and infinity are never shown.
 pub const NO_NUMBER: &str = "-";
 
 /// A number with a given number of decimals: `69.10`.
@@ -352,7 +352,7 @@ impl fmt::Display for Engineering {
 /// An SI prefix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prefix {
-    /// What one of it is: 1e-3.
+    /// Its factor to the stored unit: 1e-3.
     pub size: f64,
     /// How many of it make one: 1e3, written out because 1/1e-6 is not 1e6.
     pub in_one: f64,

@@ -41,11 +41,11 @@ pub struct Variable {
     pub visible: Visible,
     /// The group of the editor it stands in.
     pub group: Group,
-    /// What it means, in a sentence.
+    /// Its meaning, as a sentence.
     pub meaning: &'static str,
     /// Where its default comes from.
     pub source: &'static str,
-    /// What kind of value it has, and how to reach it in a scene.
+    /// The kind of its value, and its access in a scene.
     pub kind: Kind,
 }
 
@@ -59,16 +59,16 @@ worded! {
         Plate = "Plate",
         Mechanism = "Mechanism",
         Stop = "Stop",
-        /// What stands behind the plate.
+        /// The stack behind the plate.
         Stack = "Stack",
-        /// What holds projectile and plate together.
+        /// The interface between projectile and plate.
         Interface = "Interface",
         /// How the run is computed.
         Run = "Analysis",
     }
 }
 
-/// What kind of value a variable has.
+/// The kind of value of a variable.
 #[derive(Clone, Copy)]
 pub enum Kind {
     /// A number.
@@ -89,7 +89,7 @@ pub enum Kind {
 pub struct Number {
     /// Its units.
     pub quantity: Quantity,
-    /// What makes physical sense.
+    /// The physically possible values.
     pub allowed: Allowed,
     /// The range the thesis searched (Table 9.2), where it gives one.
     pub thesis_range: Option<(f64, f64)>,
@@ -263,7 +263,7 @@ impl Variable {
         }
     }
 
-    /// What a number without a unit means under this name: the full key ends in its unit.
+    /// The unit of a bare number under this name: the full key ends in its unit.
     pub fn bare(&self, name: &str, otherwise: Bare) -> Bare {
         if name == self.key { Bare::Stored } else { otherwise }
     }
@@ -287,7 +287,7 @@ impl Variable {
         }
     }
 
-    /// What the variable may be, in words.
+    /// The allowed values, in words.
     pub fn allowed(&self) -> String {
         match &self.kind {
             Kind::Number(number) => {

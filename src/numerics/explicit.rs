@@ -75,7 +75,7 @@ struct Point<'a, const N: usize> {
     f: &'a [f64; N],
 }
 
-/// What was done, over all stretches it was passed to.
+/// The work done, over all stretches it was passed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Count {
     pub(crate) steps: usize,

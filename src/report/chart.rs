@@ -110,7 +110,7 @@ impl<'a> Axis<'a> {
         }
     }
 
-    /// What it measures and its unit.
+    /// Its quantity and unit.
     pub fn text(&self, exponent: i32) -> String {
         spaced(&self.label, &self.unit_text(exponent))
     }
@@ -137,7 +137,7 @@ pub enum Labels {
 pub struct Mark<'a> {
     /// Where, in the unit of its axis.
     pub at: f64,
-    /// What it means; may be empty.
+    /// Its meaning; may be empty.
     pub name: Cow<'a, str>,
     /// The same in a letter or a word, for a terminal; may be empty.
     pub tag: Cow<'a, str>,
@@ -241,7 +241,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// What is around a chart.
+/// The frame and title of a chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Frame {
     /// A box with the title in its top line.
@@ -280,7 +280,7 @@ pub struct Chart<'a> {
     pub levels: Vec<Mark<'a>>,
     /// Where the crosshair stands, in the unit of the data.
     pub crosshair: Option<f64>,
-    /// What is around it.
+    /// Its frame and title.
     pub frame: Frame,
     /// Whether the curves are named.
     pub legend: Legend,

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-/// What stands in the place of a character that was replaced.
+/// The replacement character.
 const REPLACEMENT: &str = "\u{fffd}";
 
 /// One line of text.

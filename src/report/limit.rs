@@ -66,7 +66,7 @@ fn carried(report: &Report) -> Option<String> {
     ))
 }
 
-/// What the mechanism bears at the limit; `None` where nothing of it is known.
+/// The load of the mechanism at the limit; `None` if unknown.
 fn load(load: &Load) -> Option<String> {
     let part = |name: &str, value: Option<f64>, unit: &'static str| {
         let value = Engineering { value: value?, unit, digits: 4 };
@@ -159,7 +159,7 @@ fn lambert_jonas(law: LambertJonas) -> Value {
     json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
-/// What the sampled shots come down to.
+/// The summary of the sampled shots.
 fn monte_carlo(found: SampledLimit) -> Value {
     let asked = found.sampling;
     json!({

@@ -20,7 +20,7 @@ pub enum Tone {
     Error,
 }
 
-/// What is at a point of a map.
+/// The content of a point of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
     /// A value.
@@ -37,7 +37,7 @@ pub const LINE: char = '#';
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map<'a> {
-    /// What it shows.
+    /// Its content.
     pub title: Cow<'a, str>,
     /// The unit of the values; empty for pure numbers.
     pub unit: &'static str,
@@ -57,7 +57,7 @@ pub struct Map<'a> {
     pub line: Vec<Option<usize>>,
     /// A point to be seen, and its letter.
     pub present: Option<((usize, usize), char)>,
-    /// What the letters mean.
+    /// The meaning of the letters.
     pub marks: Vec<(char, String)>,
     /// The point under the cursor.
     pub cursor: Option<(usize, usize)>,

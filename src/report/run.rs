@@ -185,7 +185,7 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
     })
 }
 
-/// What stands in the place of a depth where a run has none.
+/// The text in place of a depth that does not exist.
 pub fn no_depth(run: &Run) -> Option<&'static str> {
     match run.outcome {
         Outcome::Perforated => Some("perforated!"),
@@ -391,7 +391,7 @@ const AT_START: usize = 2;
 
 /// A term of the energy ledger.
 pub struct EnergyTerm {
-    /// What has the energy.
+    /// The holder of the energy.
     pub label: &'static str,
     /// The energy, J.
     pub energy_j: f64,
@@ -423,7 +423,7 @@ fn energy(ledger: &EnergyLedger) -> Value {
     Value::Object(ENERGY.iter().map(entry).collect())
 }
 
-/// What was put in, by full key.
+/// The input, by full key.
 fn all_variables(scene: &Scene) -> Value {
     let mut map = Map::new();
     let listed = |variable: &&Variable| {

@@ -38,7 +38,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.range95.1))
 }
 
-/// What each variable does alone: some columns, and bars of a given number of cells at most, the longest first.
+/// The effect of each variable alone: some columns, and bars of a given number of cells at most, the longest first.
 pub fn tornado(report: &Report, keys: &[&str], bar: usize) -> Vec<Cells> {
     let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
     let mut table = table("", report);

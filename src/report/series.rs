@@ -1,4 +1,4 @@
-//! What a chart of a run can show: name, symbol, unit, and where it is found in a sample.
+//! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
 use crate::model::run::{Run, Sample};
 

@@ -49,7 +49,7 @@ pub struct Texts {
 /// A piece of a sweep as text.
 #[derive(Debug, Default)]
 pub struct Piece {
-    /// What came out.
+    /// The result.
     pub rows: Rows,
     /// Lines of CSV, if requested.
     pub csv: String,
@@ -189,7 +189,7 @@ fn axis_json(axis: &Axis) -> String {
     )
 }
 
-/// What a variable of words is in a scene.
+/// The word of a variable in a scene.
 fn word(scene: &Scene, key: &str) -> Option<String> {
     variables::find(key).ok().map(|variable| variable.show(scene))
 }

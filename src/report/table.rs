@@ -25,7 +25,7 @@ pub struct Column<'c, R> {
     pub unit: &'static str,
     /// Its value in a row.
     pub get: Get<'c, R>,
-    /// What a page shows instead of the value, where that is not the value itself.
+    /// The text that a page shows instead of the value.
     shown: Option<Shown<'c, R>>,
 }
 
@@ -190,11 +190,11 @@ trait Lines {
     fn columns(&self) -> usize;
     fn head(&self, column: usize) -> Head<'_>;
     fn value(&self, row: usize, column: usize) -> Value;
-    /// What a page shows instead of a value.
+    /// The text that a page shows instead of a value.
     fn shown(&self, row: usize, column: usize, value: &Value) -> Option<String>;
 }
 
-/// What stands above a column.
+/// The heading of a column.
 #[derive(Clone, Copy)]
 struct Head<'t> {
     key: &'static str,

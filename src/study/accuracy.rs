@@ -54,7 +54,7 @@ impl Effort {
         Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
 }
 
-/// What a method did with one value of its parameter.
+/// The result of a method for one value of its parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The value.
@@ -66,13 +66,13 @@ pub struct Point {
 /// A judged and timed result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// What was computed.
+    /// The computed quantity.
     pub answer: Answer,
     /// Relative error of the depth.
     pub depth_error: f64,
     /// Relative error of the time.
     pub time_error: f64,
-    /// What the reference cannot tell from zero.
+    /// The uncertainty of the reference.
     pub floor: f64,
     /// How long it took.
     pub timing: Timing,
@@ -104,7 +104,7 @@ impl Measured {
 pub struct MethodReport {
     /// The method.
     pub method: Method,
-    /// What it was compared with; `None` when nothing independent could be computed.
+    /// Its reference; `None` if no independent one could be computed.
     pub reference: Option<Reference>,
     /// Its points.
     pub points: Vec<Point>,

@@ -86,7 +86,7 @@ pub struct Entry {
     pub perforation: Limit,
     /// The limit velocity with this hardware, m/s.
     pub limit_m_s: Option<f64>,
-    /// What fails at that velocity; `None`: the plate is perforated.
+    /// The failure at that velocity; `None`: the plate is perforated.
     pub failure: Option<Failure>,
     /// The thinnest armour of this kind that stops the shot.
     pub sized: Result<Sized, Absence>,
@@ -168,7 +168,7 @@ impl Verdict {
 pub struct Report {
     /// The scene; its impact velocity is the design velocity.
     pub scene: Arc<Scene>,
-    /// What is built besides the plates.
+    /// The hardware besides the plates.
     pub hardware: Hardware,
     /// The first plate's face, m².
     pub face_m2: f64,

@@ -167,7 +167,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         all
     }
 
-    /// What `make` gives for each of these items, one at a time; as [`Self::map`] otherwise. A `make` that is stopped gives `None`.
+    /// The result of `make` for each of these items, one at a time; as [`Self::map`] otherwise. A `make` that is stopped gives `None`.
     pub fn map_items<I: Sync, T: Send>(
         &mut self,
         items: &[I],

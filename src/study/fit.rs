@@ -70,7 +70,7 @@ impl Logistic {
     }
 }
 
-/// What a set of shots says.
+/// The result of a set of shots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The shots, in the order of the file.

@@ -51,7 +51,7 @@ enumeration! {
 }
 
 enumeration! {
-    /// What counts as a perforation.
+    /// The criterion of perforation.
     #[derive(Default)]
     pub enum Criterion in CriterionRow {
         /// The word on the command line and in files.
@@ -160,10 +160,10 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
 }
 
-/// What is requested beyond the limit.
+/// The options besides the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// What counts as a perforation.
+    /// The criterion of perforation.
     pub criterion: Criterion,
     /// Scatter of the inputs; `None`: not requested.
     pub sampling: Option<Sampling>,
@@ -174,7 +174,7 @@ pub struct Effort {
 pub struct Report {
     /// The scene.
     pub scene: Arc<Scene>,
-    /// What counts as a perforation.
+    /// The criterion of perforation.
     pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,

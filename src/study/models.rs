@@ -19,7 +19,7 @@ const REPEATS: usize = 15;
 const REPEATS_UNTIL_S: f64 = 0.2;
 
 enumeration! {
-    /// What is compared.
+    /// The subjects of the comparison.
     pub enum What in WhatRow {
         /// The word of the command line.
         word: &'static str,
@@ -47,7 +47,7 @@ enumeration! {
 pub struct Row {
     /// `half-sine`, `coupling corrected`.
     pub name: &'static str,
-    /// What it works with, in words; empty where nothing had to be chosen.
+    /// Its parameters, in words; empty if none had to be chosen.
     pub with: String,
     /// The scene it ran.
     pub scene: Arc<Scene>,
@@ -212,7 +212,7 @@ fn quirks(scene: &Scene) -> Vec<Plan> {
     plans
 }
 
-/// What a model works with, where that had to be chosen.
+/// The parameters of a model, if they had to be chosen.
 fn parameters(scene: &Scene) -> String {
     let show = |value, unit| Engineering { value, unit, digits: 4 }.to_string();
     let contact = &scene.contact;

@@ -29,7 +29,7 @@ pub const SHARES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
 /// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
-/// What is requested.
+/// The request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The inputs that scatter.
@@ -70,7 +70,7 @@ pub struct Summary {
     pub sorted: Vec<f64>,
 }
 
-/// What was found.
+/// The result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The inputs.
@@ -83,7 +83,7 @@ pub struct Report {
     pub samples: usize,
     /// How they ended.
     pub outcomes: OutcomeCounts,
-    /// What becomes of the scene itself.
+    /// The outcome of the scene itself.
     pub nominal: Option<PointOutcome>,
     /// Part of the samples that perforate, of those that came to an end, and its 95 % interval (Wilson's); `None` without any.
     pub perforated: Option<(f64, (f64, f64))>,

@@ -15,11 +15,11 @@ pub struct Principle {
     pub name: &'static str,
     /// The thesis's section.
     pub section: &'static str,
-    /// What it does, in other words.
+    /// Its function, in other words.
     pub idea: &'static str,
     /// The functions that serve it.
     pub functions: Vec<&'static str>,
-    /// What this program computes of it.
+    /// The results of this program for it.
     pub computed: &'static str,
     /// The bundled preset that shows it, if one does.
     pub preset: Option<&'static str>,

@@ -25,12 +25,12 @@ pub use names::{find, listing, named, nearest};
 pub struct Quantity {
     /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
     pub name: &'static str,
-    /// What it means, in a few words.
+    /// Its meaning, in a few words.
     pub meaning: &'static str,
     source: Source,
     /// How it follows from the first contact.
     pub(in crate::study) from_contact: FromContact,
-    /// What it is at least, where a run ended before it was final.
+    /// Its lower bound, if a run ended before it was final.
     lower_bound: Option<fn(&Run) -> Option<f64>>,
     /// A word or two for narrow columns; empty: its title.
     short: &'static str,
@@ -69,7 +69,7 @@ pub(in crate::study) enum FromContact {
 }
 
 enumeration! {
-    /// What has to be computed for a quantity.
+    /// The computation that a quantity needs.
     #[derive(PartialOrd, Ord)]
     pub enum Needs in NeedsRow {
         /// In a word.
@@ -141,7 +141,7 @@ const fn of_shots(
     quantity(name, meaning, Source::Shots(get))
 }
 
-/// What a row may have besides.
+/// The optional parts of a row.
 impl Quantity {
     const fn by_contact(self, from_contact: FromContact) -> Self {
         Self { from_contact, ..self }
@@ -279,7 +279,7 @@ impl Quantity {
         ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
     }
 
-    /// What has to be computed for it.
+    /// The computation it needs.
     pub fn needs(&self) -> Needs {
         match self.source {
             Source::Scene(_) => Needs::Scene,
@@ -311,7 +311,7 @@ impl Quantity {
     /// Read a value: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).
     ///
     /// # Errors
-    /// What is wrong with the text, in words.
+    /// The error of the text, in words.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let kind = match self.unit() {
             "m" => units::Quantity::Length,
@@ -325,7 +325,7 @@ impl Quantity {
         units::parse(bare, kind, Bare::Si).map_err(|problem| problem.to_string())
     }
 
-    /// What it is at least, where a run ended before it was final; `None` where it is final, or nothing is known.
+    /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.
     pub fn lower_bound(&self, run: &Run) -> Option<f64> {
         self.lower_bound?(run).filter(|bound| bound.is_finite())
     }

@@ -61,7 +61,7 @@ pub struct Report {
     pub axes: Vec<Axis>,
     /// The result.
     pub output: &'static Quantity,
-    /// What was requested.
+    /// The request.
     pub effort: Effort,
     /// The result of the scene itself.
     pub own: Option<f64>,

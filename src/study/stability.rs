@@ -1,6 +1,6 @@
 //! Numerical stability: a battery of stiff and extreme scenes, and a map of where a fixed-step method is stable.
 //!
-//! What `auto` is held to stands in the constants below. Must not know files, threads, screens or the clock itself.
+//! The requirements on `auto` are the constants below. Must not know files, threads, screens or the clock itself.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -36,7 +36,7 @@ const TIGHTER_TOLERANCE: f64 = 1e-12;
 const COUNTS_FROM: f64 = 1e-2;
 
 enumeration! {
-    /// What the error of a row is measured against.
+    /// The reference for the error of a row.
     pub enum Basis in BasisRow {
         /// A short text.
         words: &'static str,
@@ -92,13 +92,13 @@ impl Stiffness {
 pub struct Row {
     /// The scene.
     pub case: &'static Case,
-    /// What `auto` made of it.
+    /// The run by `auto`.
     pub run: Run,
     /// Time of that run, s.
     pub took_s: f64,
     /// Relative error of final depth, or of the exit time of a perforation.
     pub error: Option<f64>,
-    /// What it is measured against.
+    /// Its reference.
     pub basis: Basis,
     /// How stiff the contact is.
     pub stiffness: Stiffness,
@@ -111,7 +111,7 @@ pub struct Row {
 /// Other methods than `auto` are omitted after a given number of seconds.
 const OTHERS_UNTIL_S: f64 = 30.0;
 
-/// What times are measured with and how long the other methods may take, s on that clock.
+/// The clock, and the time limit of the other methods, s.
 #[derive(Clone, Copy)]
 pub struct Clock<'a> {
     /// The time now, s.
@@ -281,7 +281,7 @@ fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
     }
 }
 
-/// What the contact reaches at most.
+/// The maxima of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 struct Peaks {
     contact_s: f64,

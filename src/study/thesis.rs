@@ -51,7 +51,7 @@ enumeration! {
     Unchecked { words: "cannot be checked", brief: "unchecked", letter: '?' }
 }
 
-/// What opens when a claim's row is chosen.
+/// The scene that opens with a claim's row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Opens {
     /// Nothing: no scene shows it.
@@ -63,7 +63,7 @@ pub enum Opens {
 }
 
 enumeration! {
-    /// What a verdict rests on.
+    /// The basis of a verdict.
     pub enum Basis in BasisRow {
         /// The words in tables and files.
         words: &'static str,
@@ -76,7 +76,7 @@ enumeration! {
     None { words: "not checked" }
 }
 
-/// What was found for a claim.
+/// The result for a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// By the sound model.
@@ -85,7 +85,7 @@ pub struct Found {
     pub printed: String,
     /// The outcome of the claim.
     pub verdict: Verdict,
-    /// What the verdict rests on.
+    /// The basis of the verdict.
     pub basis: Basis,
 }
 

@@ -25,14 +25,14 @@ const FILE: &str = include_str!("../../presets/tables/measurements.toml");
 /// The class of a measurement that is in no statistics.
 pub const NOT_COUNTED: &str = "not counted";
 
-/// What is known from outside the thesis.
+/// The measurements from outside the thesis.
 #[derive(Default)]
 pub struct Measurements {
     /// The classes that are counted, in the order of tables: the model is good for some and bad for others.
     pub classes: Vec<&'static str>,
     /// The measurements, in the order of pages.
     pub cases: Vec<Case>,
-    /// What is known of besides, and nothing can be checked by.
+    /// Further measurements that cannot be used as a check.
     pub not_checked: Vec<NotChecked>,
 }
 
@@ -101,7 +101,7 @@ fn read(text: &'static str) -> Result<Measurements, toml::de::Error> {
     Ok(Measurements { classes, cases: cases.collect(), not_checked })
 }
 
-/// What was measured.
+/// The measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
@@ -151,11 +151,11 @@ pub struct Case {
     pub id: &'static str,
     /// The bundled preset of the shot.
     pub preset: &'static str,
-    /// What differs from the preset, as `--set` takes it.
+    /// The changes to the preset, as `--set` takes them.
     pub set: &'static str,
     /// What it is of: one of the classes that are counted, or [`NOT_COUNTED`].
     pub class: &'static str,
-    /// What was measured.
+    /// The measured quantity.
     pub quantity: Quantity,
     /// The measurement, in its unit.
     pub measured: f64,
@@ -171,13 +171,13 @@ pub struct Case {
     pub caution: &'static str,
 }
 
-/// What is known of, and nothing can be checked by.
+/// Measurements that cannot be used as a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NotChecked {
     /// A short name.
     pub id: &'static str,
-    /// What there is.
+    /// The available data.
     pub says: &'static str,
     /// Why it cannot be checked from the data at hand.
     pub why: &'static str,

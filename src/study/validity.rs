@@ -14,7 +14,7 @@ use crate::study::sweep::Axis;
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
 
-/// What a careful reader of a scene's results should know. One run of it is made.
+/// Warnings about a scene's results, from one run.
 pub fn of_scene(scene: &Scene) -> Vec<String> {
     run(scene).map_or_else(
         || envelope::of_scene(scene).iter().map(ToString::to_string).collect(),

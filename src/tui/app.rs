@@ -49,7 +49,7 @@ pub enum Origin {
     Other,
 }
 
-/// What the scene is compared with: the preset it was loaded from.
+/// The reference of the scene: the preset it was loaded from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Base {
     pub name: String,
@@ -86,7 +86,7 @@ pub struct App {
     pub history: History,
     /// The result on the screen, if any yet.
     pub shown: Option<Shown>,
-    /// What the worker has been asked.
+    /// The tasks of the worker.
     pub jobs: Jobs,
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
@@ -103,7 +103,7 @@ pub struct App {
     pub log: Vec<Notice>,
     /// First row shown of the Log tab.
     pub log_scroll: usize,
-    /// What `/` has found, and the text being typed.
+    /// The matches of `/`, and the text being typed.
     pub find: Find,
     /// Run after every edit.
     pub auto_run: bool,
@@ -117,7 +117,7 @@ pub struct App {
     pub recent: Vec<PathBuf>,
     /// Where relative paths start.
     pub directory: PathBuf,
-    /// What the outside is to do next.
+    /// The pending requests to the outside.
     pub(crate) effects: Vec<Effect>,
 }
 

@@ -1,4 +1,4 @@
-//! What lies on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
+//! The dialogs on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
 
 pub(crate) mod ask;
 pub(crate) mod export;
@@ -109,7 +109,7 @@ pub struct HelpRow {
     /// The pane they belong to; empty where they work everywhere.
     pub pane: &'static str,
     pub help: &'static str,
-    /// What Enter calls.
+    /// The action of Enter.
     pub action: Action,
 }
 

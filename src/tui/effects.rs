@@ -244,7 +244,7 @@ fn drop_outdated(waiting: &mut VecDeque<Request>) {
     });
 }
 
-/// What to say of the session that was found in the place of ours.
+/// The message about another session found in place of ours.
 pub(super) fn of_another(aside: &Path) -> String {
     format!(
         "another workbench has kept its session meanwhile: it was backed up as {}",

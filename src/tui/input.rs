@@ -140,7 +140,7 @@ fn arrow(text: &str) -> Option<KeyEvent> {
     Some(KeyEvent::new(code, shift))
 }
 
-/// What an event of the terminal means to the workbench.
+/// Translates an event of the terminal into a message.
 fn incoming_of(event: Event) -> Option<Incoming> {
     Some(Incoming::Message(match event {
         // Some terminals also report releases.

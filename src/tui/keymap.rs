@@ -29,9 +29,9 @@ pub struct PaneSpec {
     pub pane: Pane,
     /// Its name in help, palette and messages.
     pub label: &'static str,
-    /// What it has for keys to act on.
+    /// The things in it that keys act on.
     pub has: &'static [Part],
-    /// What keys do in it in particular, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
+    /// The meaning of keys in it, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
     pub keys: &'static [PaneKey],
 }
 
@@ -43,7 +43,7 @@ impl PaneSpec {
     }
 }
 
-/// What a pane can have for keys to act on.
+/// The things in a pane that keys can act on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Rows that have a value to change.

@@ -1,4 +1,4 @@
-//! What can happen to the workbench ([`Message`]) and what it asks the outside to do ([`Effect`]).
+//! Inputs of the workbench ([`Message`]) and its requests to the outside ([`Effect`]).
 
 use std::fmt;
 use std::path::PathBuf;
@@ -136,7 +136,7 @@ impl PresetEntry {
     }
 }
 
-/// What the workbench asks the outside to do.
+/// A request of the workbench to the outside.
 #[derive(Clone, Debug)]
 pub enum Effect {
     /// Queue a task; a newer one of the same slot replaces an older one.
@@ -183,7 +183,7 @@ pub enum FileTask {
     KeepCopy(String, String),
 }
 
-/// What goes into a table that is written.
+/// The content of a table to write.
 #[derive(Clone, Debug)]
 pub enum Content {
     Runs(RunTable),

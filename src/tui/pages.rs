@@ -37,7 +37,7 @@ pub(crate) enum Progress<'a> {
     /// Under way; what is done, and how much of it.
     Running(String),
     Nothing,
-    /// What is shown belongs to another such thing.
+    /// The display belongs to another object.
     Old(&'a str),
     /// Stopped before its end; how far it came.
     Cut(String),
@@ -79,7 +79,7 @@ pub(crate) fn progress<S: Study>(
 
 /// A table of a page, to be written to a file or copied.
 pub(crate) struct Table {
-    /// What is written, for the dialog's frame.
+    /// The content to write, for the dialog's frame.
     pub title: &'static str,
     pub file: String,
     pub content: Content,
@@ -119,14 +119,14 @@ pub(crate) struct Rows {
     pub shown: usize,
 }
 
-/// What never changes of a tab.
+/// The constants of a tab.
 pub(crate) struct About {
     pub name: &'static str,
     /// The names of its pages, where it has several.
     pub pages: &'static [&'static str],
     /// All of its panes; the first one has the focus at the start.
     pub panes: &'static [PaneSpec],
-    /// What can be called by name in the palette.
+    /// The entries of the palette.
     pub commands: &'static [Command],
 }
 
@@ -190,7 +190,7 @@ pub(crate) trait Page: Sync {
 
     fn select(&self, _app: &mut App, _row: usize) {}
 
-    /// What a row of the pane is found by with `/`; `None` where nothing can be found.
+    /// The text of a row that `/` searches; `None` if the pane has no search.
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
         Some(self.form(app)?.row(row)?.label.clone())
     }

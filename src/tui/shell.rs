@@ -60,7 +60,7 @@ pub(super) struct Shell {
     running: HashSet<u64>,
     /// The newest job of the scene on the screen.
     newest: Option<u64>,
-    /// What came while the process was being stopped.
+    /// Events that arrived while the process was being stopped.
     put_off: VecDeque<Incoming>,
     last_look: Instant,
     _watch: Watch,
@@ -229,7 +229,7 @@ impl Shell {
         }
     }
 
-    /// What a click or a turn of the wheel means on the screen as it is.
+    /// The message of a click or a turn of the wheel on the present screen.
     fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
         let target = view::target(&self.app, (mouse.column, mouse.row));
         match mouse.kind {

@@ -138,7 +138,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     })
 }
 
-/// What the session file keeps of the state.
+/// The part of the state that the session file keeps.
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
     let mut view = BTreeMap::new();
@@ -185,7 +185,7 @@ fn environment(name: &str) -> Option<String> {
     std::env::var(name).ok()
 }
 
-/// What edits of a preset are compared with.
+/// The reference for edits of a preset.
 fn base_of(preset: Preset) -> Base {
     Base {
         origin: match preset.origin {

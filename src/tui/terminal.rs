@@ -283,7 +283,7 @@ impl Screen {
         }
     }
 
-    /// What the first frame begins with.
+    /// The beginning of the first frame.
     fn queue_entry(&mut self) -> io::Result<()> {
         queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
         if MOUSE.load(Ordering::SeqCst) {

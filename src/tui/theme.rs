@@ -1,4 +1,4 @@
-//! What the screen is drawn with: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
+//! The theme of the screen: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
 //!
 //! Panes use roles, never colours. Foreground and background stay the terminal's own, so that light and dark both
 //! work. Knows ratatui; must not know what is shown. Colour is never the only channel: a role with a meaning also
@@ -20,7 +20,7 @@ pub fn columns(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { Span::raw(text).width() }
 }
 
-/// What a piece of the screen means.
+/// The role of a piece of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     Text,

@@ -1,4 +1,4 @@
-//! What each message does to the state, and what it asks the outside to do. No I/O, no clock.
+//! The update of the state for each message, and its requests to the outside. No I/O, no clock.
 
 pub(crate) mod act;
 pub(crate) mod edit;

@@ -32,7 +32,7 @@ pub fn view(app: &App, frame: &mut Frame<'_>) {
     }
 }
 
-/// What is at a column and a row of the screen; `None` where a click means nothing.
+/// The target at a column and a row of the screen; `None` where a click has no effect.
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
@@ -352,7 +352,7 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// What the run is and cost; the parts at the right go first when there is little room.
+/// The state of the run and its cost; the parts at the right are dropped first.
 pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let parts = app.status();
     let room = usize::from(area.width.saturating_sub(2));

@@ -91,7 +91,7 @@ impl<'a> Canvas<'a> {
         picture.render(area, self.buffer, self.theme)
     }
 
-    /// What is under the pointer; `None` where a click means nothing.
+    /// The target under the pointer; `None` where a click has no effect.
     pub(crate) fn target(&self) -> Option<Target> {
         self.target
     }

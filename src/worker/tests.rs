@@ -252,7 +252,7 @@ struct Counting<const KIND: usize> {
     endless: bool,
 }
 
-/// What it has counted.
+/// Its counts.
 struct Count(usize);
 
 impl<const KIND: usize> Study for Counting<KIND> {
@@ -281,7 +281,7 @@ fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool) -> Task {
     Task { id, threads: 2, work: Work::Study(scene, Arc::new(Counting::<KIND> { lane, endless })) }
 }
 
-/// What a report brings, if it brings something.
+/// The content of a report, if any.
 fn count(body: &ReportBody) -> Option<usize> {
     body.found::<Count>().map(|count| count.0)
 }

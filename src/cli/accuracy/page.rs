@@ -76,7 +76,7 @@ fn table(report: &Report) -> String {
     format!("\n{}", grid(&cells, width()))
 }
 
-/// What some accuracies cost here, and what they would cost with no term omitted.
+/// The run times for some accuracies, and those with no term omitted.
 fn answers(page: &mut String, report: &Report) {
     let _ =
         writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "with no term omitted");

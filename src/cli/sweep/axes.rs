@@ -21,7 +21,7 @@ pub(super) enum DesignWord {
     Sobol,
 }
 
-/// What the options request.
+/// The design requested by the options.
 pub(super) struct Asked<'a> {
     pub(super) over: &'a [String],
     pub(super) design: DesignWord,

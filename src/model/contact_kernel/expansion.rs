@@ -59,7 +59,7 @@ impl<const N: usize, R: Real> Series<N, R> {
     }
 }
 
-/// What stays the same during the contact.
+/// The constants of the contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants<R = f64> {
     pub(super) strength_pa: R,

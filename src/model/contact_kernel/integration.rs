@@ -29,7 +29,7 @@ pub(super) struct Track {
     pub(super) steps: usize,
 }
 
-/// What is left of a contact once plain steps will do.
+/// The rest of a contact that plain steps can compute.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
     pub(super) track: Track,
@@ -100,7 +100,7 @@ impl StepEnd {
     }
 }
 
-/// What the plate's displacement is measured against where it is at `plate_m`, m.
+/// The scale of the plate's displacement at `plate_m`, m.
 pub(super) fn minded_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
     match reach_m {
         Some(reach_m) => plate_m.abs() * eased(plate_m.abs(), reach_m),

@@ -44,7 +44,7 @@ struct Growth {
     power: f64,
 }
 
-/// What it has taken from the plate by some time.
+/// The impulse it has taken from the plate by some time.
 #[derive(Clone, Copy)]
 struct Taken {
     /// Of its velocity, m/s.

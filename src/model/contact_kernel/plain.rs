@@ -94,7 +94,7 @@ mod tests {
     use crate::model::contact_kernel::integration::InitialPhase;
     use crate::model::scene::Scene;
 
-    /// What processors without vectors do. The depth at the first arrest is row S2 of `reference.csv`.
+    /// The path of processors without vectors. The depth at the first arrest is row S2 of `reference.csv`.
     #[test]
     fn valid_one_number_of_terms_serves_every_tolerance() {
         let contact = Contact::of(&Scene::default());

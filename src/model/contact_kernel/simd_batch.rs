@@ -27,7 +27,7 @@ const FIXED: usize = 11;
 const SPRING: usize = FIXED + CONSTANTS;
 const DAMPER: usize = 19;
 const MINDED: usize = 20;
-/// What a step shows.
+/// The result of a step.
 const TRUSTED: usize = 21;
 const SLOPE: usize = 22;
 const SIZE: usize = 23;
@@ -148,14 +148,14 @@ impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
 }
 
 impl LaneBuffer<ROWS> {
-    /// What does not change during the contact.
+    /// The constants of the contact.
     fn lane_job(&mut self, lane: usize, contact: &Contact) {
         self.put_constants(lane, FIXED, &contact.constants);
         self.put(lane, SPRING, [contact.spring.coefficient, contact.spring.exponent]);
         self.put(lane, DAMPER, [contact.damper.coefficient]);
     }
 
-    /// What changes from step to step; `None` where the area is not a polynomial.
+    /// The part that changes from step to step; `None` where the area is not a polynomial.
     fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
         let Plan { track, reach_m, .. } = &job.plan;
         let area = job.contact.area_law(track.piece)?;

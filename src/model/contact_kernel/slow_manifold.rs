@@ -34,7 +34,7 @@ const SPRING: usize = 9;
 const BALANCE: usize = 13;
 const MINDED: usize = 15;
 const FIXED: usize = 16;
-/// What a pass shows.
+/// The result of a pass.
 const SPEEDS: usize = FIXED + CONSTANTS;
 const TRUSTED: usize = SPEEDS + 2;
 const SIZE: usize = TRUSTED + 1;
@@ -124,7 +124,7 @@ impl ManifoldRun {
         }
     }
 
-    /// What to try where an attempt has failed.
+    /// The next attempt after a failure.
     fn failed(&mut self, contact: &Contact, by_piece_before: bool) -> Result<Attempt, Next> {
         if let (Some(area), false) = (self.joint, by_piece_before) {
             return self.attempt(contact, area, true);
@@ -216,7 +216,7 @@ pub(super) struct ManifoldJob<'c> {
     pub(super) place: usize,
 }
 
-/// What comes after these runs, which all have the same number of terms; not in their order.
+/// The continuation of these runs, which all have the same number of terms; not in their order.
 pub(super) fn run_manifold_batch(
     jobs: &[ManifoldJob<'_>],
     report: &mut dyn FnMut(usize, InitialPhase),
@@ -225,7 +225,7 @@ pub(super) fn run_manifold_batch(
 }
 
 impl Contact {
-    /// What comes after a single run.
+    /// The continuation of a single run.
     pub(super) fn end_of_manifold(&self, manifold_run: &ManifoldRun) -> InitialPhase {
         let mut initial_phase = InitialPhase::Left;
         let jobs = &[ManifoldJob { contact: self, manifold_run: *manifold_run, place: 0 }];

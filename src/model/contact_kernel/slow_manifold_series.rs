@@ -47,15 +47,15 @@ pub(super) struct Balance {
     pub(super) force_n: f64,
 }
 
-/// What a balance is looked for from.
+/// The start of the search for a balance.
 pub(super) struct Guess {
     pub(super) balance: Balance,
-    /// What plate inertia and damper hold, N.
+    /// The force of plate inertia and damper, N.
     pub(super) lag_n: f64,
     pub(super) speed_m_s: f64,
 }
 
-/// What the next pass takes from the one before, term by term.
+/// The terms that the next pass takes from the one before.
 #[derive(Clone, Copy)]
 pub(super) struct Lag<const N: usize, R = f64> {
     /// Inertia and damper, m w' + b w, N.

@@ -54,7 +54,7 @@ impl Lumped {
         }
     }
 
-    /// What the interface pushes with on its steeper branch, times a sign.
+    /// The interface force on its steeper branch, times a sign.
     fn push(&self, deepest_m: f64, sign: f64) -> EventFunction {
         let law = self.unloading(deepest_m);
         EventFunction {

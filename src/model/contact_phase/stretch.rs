@@ -8,7 +8,7 @@ use crate::model::scene::{Stop as StopOfScene, StopKind};
 use crate::numerics::explicit::{Boundary, Reached, Stop, System};
 use crate::numerics::smaller;
 
-/// What a boundary of this index means.
+/// The meaning of the boundary with this index.
 const ARREST: usize = 0;
 const JOINT: usize = 1;
 const STOP: usize = 2;
@@ -53,7 +53,7 @@ impl Wall {
         stop.position_m.map(|x| Self { x: x / r, law })
     }
 
-    /// What an elastic stop pushes with (or, times -1, lacks to push again); a rigid one never does.
+    /// The force of an elastic stop (or, times -1, the force missing until it pushes again); 0 for a rigid one.
     fn force(&self, sign: f64) -> Boundary<4> {
         let WallLaw::Elastic { stiffness, damping } = self.law else { return NEVER };
         let slope = [0.0, 0.0, sign * stiffness, sign * damping];
@@ -61,7 +61,7 @@ impl Wall {
     }
 }
 
-/// What the plate has behind it.
+/// The stop or air behind the plate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Behind {
     /// Nothing.
@@ -155,7 +155,7 @@ impl<'a> Stretch<'a> {
         self.boundaries[PRESSED] = NEVER;
     }
 
-    /// What follows the end of a stretch: an ending, or (nothing) the next stretch from what was reached.
+    /// The transition at the end of a stretch: an ending, or (`None`) the next stretch.
     pub(super) fn follow(&mut self, reached: &mut Reached<4>) -> Result<Option<Ending>, Refusal> {
         self.must_have_been_held(&reached.y)?;
         match reached.stop {

@@ -189,12 +189,12 @@ impl<'a> Body<'a> {
         self.problem.mechanism.damper.kind() == PowerKind::General
     }
 
-    /// What the interface can push at the present travel, N.
+    /// The compressive strength of the interface at the present travel, N.
     pub(super) fn interface_n(&self) -> f64 {
         self.problem.geometry.area_m2(self.state.travel_m) * self.problem.strength_pa
     }
 
-    /// What the interface can push and pull at the present travel, N.
+    /// The compressive and tensile strength of the interface at the present travel, N.
     pub(super) fn interface_limits_n(&self) -> (f64, f64) {
         let strength = self.interface_n();
         let pull = self.problem.grip * strength;
@@ -202,7 +202,7 @@ impl<'a> Body<'a> {
         (if at_bottom { strength } else { pull }, pull)
     }
 
-    /// What presses a plate at rest on its stop, N.
+    /// The force that presses a plate at rest on its stop, N.
     pub(super) fn net_push_on_stop(&self) -> f64 {
         let motion = self.motion();
         let contact = motion.contact_force(&self.state) * self.problem.cos;

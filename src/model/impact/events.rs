@@ -1,4 +1,4 @@
-//! What follows an event: the interface law and the stop.
+//! Transitions after events: the interface law and the stop.
 //!
 //! One rule serves every mode (model page, section 3). u > 0 at the bottom of the hole: the hole deepens. u > 0 above it:
 //! the gap closes against friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as
@@ -319,7 +319,7 @@ mod tests {
     use crate::model::impact::body::Body;
     use crate::model::impact::problem::Problem;
 
-    /// What is seen of a run after an event.
+    /// The view of a run after an event.
     fn look<T>(
         pairs: &str,
         mode: Mode,

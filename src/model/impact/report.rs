@@ -175,7 +175,7 @@ fn warnings(
     list
 }
 
-/// What the contact model does not contain.
+/// The effects that the contact model does not contain.
 fn notes(
     problem: &Problem,
     track: &Track<'_>,

@@ -295,7 +295,7 @@ impl Taken<'_, '_> {
     }
 }
 
-/// What an event function that starts from zero must exceed on a stretch to show its sign.
+/// The bound that an event function from zero must exceed on a stretch to have a sign.
 fn unseen(values: &[f64; POINTS]) -> f64 {
     SEEN * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }

@@ -109,7 +109,7 @@ impl Track<'_> {
         ControlFlow::Break(EndReason::StepUnderflow)
     }
 
-    /// What the estimate of a step may be, relative to the scales.
+    /// The tolerance for the estimate of a step, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
         let allowed = LOCAL * self.body.tolerance.powf(2.0 / 3.0);
         let unfelt = self.body.problem.yields_part < UNFELT
@@ -148,7 +148,7 @@ impl Track<'_> {
         }
     }
 
-    /// What the plate's energy is off by over a step, J: where its spring holds nearly all energy, errors of the displacement that do
+    /// The error of the plate's energy over a step, J: where its spring holds nearly all energy, errors of the displacement that do
     /// not matter to the contact show in it.
     fn imbalance_j(&self, system: &Unknowns<'_>, solved: &Step<4>, h: f64) -> f64 {
         let motion = system.motion;
@@ -194,7 +194,7 @@ impl Track<'_> {
         ]
     }
 
-    /// What the rounding of the forces on the plate leaves open of its velocity over the next step, m/s.
+    /// The uncertainty of the plate's velocity over the next step from the rounding of its forces, m/s.
     fn rounding_of_speed_m_s(&self, motion: &Motion<'_>) -> f64 {
         let state = &self.body.state;
         let force_n =

@@ -216,7 +216,7 @@ impl Track<'_> {
     }
 }
 
-/// What one rounding of the forces on the plate is worth at the start of an expansion, m/s².
+/// The effect of one rounding of the forces on the plate at the start of an expansion, m/s².
 fn plate_noise<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
     let mechanism_n = motion.mechanism_size(&e.start(), e.mechanism[0], e.damper[0]);
     let contact_n = motion.coupling * e.contact[0].abs();

@@ -26,7 +26,7 @@ const DEMANDED: f64 = 1e-9;
 /// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
 const LITTLE_ENERGY: f64 = 1e-18;
 
-/// What is known of how the run ends.
+/// The known part of the run's outcome.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Termination {
     /// The outcome, once it is decided, and the steps taken until then.
@@ -47,7 +47,7 @@ enum Swing {
     Turned,
 }
 
-/// What the outcome depends on while projectile and plate are together: if none of it changes, it stays the same.
+/// The state that the outcome depends on while projectile and plate are together; unchanged state means unchanged outcome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Conditions {
     energy_j: f64,

@@ -2,7 +2,7 @@
 
 use crate::model::run::Sample;
 
-/// What is kept of a series: its first rows, and of the rest the envelope in each of a given number of equal intervals of time.
+/// The rows kept of a series: its first rows, and of the rest the envelope in each of a given number of equal intervals of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Kept {
     pub(super) first: usize,

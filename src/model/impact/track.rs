@@ -114,7 +114,7 @@ impl<'a> Track<'a> {
         self.body.active_events(self.control.stiff, self.record.noted())
     }
 
-    /// What follows an event, and which method goes on.
+    /// The transition after an event, and the method that continues.
     pub(super) fn apply_transition(&mut self, event: EventId) {
         self.control.event_count += usize::from(event.changes_course());
         self.control.worked(1);

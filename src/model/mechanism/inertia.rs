@@ -1,4 +1,4 @@
-//! What a mechanism adds to the plate's inertia: the rotation of what turns with it, and the springs' own mass.
+//! The inertia that a mechanism adds to the plate: the rotation of what turns with it, and the springs' own mass.
 //!
 //! A plate that turns by dphi/dx per displacement has the kinetic energy of an additional mass `I_z (dphi/dx)²` (thesis 6.2.7,
 //! the principle of rotational transfer). Of a spring's own mass a part moves with the plate: that with the kinetic energy
@@ -15,7 +15,7 @@ const COIL: f64 = 1.0 / 3.0;
 const CANTILEVER: f64 = 33.0 / 140.0;
 const GUIDED: f64 = 13.0 / 35.0;
 
-/// What moves with the plate, besides the plate, kg.
+/// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Inertia {
     /// `I_z (dphi/dx)²` of what turns.

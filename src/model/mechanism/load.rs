@@ -9,7 +9,7 @@ use crate::numerics::{larger, smaller};
 /// Up to where a spring's law is good, and what happens beyond.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// What the limit is, in words.
+    /// The limit, in words.
     pub what: &'static str,
     /// The displacement at which this is the load, m.
     pub asked_m: f64,

@@ -51,7 +51,7 @@ worded! {
         Spring = "spring",
         /// A rigid stop under a fused interface.
         Stop = "rigid stop",
-        /// What a fused interface is asked to carry.
+        /// The load of a fused interface.
         Interface = "interface",
     }
 }
@@ -120,7 +120,7 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
         .then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
 }
 
-/// What a scene breaches by itself, in the order of the table.
+/// The breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     let mut found = target(scene);
     found.extend(shot(scene));
@@ -259,7 +259,7 @@ fn stop() -> Breach {
     breach(Check::Stop, Direction::Unconservative, text)
 }
 
-/// What a run breaches, in the order of the table: its scene, and what its course required of stop, spring and interface.
+/// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface.
 pub fn of_run(run: &Run) -> Vec<Breach> {
     let scene = &run.scene;
     let hit = run.events.iter().any(|event| event.kind == EventKind::StopHit);

@@ -1,6 +1,6 @@
 //! Notes on the contact models: what each does not contain.
 
-/// What a contact model does not contain, or takes for granted.
+/// Notes on the effects that a contact model neglects or assumes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the sentence of each says what it means")]
 pub enum ModelNote {

@@ -6,7 +6,7 @@ use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, EnergyLedger, ModelNote, Outcome};
 use crate::model::units::{self, Engineering};
 
-/// What a careful reader should know about a run.
+/// A warning about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the sentence of each says what it means")]
 pub enum Warning {

@@ -59,7 +59,7 @@ worded! {
 }
 
 worded! {
-    /// What becomes of the area once the nose is buried.
+    /// The area once the nose is buried.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Jumps: word {
         /// The scripts' jumps do what they are meant to: the area stays that of the full section.

@@ -1,4 +1,4 @@
-//! What people ask of a variable: its name in words, and when a scene uses it. Both are read off the table and its rules.
+//! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
 use super::{Kind, VARIABLES, Variable, is_listed, is_used};
 use crate::model::scene::Scene;

@@ -6,7 +6,7 @@
 use super::landing::Ends;
 use super::{Count, Point, Reached, Start, Stop, System, is_finite};
 
-/// What happens at a boundary.
+/// The event at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
     /// It is located, and landed on.

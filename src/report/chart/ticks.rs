@@ -25,7 +25,7 @@ pub struct Tick {
     pub cell: u16,
     /// Its value, in the unit shown.
     pub value: f64,
-    /// What is written at it.
+    /// Its label.
     pub label: String,
 }
 

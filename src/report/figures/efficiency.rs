@@ -6,7 +6,7 @@ use crate::report::figures::map_over;
 use crate::report::map::{Cell, Map, Tone};
 use crate::study::compare::map::Map as Efficiency;
 
-/// What the line means.
+/// The meaning of the line.
 pub const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 
 /// The map as a picture; `None` where no point has a mass efficiency.

@@ -6,7 +6,7 @@ use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::series::Quantity;
 
-/// What is drawn over time.
+/// The quantity drawn over time.
 const QUANTITIES: [Quantity; 3] =
     [Quantity::Penetration, Quantity::PlateDisplacement, Quantity::ContactForce];
 /// How far beyond the greatest displacement the law of the mechanism is drawn, and up to which part of it a limit is still shown.

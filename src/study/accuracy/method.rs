@@ -16,7 +16,7 @@ use crate::numerics::explicit::rk4::Crossing;
 /// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.
 const BEYOND_CONTACT: f64 = 1.01;
 
-/// What makes a method more accurate and more expensive.
+/// The parameter that makes a method more accurate and more expensive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Knob {
     /// It has none.
@@ -152,7 +152,7 @@ methods! {
     /// The simulation without omitted terms.
     Full: 'N', "no term omitted", ENGINE, TIGHT,
         |job| forced(Forced::General, &job.scene);
-    /// What `simulate` does.
+    /// The work of `simulate`.
     Auto: 'A', "auto", ENGINE, TIGHT,
         |job| auto(&job.scene);
 }

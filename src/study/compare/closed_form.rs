@@ -3,7 +3,7 @@
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::study::compare::Hardware;
 
-/// What the closed form says of a design.
+/// The closed-form result of a design.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedForm {
     /// Mass efficiency at the design velocity.

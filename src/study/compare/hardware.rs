@@ -9,7 +9,7 @@ use crate::study::compare::elements;
 /// Energies this part apart are the same.
 const SAME: f64 = 1e-9;
 
-/// What is built besides each plate. The energy that a spring or absorber takes up per mass is a variable of the scene.
+/// The hardware besides each plate. The energy that a spring or absorber takes up per mass is a variable of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Hardware {
     /// The spring's mass, >= 0 kg; `None`: that of the scene's own springs where they know it, or the least for the energy.
@@ -20,7 +20,7 @@ pub struct Hardware {
     pub stroke_m: Option<f64>,
 }
 
-/// What fails before the plate is perforated.
+/// The failure before the plate is perforated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Failure {
     /// The spring would have to store more than its mass can.
@@ -32,7 +32,7 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// What happens, as the end of a sentence.
+    /// The failure, as the end of a sentence.
     pub fn words(self) -> String {
         match self {
             Self::Energy => "the spring reaches its energy capacity".to_owned(),
@@ -104,7 +104,7 @@ pub(super) fn is_own(scene: &Scene) -> bool {
     Inertia::of(scene).spring_mass_kg.is_some()
 }
 
-/// What fails of an element when a spring of this capacity, J, meets the demand.
+/// The failure of an element when a spring of this capacity, J, meets the demand.
 pub(super) fn failure(
     hardware: &Hardware,
     element: &Scene,

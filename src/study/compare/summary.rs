@@ -83,7 +83,7 @@ fn as_built(own: &Entry) -> Option<String> {
     ))
 }
 
-/// What governs the limit velocities, and which do not exist.
+/// The causes of the limit velocities, and the missing ones.
 fn limits(report: &Report) -> Vec<String> {
     let mut lines = Vec::new();
     for entry in &report.entries {

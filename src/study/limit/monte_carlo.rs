@@ -24,14 +24,14 @@ pub struct ModelError {
 }
 
 impl ModelError {
-    /// What a computed limit is to be multiplied by.
+    /// The correction factor of a computed limit.
     fn factor(self, random: &mut Random) -> f64 {
         let spread = if self.spread > 0.0 { (self.spread * random.normal()).exp() } else { 1.0 };
         spread / (1.0 + self.bias)
     }
 }
 
-/// What is requested.
+/// The request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
     /// Relative standard deviation of every scattered input, > 0.
@@ -44,10 +44,10 @@ pub struct Sampling {
     pub model: ModelError,
 }
 
-/// What was found.
+/// The result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledLimit {
-    /// What was requested.
+    /// The request.
     pub sampling: Sampling,
     /// Samples with a limit near the nominal one.
     pub found: usize,

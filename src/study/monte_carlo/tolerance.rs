@@ -128,7 +128,7 @@ impl Tolerance {
     /// or half width alone is about the scene's own value.
     ///
     /// # Errors
-    /// What is wrong, and what to write.
+    /// The error, and the cure.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
         let own = Self::new(name, blank).map_err(|error| error.to_string())?;

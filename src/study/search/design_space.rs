@@ -17,7 +17,7 @@ use crate::study::sweep::{Axis, Evaluator, Failure, Plan, PointOutcome, SweepErr
 const PIECE: u64 = 16;
 const PIECE_OF_RUNS: u64 = 1;
 
-/// What is known of one design.
+/// The results of one design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// Its outcome.

@@ -42,14 +42,14 @@ pub struct Objective {
     pub maximise: bool,
 }
 
-/// What is looked for.
+/// The goal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The variables and their bounds.
     pub axes: Vec<Axis>,
-    /// What is to be good.
+    /// The objectives.
     pub objectives: Vec<Objective>,
-    /// What has to be kept.
+    /// The constraints.
     pub constraints: Vec<Constraint>,
     /// On which interface laws.
     pub laws: Vec<InterfaceLaw>,
@@ -103,7 +103,7 @@ pub struct Design {
     pub values: Vec<f64>,
     /// Its measures, in the order of [`Task::measures`].
     pub measures: Vec<Option<f64>>,
-    /// What becomes of it.
+    /// Its outcome.
     pub outcome: PointOutcome,
 }
 
@@ -134,7 +134,7 @@ pub struct Candidate {
     pub source: &'static str,
     /// Its scene.
     pub scene: Option<Scene>,
-    /// What becomes of it; `None` where it cannot be made of this scene.
+    /// Its outcome; `None` if it is not possible with this scene.
     pub outcome: Option<PointOutcome>,
     /// Its measures, in the order of [`Task::measures`].
     pub measures: Vec<Option<f64>>,
@@ -363,7 +363,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the front is compared with; of a search that was stopped, what comes at once.
+    /// The references of the front; of a search that was stopped, those that are computed at once.
     fn candidates(&self, whole: bool) -> Vec<Candidate> {
         let own = ("the scene itself", "as it is", Some(self.scene.clone()));
         let thesis = RECOMMENDED
@@ -387,7 +387,7 @@ impl Search<'_> {
     }
 
     /// Look from a candidate that nothing beats yet for a design that does: the first objective as good as can be, no other worse.
-    /// What is found joins the front.
+    /// Results join the front.
     fn challenge(&self, candidate: &Candidate, state: &RefCell<State<'_, '_>>) {
         let Some(shares) = candidate.scene.as_ref().and_then(|scene| self.shares_of(scene)) else {
             return;

@@ -15,7 +15,7 @@ const CROSSED: f64 = 0.9;
 /// Distribution index of the mutation.
 const ETA_MUTATE: f64 = 20.0;
 
-/// What a point comes to.
+/// The result of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// The objectives, all to be made small.
@@ -47,7 +47,7 @@ impl Judged {
 pub struct Individual {
     /// Where, 0 to 1 along every input.
     pub shares: Vec<f64>,
-    /// What it comes to.
+    /// Its result.
     pub judged: Judged,
 }
 

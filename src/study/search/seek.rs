@@ -20,7 +20,7 @@ pub const SCAN: RangeInclusive<u64> = 3..=100_000;
 /// Points of a scan if none is given.
 pub const SCAN_USUAL: u64 = 65;
 
-/// What is sought.
+/// The goal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The variable, its bounds, and as many points as the scan has.
@@ -32,7 +32,7 @@ pub struct Goal {
 }
 
 enumeration! {
-    /// What a line of the answer is.
+    /// The kind of a line of the answer.
     pub enum Kind in KindRow {
         /// The word in files.
         word: &'static str,
@@ -69,13 +69,13 @@ pub struct Place {
 /// A line of the answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// Where, and what is reached; the measure is NaN in a gap.
     pub place: Place,
     /// The other end of a plateau, a jump or a gap.
     pub until: Option<Place>,
-    /// What becomes of the design.
+    /// The outcome of the design.
     pub outcome: Option<PointOutcome>,
     /// Points of the scan in a gap.
     pub points: usize,
@@ -87,7 +87,7 @@ impl Line {
     }
 }
 
-/// What was found.
+/// The result.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The variable and its bounds.

@@ -32,7 +32,7 @@ pub struct Indices {
     pub total: Option<Index>,
 }
 
-/// What came of it.
+/// Its outcome.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sobol {
     /// The indices, input by input.

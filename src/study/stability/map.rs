@@ -76,7 +76,7 @@ enumeration! {
     pub enum Axis in AxisRow {
         /// Its symbol.
         symbol: &'static str,
-        /// What it is.
+        /// Its kind.
         about: &'static str,
         /// Its value in a scene.
         get: fn(&Scene) -> f64,
@@ -106,11 +106,11 @@ enumeration! {
 }
 
 enumeration! {
-    /// What a method makes of one step and one value.
+    /// The behaviour of a method for one step and one value.
     pub enum Cell in CellRow {
         /// The word in files.
         word: &'static str,
-        /// What it means.
+        /// Its meaning.
         words: &'static str,
         /// Its letter.
         letter: char,
@@ -242,7 +242,7 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
     (0..count).map(|i| low * (high / low).powf(step(i))).collect()
 }
 
-/// What a row should come to.
+/// The expected result of a row.
 #[derive(Clone, Copy)]
 struct Target {
     peaks: Peaks,

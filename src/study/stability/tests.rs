@@ -1,4 +1,4 @@
-//! What the rows of the battery are measured against.
+//! The references for the rows of the stiff scenes.
 
 use std::ops::ControlFlow;
 

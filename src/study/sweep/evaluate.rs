@@ -74,7 +74,7 @@ impl PointOutcome {
         }
     }
 
-    /// What that letter means for an output.
+    /// The meaning of that letter for an output.
     pub fn without_value(self, output: &Quantity) -> &'static str {
         match self {
             Self::Arrested | Self::Separated => output.absence,
@@ -98,7 +98,7 @@ impl PointOutcome {
     }
 }
 
-/// What came out at consecutive points.
+/// The results at consecutive points.
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
     outputs: usize,

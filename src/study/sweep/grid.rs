@@ -38,7 +38,7 @@ pub fn fits(plan: &Plan) -> Result<(), SweepError> {
     )))
 }
 
-/// What is known of one point.
+/// The results of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
     /// The output's value.

@@ -21,7 +21,7 @@ use crate::study::sweep::evaluate::PointOutcome;
 /// Fraction of the scene's tolerance that the contact may use up.
 pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 
-/// What was found at a point.
+/// The result at a point.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) struct Answer {
     pub(in crate::study) end: ContactEnd,
@@ -146,7 +146,7 @@ impl<'p> Kernel<'p> {
     }
 }
 
-/// What is to be known of a shot.
+/// The results of a shot to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::study) enum Wanted {
     /// Whether it goes through, however long that takes.

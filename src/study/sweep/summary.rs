@@ -13,7 +13,7 @@ pub struct Extremes {
     pub greatest: (f64, u64),
 }
 
-/// What a sweep came to.
+/// The result of a sweep.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
     /// How the points ended.

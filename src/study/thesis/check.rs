@@ -133,7 +133,7 @@ mod tests {
     use crate::study::thesis::claim;
     use crate::study::thesis::runs::SharedRuns;
 
-    /// What is found for a claim with these values and checks.
+    /// The result for a claim with these values and checks.
     fn found(checks: &[(&str, &str)]) -> Found {
         let mut text =
             "[scenes]\nrigid = { mount = \"rigid\" }\n[[claim]]\nid = \"a\"\nplace = \"1\"\nsays = \"b\"\ncause = \"c\"\n\

@@ -20,7 +20,7 @@ pub struct Claim {
     pub id: &'static str,
     /// Where it stands.
     pub place: &'static str,
-    /// What it says, in other words.
+    /// Its statement, in other words.
     pub says: &'static str,
     /// Why the verdict is what it is, in one sentence.
     pub cause: &'static str,
@@ -49,13 +49,13 @@ fn verdict<'de, D: Deserializer<'de>>(word: D) -> Result<Verdict, D::Error> {
 }
 
 impl Claim {
-    /// What shows it.
+    /// The evidence for it.
     pub fn opens(&self) -> Opens {
         let scene = || self.scene.and_then(super::scene).map(Opens::Scene);
         self.preset.map(Opens::Preset).or_else(scene).unwrap_or(Opens::Nothing)
     }
 
-    /// What decides on the verdict, the first first.
+    /// The rules of the verdict, in order.
     pub(super) fn conditions(&self) -> impl Iterator<Item = (Verdict, &'static str)> {
         let all = [
             (Verdict::Reproduced, self.reproduced),

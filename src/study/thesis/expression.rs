@@ -251,7 +251,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What stands between commas up to a closing symbol.
+    /// The parts between commas up to a closing symbol.
     fn until<T>(
         &mut self,
         end: &str,

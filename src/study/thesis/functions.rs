@@ -15,14 +15,14 @@ use crate::study::thesis::value::{Point, Value, through_lists};
 
 #[derive(Debug)]
 pub(super) struct Function {
-    /// What claims call it.
+    /// Its name in the claims.
     pub name: &'static str,
     /// How many arguments it takes.
     pub arguments: usize,
     apply: Apply,
 }
 
-/// What a function is given.
+/// The arguments of a function.
 #[derive(Clone, Copy, Debug)]
 enum Apply {
     /// Numbers; lists are gone through.

@@ -3,7 +3,7 @@
 use crate::numerics::{larger, smaller};
 use crate::study::thesis::value::Point;
 
-/// What counts as noise, relative to the curve's whole range.
+/// The noise level, relative to the curve's whole range.
 const NOISE: f64 = 1e-3;
 
 pub(super) fn greatest(curve: &[Point]) -> f64 {

@@ -5,7 +5,7 @@ use crate::study::thesis::value::{Curve, Value};
 
 #[derive(Clone, Copy, Debug)]
 struct Format {
-    /// What stands between the values of a list.
+    /// The separator of the values of a list.
     between: &'static str,
     style: Style,
 }

@@ -25,7 +25,7 @@ const RESULTS_KEPT: usize = 8;
 /// A result with more rows in its series is not kept at all.
 const ROWS_MAX: usize = 100_000;
 
-/// What is set up in a tab beside the scene.
+/// The settings of a tab besides the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Setting {
     Search(Box<Setup>),
@@ -35,7 +35,7 @@ pub enum Setting {
     Weights([f64; 7]),
 }
 
-/// What an edit changed, before and after.
+/// The change of an edit, before and after.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     Scene(Snapshot, Snapshot),
@@ -45,7 +45,7 @@ pub enum Change {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
-    /// What was done: `gamma 1 -> 1.25`.
+    /// The label of the edit: `gamma 1 -> 1.25`.
     pub label: String,
     pub change: Change,
     /// The variable it was stepped with, while further steps still belong to it.

@@ -1,4 +1,4 @@
-//! What the background threads have been asked to do.
+//! The tasks of the background threads.
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -403,7 +403,7 @@ pub fn fitted(title: &str, width: usize) -> String {
     if columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
 }
 
-/// What a run could do without, in full and as a number.
+/// The omitted terms of a run, in full and as a number.
 fn left_out(run: &Run) -> Option<StatusPart> {
     let (omitted, count) = (run.omitted.join(", "), run.omitted.len());
     let (full, short) = (format!("omitted terms: {omitted}"), format!("{count} terms omitted"));

@@ -126,7 +126,7 @@ fn map(axis: &Axis<'_>, cells: u16) -> Mapping {
     Mapping::new(axis.scale, axis.view, cells)
 }
 
-/// What goes where in the title line.
+/// The parts of the title line.
 pub(super) struct Plan<'a> {
     pub(super) layout: Layout,
     pub(super) title: String,

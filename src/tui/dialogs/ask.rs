@@ -94,7 +94,7 @@ fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     }
 }
 
-/// What is to be done with files; nothing where a question comes first.
+/// The file tasks; none if a question comes first.
 fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
     let task = match state.purpose {
         Purpose::Preset => return save_as(app, state, overwrite),
@@ -226,7 +226,7 @@ pub(crate) fn ask(app: &mut App, word: &str) {
     }
 }
 
-/// What the file has to be, and the points there are.
+/// The required format of the file, and the present points.
 pub(crate) fn curve_hint(app: &App, second: bool) -> String {
     let mechanism = &app.scene.mechanism;
     let spring = if second { &mechanism.second } else { &mechanism.spring };

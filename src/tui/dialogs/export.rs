@@ -37,7 +37,7 @@ const KINDS: [Kind; 4] = [
 const SERIES: usize = 0;
 const GRID: usize = 1;
 
-/// What a line is about; lines of one part stand together.
+/// The part that a line belongs to; lines of one part stand together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
     File,
@@ -50,7 +50,7 @@ enum Part {
 }
 
 impl Part {
-    /// What stands at the left of its first line.
+    /// The text at the left of its first line.
     fn label(self) -> &'static str {
         match self {
             Self::File => "file",

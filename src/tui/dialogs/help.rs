@@ -24,7 +24,7 @@ pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas
     list(&rows, picker.selected, split_top(rest, 1).1, canvas);
 }
 
-/// What `:` finds, and what Enter does with the selected one.
+/// The matches of `:`, and the effect of Enter on the selected one.
 pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new("Find an action, preset, variable or page").right("Esc closes");
     let inner = frame(screen, (76, 20), pane, canvas);

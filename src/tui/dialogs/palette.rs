@@ -28,7 +28,7 @@ impl Item<'_> {
         }
     }
 
-    /// What it is, in a word or two.
+    /// Its kind, in a word or two.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Command(_) => "action",
@@ -56,7 +56,7 @@ impl Item<'_> {
 }
 
 impl App {
-    /// What matches, best first; with nothing typed, the pages and actions.
+    /// The matches, best first; with nothing typed, the pages and actions.
     pub fn palette(&self, typed: &str) -> Vec<Item<'_>> {
         let commands = commands().map(Item::Command);
         if typed.trim().is_empty() {

@@ -179,7 +179,7 @@ fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
     rows.get(picker.selected).map(|entry| (*entry).clone())
 }
 
-/// What edits of a preset are compared with.
+/// The reference for edits of a preset.
 pub(crate) fn base_of(entry: PresetEntry) -> Base {
     let origin = match entry.origin {
         "bundled" => Origin::Bundled,

@@ -55,7 +55,7 @@ fn made(scene: Scene, study: impl Study) -> Result<Finding, String> {
     last(&reports)
 }
 
-/// What a study has that is cancelled at its first progress.
+/// The result of a study that is cancelled at its first progress.
 fn cancelled(study: impl Study) -> Finding {
     let (worker, reports) = begun(Scene::default(), study);
     while !matches!(next(&reports), ReportBody::Progress { .. }) {}

@@ -363,7 +363,7 @@ impl App {
         self.claims().get(self.pages.thesis.selected).copied()
     }
 
-    /// What is selected, in words, for the message row.
+    /// The selection in words, for the message row.
     pub fn thesis_readout(&self) -> Option<String> {
         let tab = &self.pages.thesis;
         match self.pane() {

@@ -1,4 +1,4 @@
-//! What happens when something panics while the workbench has the terminal.
+//! The panic hook while the workbench has the terminal.
 //!
 //! On the thread that draws: the terminal is restored first, then the panic is printed on the main screen and a report with a
 //! backtrace is left in the state directory. On any other thread: only the log gets an entry; the terminal stays as it is, since the

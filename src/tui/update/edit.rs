@@ -107,7 +107,7 @@ fn snapshot(app: &App) -> Snapshot {
     Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() }
 }
 
-/// What follows from another scene.
+/// Updates after a change of the scene.
 fn follow(app: &mut App) {
     jobs::after_edit(app);
     explore::after_edit(app);

@@ -15,7 +15,7 @@ const VALUE: u16 = 10;
 pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
-/// What a row shows, and how it is meant.
+/// The text of a row, and its severity.
 pub(crate) struct Line {
     pub label: String,
     /// At the right; empty where the label is the value.
@@ -24,7 +24,7 @@ pub(crate) struct Line {
     pub unit: &'static str,
     /// The text that its field opens with; `None` where Enter takes the next value.
     pub text: Option<String>,
-    /// What it means, for the message area.
+    /// Its meaning, for the message area.
     pub meaning: String,
     /// Its field takes a number with a unit.
     pub takes_unit: bool,

@@ -18,7 +18,7 @@ const WIDE: u16 = 60;
 pub(crate) struct Grid {
     cells: Vec<Cells>,
     shown: Range<usize>,
-    /// What stands between two columns.
+    /// The separator of two columns.
     gap: &'static str,
     /// The page of the columns, and how many pages there are.
     page: (usize, usize),
@@ -82,7 +82,7 @@ impl Grid {
     }
 }
 
-/// What stands between two columns.
+/// The separator of two columns.
 fn gap(width: u16) -> &'static str {
     if width < WIDE { " " } else { "  " }
 }

@@ -8,7 +8,7 @@ use crate::tui::app::status::wrap;
 use crate::tui::prelude::*;
 use crate::tui::theme;
 
-/// What stands in a tab that studies one plate while the scene is a stack.
+/// The text of a tab that studies one plate while the scene is a stack.
 pub(crate) const NEEDS_SINGLE: &str = "this tab needs a single plate";
 
 pub(crate) fn text_role(severity: Severity) -> Role {

@@ -31,7 +31,7 @@ impl Body<'_> {
         events
     }
 
-    /// What may end a contact that does not join the bodies.
+    /// The events that may end a contact without joining the bodies.
     pub(super) fn contact_events(&self) -> ActiveEvents {
         let mut events = ActiveEvents::none();
         if self.mode != Mode::Fused {
@@ -85,7 +85,7 @@ impl Body<'_> {
         }
     }
 
-    /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing
+    /// The force of an elastic stop while it touches (or, times -1, the force missing until it pushes again), N, and what nothing
     /// feels besides.
     pub(in crate::model::impact) fn stop_force(&self, sign: f64) -> EventFunction {
         let mechanism = &self.problem.mechanism;

@@ -100,7 +100,7 @@ impl<'a> Unknowns<'a> {
         ]
     }
 
-    /// What rounding omits from the displacement of the state with these unknowns, m.
+    /// The part of the displacement that rounding omits from the state with these unknowns, m.
     pub(super) fn compensation_m(&self, y: &[f64; 4]) -> f64 {
         let z = self.spring.unfold(y[2]).0;
         z - ((self.datum_m + z) - self.datum_m)

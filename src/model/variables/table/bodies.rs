@@ -1,4 +1,4 @@
-//! What strikes, and what is struck.
+//! Projectile, target and plate.
 
 use super::{TABLE_9_1, TABLE_9_2};
 use crate::model::scene::{Closure, Mount, Nose, PlateSize};
@@ -6,7 +6,7 @@ use crate::model::units::Quantity;
 use crate::model::variables::visible::{Visible, is_oblique, is_sprung, uses_target};
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable, springs};
 
-/// What gives the plate's size instead of gamma.
+/// The input that defines the plate's size instead of gamma.
 macro_rules! size {
     ($quantity:ident, $key:ident, $size:ident) => {
         variable!(

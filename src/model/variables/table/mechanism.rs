@@ -69,7 +69,7 @@ pub(super) const STOP: &[Variable] = &[
         .means("damping of an elastic stop (it only pushes)"),
 ];
 
-/// What stands behind the plate.
+/// The stack behind the plate.
 pub(super) const STACK: &[Variable] = &[
     optional!(Length, Allowed::Positive, "none", stack.base_thickness_m)
         .named("h_base", "base thickness")

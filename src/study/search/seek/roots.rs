@@ -29,7 +29,7 @@ pub struct Stopped;
 /// A crossing of the goal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// What it is: solution, touch, plateau or jump.
+    /// Its kind: solution, touch, plateau or jump.
     pub kind: Kind,
     /// Where; the nearer end for a root.
     pub from: Place,
@@ -41,7 +41,7 @@ pub struct Crossing {
 pub struct RootScan<'f> {
     target: f64,
     function: Function<'f>,
-    /// What was found, in order.
+    /// The results, in order.
     pub crossings: Vec<Crossing>,
     /// Every place that has a value.
     pub seen: Vec<Place>,
@@ -86,7 +86,7 @@ impl<'f> RootScan<'f> {
         Ok(values)
     }
 
-    /// What is there; `None` where there is no value.
+    /// The value; `None` if there is none.
     fn look(&mut self, at: f64) -> Result<Option<Place>, Stopped> {
         let value = self.values(&[at])?.first().copied().flatten();
         Ok(value.map(|value| Place { at, value }))

@@ -194,14 +194,14 @@ pub(crate) fn render_map(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>)
     }
 }
 
-/// What is looked at: an output of a grid, with its bands.
+/// The displayed data: an output of a grid, with its bands.
 struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static Quantity,
     /// Whether a fit is taken off the values.
     is_fit: bool,
-    /// What is shown at every point; the second axis runs fastest.
+    /// The value shown at every point; the second axis varies fastest.
     points: Vec<grid::Cell>,
     scale: Scale,
     levels: Option<Levels>,
@@ -247,7 +247,7 @@ impl<'a> ChartView<'a> {
         self.points[x * self.grid.counts().1 + y]
     }
 
-    /// What is shown at a point; NaN where there is nothing.
+    /// The value shown at a point; NaN if there is none.
     fn value(&self, point: (usize, usize)) -> f64 {
         number(self.point(point))
     }

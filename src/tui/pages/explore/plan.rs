@@ -1,4 +1,4 @@
-//! What a picture of the Explore tab has to compute.
+//! The plan of a chart or map of the Explore tab.
 
 use std::error::Error;
 use std::sync::Arc;
@@ -51,7 +51,7 @@ impl Study for PictureSweep {
 }
 
 impl App {
-    /// What a picture of the present scene would have to compute.
+    /// The plan of a chart or map of the present scene.
     pub fn sweep_plan(&self, picture: Picture) -> Result<Plan, SweepError> {
         self.sweep_plan_of(&self.scene, picture)
     }

@@ -92,7 +92,7 @@ impl Default for Visits {
 
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
-    /// What was found, by picture.
+    /// The results for each chart or map.
     pub found: [Option<Found>; 2],
     /// The number of the last sweep that was said to take more than a minute.
     pub warned: Option<u64>,
@@ -199,7 +199,7 @@ pub fn has_family(scene: &Scene) -> bool {
 }
 
 impl App {
-    /// What Explore shows: curves or a map.
+    /// The display of Explore: curves or a map.
     pub fn picture(&self) -> Picture {
         self.pages.explore.visits.picture
     }

@@ -144,7 +144,7 @@ impl App {
         Ok(placed(self.compared_scene()?, values))
     }
 
-    /// What the map says under its cursor.
+    /// The description of the cell under the map's cursor.
     pub fn efficiency_readout(&self) -> Option<String> {
         let map = self.comparison()?.map.as_ref()?;
         let (x, y) = self.efficiency_cursor()?;
@@ -190,7 +190,7 @@ pub(crate) fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
     lines
 }
 
-/// What stands before the further lines of a sentence.
+/// The indentation of the further lines of a sentence.
 pub(crate) const GOES_ON: &str = "  ";
 /// Columns of a label and of a value, narrow and wide.
 const LABEL: usize = 13;

@@ -312,7 +312,7 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
     }
 }
 
-/// What stands in the chart's place where there is no curve.
+/// The text in the chart's place if there is no curve.
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);

@@ -26,7 +26,7 @@ use crate::tui::view::plot_columns;
 use crate::worker::study::{Lane, Reporter, Study};
 use crate::worker::{Finding, clock};
 
-/// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
+/// The uncertainty of the reference is shown if it is at least this part of the least error drawn.
 const FLOOR_NEAR: f64 = 1e-4;
 
 /// Measures error and run time of every method.
@@ -156,7 +156,7 @@ impl Accuracy {
         ViewRange::of(scale, seen().chain(floor)).map(|range| range.rounded(scale))
     }
 
-    /// What the judge of the selected method cannot tell from zero.
+    /// The uncertainty of the reference of the selected method.
     pub fn floor(&self) -> Option<f64> {
         let own = self.of(self.method()).and_then(|report| report.reference);
         let first = || self.report.as_ref()?.references.first().copied();
@@ -221,7 +221,7 @@ impl App {
             .is_some_and(|report| *report.scene != *self.scene)
     }
 
-    /// What every method gives at the crosshair, in one line.
+    /// The error of every method at the crosshair, in one line.
     pub fn accuracy_readout(&self) -> Option<String> {
         let time_s = self.pages.numerics.accuracy.cursor_s?;
         let shown = Method::ALL
@@ -296,7 +296,7 @@ impl App {
         Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
     }
 
-    /// What `auto` uses, and what some accuracies cost here, one line each.
+    /// The method of `auto`, and the run times for some accuracies, one line each.
     pub fn accuracy_answers(&self) -> Vec<String> {
         self.auto_sentence().into_iter().chain(self.costs()).collect()
     }

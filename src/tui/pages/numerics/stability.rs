@@ -11,6 +11,7 @@ use crate::report::stability::{HOW_IT_RAN, table};
 use crate::report::{self, figures};
 use crate::study::context::Context;
 use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
+use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
@@ -166,7 +167,16 @@ impl App {
         let row =
             *self.pages.numerics.stability.sorted().get(self.pages.numerics.stability.selected)?;
         Some(match row.shortfall {
-            None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
+            None => {
+                // The codes of the cells in words.
+                let failed = Other::ALL.into_iter().zip(row.others);
+                let failed = failed.filter(|(_, verdict)| verdict.error().is_none());
+                let words = failed.map(|(other, verdict)| {
+                    format!("; {}: {}", other.heading(), verdict.word().replace('-', " "))
+                });
+                let words: String = words.collect();
+                (Severity::Note, format!("{}: {}{words}", row.case.name, row.case.why))
+            }
             Some(shortfall) => (
                 Severity::Error,
                 format!("{}: fails: {}; {}", row.case.name, shortfall.words(), row.run.end.words()),
@@ -323,7 +333,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     });
 }
 
-/// What letters and marks mean, in as many words as there is room for.
+/// The legend of letters and marks, as long as there is room.
 fn legend(area: Rect, canvas: &mut Canvas<'_>) {
     let cells = [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp];
     let short = ["1 %", "worse", "rings", "blows up"];

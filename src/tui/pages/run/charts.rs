@@ -1,4 +1,4 @@
-//! What the charts show: quantities, the time range, the crosshair, and the points of every curve. No drawing.
+//! The content of the charts: quantities, the time range, the crosshair, and the points of every curve. No drawing.
 
 pub(crate) mod draw;
 
@@ -25,9 +25,9 @@ pub enum Window {
 
 #[derive(Clone, Debug)]
 pub struct Charts {
-    /// What each shows, from top to bottom.
+    /// Their quantities, from top to bottom.
     pub quantities: [Quantity; 3],
-    /// What each shows on a second axis at the right, if anything.
+    /// Their quantities on a second axis at the right, if any.
     pub second: [Option<Quantity>; 3],
     /// The chart the keys act on.
     pub selected: usize,

@@ -59,7 +59,7 @@ fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (column, area.height - 1), hint, Role::Dim);
 }
 
-/// What stands where nothing has been found yet.
+/// The text shown before there are results.
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = app.pages.search.page.title();
     let alone = area.width == app.size.0 && !app.is_full();

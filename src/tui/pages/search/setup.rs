@@ -1,4 +1,4 @@
-//! What is looked for, as a list of rows that can be stepped and typed into. No drawing.
+//! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
 use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare, significant};
@@ -91,7 +91,7 @@ pub enum Row {
     Samples,
 }
 
-/// What choosing an axis of the chart means.
+/// The effect of choosing an axis of the chart.
 const AXIS: &str = "which objective the chart shows along this axis";
 
 /// Short names of the usual objectives.
@@ -235,7 +235,7 @@ impl App {
         (0..OBJECTIVES.len()).filter(|at| self.pages.search.setup.objectives[*at]).collect()
     }
 
-    /// What a page requests.
+    /// The setup of a page.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.pages.search.setup;
         let axes = || {

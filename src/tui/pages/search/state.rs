@@ -45,7 +45,7 @@ const LEAST_WORDS: u16 = 6;
 impl Page {
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
-    /// What they answer, in two or three words.
+    /// Their subject, in two or three words.
     pub(crate) const TITLES: [&str; 4] =
         ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
 
@@ -71,7 +71,7 @@ pub struct Searching {
     pub page: Page,
     pub row: Row,
     pub setup: Setup,
-    /// What was found, page by page.
+    /// The results, page by page.
     pub found: [Option<Found>; 4],
     /// Why the present page cannot be computed.
     pub problem: Option<String>,
@@ -351,7 +351,7 @@ impl App {
 }
 
 impl Found {
-    /// What was found as a table; the scene has this name.
+    /// The results as a table; the scene has this name.
     pub fn csv(&self, name: &str) -> String {
         match &*self.answer {
             Answer::Seek(it) => report::seek::table(name, it).csv(),
