@@ -13,10 +13,10 @@
 //! 2. `impact::problem::Problem::of` derives the constants of the impact once: masses, [`contact::Geometry::of`] (engaged area by
 //!    travel, in pieces), [`contact_models`] (the force of each mode, what ends it, what follows), [`mechanism::Mechanism::of`]
 //!    (spring, damper, stop), the horizon.
-//! 3. `Track` is a run in progress: the `Body` (state, mode, equations; `impact/body.rs`), the `StepControl`, the `Record` and the
-//!    `Termination`. `Track::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where nothing
-//!    but inertia answers the projectile; else `Track::start` steps over a singular start.
-//! 4. `Track::run` (`impact/track.rs`) is the loop. Each pass:
+//! 3. `Simulation` is a run in progress: the `Body` (state, mode, equations; `impact/body.rs`), the `StepControl`, the `Record` and
+//!    the `Termination`. `Simulation::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where
+//!    only inertia resists the projectile; else `Simulation::start` steps over a singular start.
+//! 4. `Simulation::run` (`impact/simulation.rs`) is the loop. Each pass:
 //!    - `finished` (`impact/termination.rs`) decides by `Body::outcome` and energy bounds whether the result can still change;
 //!      `budget_used_up` whether the run has done its work;
 //!    - `Body::missed_event` finds an event that rounding has put behind the state;
@@ -31,8 +31,8 @@
 //! 6. A second, tighter computation gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
-//! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the simulation.
-//! [`contact_phase`] and [`appendix`] are references that share nothing with the simulation but the laws.
+//! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the
+//! simulation. [`contact_phase`] and [`appendix`] are references that share nothing with the simulation but the laws.
 
 pub mod appendix;
 pub mod closed_form;

@@ -152,8 +152,8 @@ impl<'a> Passage<'a> {
         self.moments(&bounds, rule.points, time_s, |q| (q, slip(q)))
     }
 
-    /// Moments at a given number of equal parts of each stretch between two bounds, in whatever variable these are: how long a part takes,
-    /// s, and travel and slip at its end.
+    /// Moments at a given number of equal parts of each stretch between two bounds, in whatever variable these are: how long a
+    /// part takes, s, and travel and slip at its end.
     fn moments(
         &self,
         bounds: &[f64],

@@ -1,24 +1,24 @@
-//! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps and
-//! searches that request nothing else.
+//! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
+//! and searches that request nothing else.
 //!
 //! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else
 //! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
 //! and integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
-//! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the slow
-//! manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`). Many
-//! contacts run in parallel in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop, an
-//! oblique section across the cylinder, a plate that comes back through a singular point) are left to the simulation:
+//! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the
+//! slow manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`).
+//! Many contacts run in parallel in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop,
+//! an oblique section across the cylinder, a plate that comes back through a singular point) are left to the simulation:
 //! [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
-use crate::model::plan::holds_still;
+use crate::model::plan::plate_is_fixed;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
 use expansion::{Clock, Constants};
-use integration::{InitialPhase, Plan, Sides, Track};
+use integration::{InitialPhase, Plan, Progress, Sides};
 pub use simd_batch::run_batch;
 use similarity_start::Start;
 use slow_manifold_series::MANIFOLD_BELOW;
@@ -63,11 +63,11 @@ const TERMS_TIGHT: usize = 18;
 const LOOSE: f64 = 3e-6;
 const TIGHT: f64 = 3e-10;
 /// How tight a singular start of such a plate can be made.
-const MANIFOLD_TO: f64 = 1e-11;
+const MANIFOLD_TOLERANCE_MIN: f64 = 1e-11;
 /// Part of the force that is reached at least, if it grew as at first contact.
-const REACHED: f64 = 0.3;
+const GROWN_PART: f64 = 0.3;
 /// The least part of a tolerance that is used for the plate's sake: less drowns in rounding.
-const SHARE_LEAST: f64 = 1e-4;
+const PLATE_TOLERANCE_MIN: f64 = 1e-4;
 /// First unit of a graded clock, relative to where it starts.
 const GRADED_UNIT: f64 = 0.6;
 
@@ -122,7 +122,7 @@ pub struct ContactEnd {
     /// Plate velocity then, m/s.
     pub plate_velocity_m_s: f64,
     /// Greatest plate displacement up to then, m.
-    pub farthest_m: f64,
+    pub max_displacement_m: f64,
     /// Steps taken.
     pub steps: usize,
 }
@@ -135,7 +135,7 @@ impl Contact {
         let cos = geometry.nose.cos;
         let start_m = 0.0 - scene.plate.cocking_m;
         let rigid = Passage::rigid(scene, &geometry);
-        let still = !mechanism.is_absent() && holds_still(&rigid, &mechanism, start_m);
+        let still = !mechanism.is_absent() && plate_is_fixed(&rigid, &mechanism, start_m);
         if still {
             mechanism.spring = Spring::NONE;
             mechanism.damper = PowerLaw::NONE;
@@ -182,12 +182,12 @@ impl Contact {
             return None;
         }
         let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
-        Some(larger(smaller(share, 1.0), SHARE_LEAST))
+        Some(larger(smaller(share, 1.0), PLATE_TOLERANCE_MIN))
     }
 
     /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
     fn reach_m(&self) -> Option<f64> {
-        let force_n = REACHED * self.growth_n_s()? * self.scale_s? * self.constants.cos;
+        let force_n = GROWN_PART * self.growth_n_s()? * self.scale_s? * self.constants.cos;
         Some(self.spring.at_force(force_n))
     }
 
@@ -239,8 +239,11 @@ impl Contact {
     }
 
     fn first_step(&self, singular: Singular, tolerance: f64, terms: usize) -> Option<Plan> {
-        let track = if singular.spring || singular.damper {
-            if singular.spring && self.spring.exponent < MANIFOLD_BELOW && tolerance < MANIFOLD_TO {
+        let progress = if singular.spring || singular.damper {
+            if singular.spring
+                && self.spring.exponent < MANIFOLD_BELOW
+                && tolerance < MANIFOLD_TOLERANCE_MIN
+            {
                 return None;
             }
             let (t_s, state) = self.moved(singular, tolerance)?;
@@ -251,8 +254,8 @@ impl Contact {
             self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? })
         };
         Some(match self.spring_manifold() {
-            Some(manifold) => manifold.plan(track, tolerance, terms),
-            None => Plan { track, tolerance, reach_m: None, terms },
+            Some(manifold) => manifold.plan(progress, tolerance, terms),
+            None => Plan { progress, tolerance, reach_m: None, terms },
         })
     }
 
@@ -287,12 +290,12 @@ impl Contact {
         let ahead_m = manifold.delay_m(&constants, self.growth_n_s()?);
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
         let clock = Clock::Even { unit_s: 0.5 * self.scale_s? };
-        let expand = |track: &Track, piece| {
-            manifold.expand::<TERMS>(&constants, track.state, track.clock.rates()[0], piece)
+        let expand = |progress: &Progress, piece| {
+            manifold.expand::<TERMS>(&constants, progress.state, progress.clock.rates()[0], piece)
         };
-        let track = self.begin(0.0, state, clock);
+        let progress = self.begin(0.0, state, clock);
         let sides = Sides { spring: true, damper: true };
-        self.go_on(expand, sides, &Plan { track, tolerance, reach_m: None, terms: TERMS })
+        self.go_on(expand, sides, &Plan { progress, tolerance, reach_m: None, terms: TERMS })
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.
@@ -397,8 +400,8 @@ mod tests {
         }
     }
 
-    /// A plate that stays on its spring's slow manifold, one that is set oscillating where nose meets cylinder, one that leaves the
-    /// manifold, one with a damper, one that is perforated, one that hardly moves.
+    /// A plate that stays on its spring's slow manifold, one that is set oscillating where nose meets cylinder, one that leaves
+    /// the manifold, one with a damper, one that is perforated, one that hardly moves.
     #[test]
     fn a_plate_on_its_springs_slow_manifold_moves_as_far_as_by_the_simulation() {
         for pairs in [
@@ -435,7 +438,7 @@ mod tests {
         for tolerance in [1e-11, 1e-12, 1e-13] {
             let mut scene = scene("k=1.725e6 n=0.332");
             scene.run.tolerance = tolerance;
-            let kernel = Contact::of(&scene).run(1e-9).unwrap().farthest_m;
+            let kernel = Contact::of(&scene).run(1e-9).unwrap().max_displacement_m;
             let full = bare_run(&scene).max_plate_displacement_m.unwrap();
             assert!((full / kernel - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {kernel}");
         }

@@ -31,7 +31,7 @@ pub(super) trait ContactModel: Debug + Send + Sync {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
 
     /// Adds the events that end a mode in which the bodies are not joined.
-    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
+    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
 
     /// The mode after common velocity is reached.
     fn at_common_velocity(&self) -> Mode;

@@ -1,7 +1,7 @@
 //! The contact phase alone, from first contact to first arrest or perforation, as a plain initial-value problem.
 //!
-//! A second implementation, independent of the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods. Each
-//! can check the other. In units of the nose radius R, the impact velocity v and R/v,
+//! A second implementation, independent of the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods.
+//! Each can check the other. In units of the nose radius R, the impact velocity v and R/v,
 //!
 //! ```text
 //! q' = u    u' = -f (1 + cos²/gamma) + g cos/gamma    f = a(q) (sigma + kappa u²)

@@ -1,7 +1,7 @@
 //! The structs of a scene, whose fields have their default values beside them.
 
-/// Defines structs, and their defaults by the value of each field. What a field means, its unit and what it may be is written in the
-/// row of its path in [`VARIABLES`](crate::model::variables::VARIABLES).
+/// Defines structs, and their defaults by the value of each field. What a field means, its unit and what it may be is written in
+/// the row of its path in [`VARIABLES`](crate::model::variables::VARIABLES).
 macro_rules! defaulted {
     ($(
         $(#[$meta:meta])*

@@ -77,23 +77,23 @@ pub(super) struct EventFunction {
     pub(super) mechanism: f64,
 }
 
-/// The most guards that are ever watched at once.
-const GUARDS_MAX: usize = 12;
+/// The most events that are active at once.
+const ACTIVE_MAX: usize = 12;
 
-/// The guards of one stretch.
+/// The events that may end one stretch.
 #[derive(Clone, Debug)]
 pub(super) struct ActiveEvents {
-    list: [(EventId, EventFunction); GUARDS_MAX],
+    list: [(EventId, EventFunction); ACTIVE_MAX],
     len: usize,
 }
 
 impl ActiveEvents {
     pub(super) fn none() -> Self {
-        Self { list: [(EventId::SlipZero, EventFunction::default()); GUARDS_MAX], len: 0 }
+        Self { list: [(EventId::SlipZero, EventFunction::default()); ACTIVE_MAX], len: 0 }
     }
 
-    pub(super) fn watch(&mut self, event: EventId, form: EventFunction) {
-        debug_assert!(self.len < GUARDS_MAX, "raise GUARDS_MAX");
+    pub(super) fn add(&mut self, event: EventId, form: EventFunction) {
+        debug_assert!(self.len < ACTIVE_MAX, "raise ACTIVE_MAX");
         self.list[self.len] = (event, form);
         self.len += 1;
     }
@@ -127,7 +127,7 @@ impl EventFunction {
         Self { offset, plate_speed, ..Self::default() }
     }
 
-    /// The form along an expansion, as it is watched.
+    /// The event function along an expansion, beyond rounding.
     pub(super) fn along<const N: usize>(&self, motion: &Motion<'_>, e: &Expansion<N>) -> [f64; N] {
         let mut sum = [0.0; N];
         let terms = [
@@ -148,19 +148,21 @@ impl EventFunction {
         sum[1] += self.time * e.unit_s;
         let forces =
             Forces { contact: e.contact[0], mechanism: e.mechanism[0], damper: e.damper[0] };
-        sum[0] += self.offset + self.time * e.t_s + self.spared(motion, &e.start(), forces);
+        sum[0] +=
+            self.offset + self.time * e.t_s + self.rounding_allowance(motion, &e.start(), forces);
         sum
     }
 
-    /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen
-    /// only where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
-    pub(super) fn watched(&self, motion: &Motion<'_>, state: &State) -> f64 {
+    /// The event function at a state, beyond rounding: positions and speeds are put exactly on their event, but one of forces has
+    /// fallen only where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either
+    /// sign.
+    pub(super) fn value_beyond_rounding(&self, motion: &Motion<'_>, state: &State) -> f64 {
         let forces = self.forces(motion, state);
-        self.value(state, forces) + self.spared(motion, state, forces)
+        self.value(state, forces) + self.rounding_allowance(motion, state, forces)
     }
 
     /// By how much it may be below zero without having fallen.
-    fn spared(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
+    fn rounding_allowance(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
         let has_force = self.contact != 0.0 || self.mechanism != 0.0;
         if has_force { self.rounding_of(motion, state, forces) } else { 0.0 }
     }

@@ -1,8 +1,8 @@
 //! One impact from first contact to its end, by any contact model.
 //!
-//! [`run`] takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes
-//! and events through the rest (`track.rs`, `events.rs`, `termination.rs`) and gathers the [`Run`] (`report.rs`). It is a pure
-//! function: no clock, no file, no thread.
+//! [`run`] takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes and events through the rest
+//! (`simulation.rs`, `events.rs`, `termination.rs`) and gathers the [`Run`] (`report.rs`). It is a pure function: no clock, no
+//! file, no thread.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::model::scene::Scene;
 use crate::numerics::larger;
 use problem::Problem;
 use record::Record;
-use track::Track;
+use simulation::Simulation;
 use window::Window;
 
 mod body;
@@ -23,6 +23,7 @@ pub mod forced;
 mod problem;
 mod record;
 mod report;
+mod simulation;
 mod singular_crossing;
 mod start;
 mod step_control;
@@ -30,7 +31,6 @@ mod stiff;
 mod taylor;
 mod termination;
 mod thinning;
-mod track;
 pub mod window;
 
 /// Order of the ordinary computation, plus one.
@@ -41,20 +41,20 @@ const TERMS_CHECK: usize = 21;
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
-const FOLLOWED: f64 = 50.0;
-const PATIENCE: usize = 4;
+const FOLLOWED_HORIZONS: f64 = 50.0;
+const FOLLOWED_OSCILLATIONS: usize = 4;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
-    let mut track = Track::new(&problem, tolerance, settings.series);
-    track.record.window = Some(window);
-    let end = compute::<TERMS>(&mut track, observer);
+    let mut simulation = Simulation::new(&problem, tolerance, settings.series);
+    simulation.record.window = Some(window);
+    let end = compute::<TERMS>(&mut simulation, observer);
     // Rounding adds up over implicit steps, in which large forces hold each other, like a random walk.
-    let rounding = ROUNDING * (1.0 + track.control.stiff_steps as f64).sqrt();
-    let floor = larger(track.control.crossing_error, rounding);
-    let mut run = report::gather(&problem, track, end);
+    let rounding = ROUNDING * (1.0 + simulation.control.stiff_steps as f64).sqrt();
+    let floor = larger(simulation.control.crossing_error, rounding);
+    let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
         let series = std::mem::take(&mut run.series);
         let second = second(&problem, &mut |t_s| {
@@ -76,16 +76,16 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
     let mut problem = Problem::of(scene);
-    problem.horizon_s *= FOLLOWED;
-    problem.patience = PATIENCE;
-    let mut track = Track::new(&problem, scene.run.tolerance, false);
-    let end = compute::<TERMS>(&mut track, observer);
-    report::gather(&problem, track, end)
+    problem.horizon_s *= FOLLOWED_HORIZONS;
+    problem.oscillation_factor = FOLLOWED_OSCILLATIONS;
+    let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
+    let end = compute::<TERMS>(&mut simulation, observer);
+    report::gather(&problem, simulation, end)
 }
 
-fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> EndReason {
-    track.begin();
-    track.run::<N>(observer)
+fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'_>) -> EndReason {
+    simulation.begin();
+    simulation.run::<N>(observer)
 }
 
 /// The same of another order at a much tighter tolerance; `None` when it was cancelled.
@@ -93,8 +93,8 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     let own = problem.has_absorber().then(|| problem.anew());
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
-    let mut track = Track::new(problem, tolerance, false);
-    track.control.is_second = true;
-    let end = compute::<TERMS_CHECK>(&mut track, observer);
-    (end != EndReason::Cancelled).then(|| report::gather(problem, track, end))
+    let mut simulation = Simulation::new(problem, tolerance, false);
+    simulation.control.is_second = true;
+    let end = compute::<TERMS_CHECK>(&mut simulation, observer);
+    (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
 }

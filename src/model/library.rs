@@ -6,7 +6,8 @@ use crate::model::scene::{Closure, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
-/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with it.
+/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
+/// it.
 const CAVITY_FROM: f64 = 1.0;
 
 worded! {

@@ -8,7 +8,7 @@ use crate::model::mechanism::Mechanism;
 use crate::numerics::smaller;
 
 /// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
-pub(crate) const IMMOBILE: f64 = 1e-13;
+pub(crate) const FIXED_MOTION: f64 = 1e-13;
 /// A contact that ends in an arrest lasts less than this many times as long as its travel takes at the impact velocity.
 const SLOWEST: f64 = 6.0;
 
@@ -17,7 +17,7 @@ const SLOWEST: f64 = 6.0;
 /// `rigid` is the passage into the same plate on a rigid mount. The contact force never exceeds pi R² (S + c v²); against it the
 /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at the speed
 /// (F/b)^(1/m).
-pub(crate) fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
+pub(crate) fn plate_is_fixed(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
     let (geometry, v) = (rigid.geometry, rigid.velocity_m_s);
     let radius = geometry.nose.radius_m;
     let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
@@ -31,14 +31,14 @@ pub(crate) fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f
     let yields = spring.at_force((spring.exponent + 1.0) * force);
     let creeps_m_s = mechanism.damper.at_force(force);
     // No contact is shorter than its passage at the impact velocity: most scenes are done with here.
-    if smaller(yields, creeps_m_s * geometry.exit_m / v) > IMMOBILE * geometry.exit_m {
+    if smaller(yields, creeps_m_s * geometry.exit_m / v) > FIXED_MOTION * geometry.exit_m {
         return false;
     }
     let (travel_m, time_s) = match rigid.ending() {
         Ending::Arrest { travel_m } => (travel_m, SLOWEST * travel_m / v),
         Ending::Exit { velocity_m_s } => (geometry.exit_m, geometry.exit_m / velocity_m_s),
     };
-    smaller(yields, creeps_m_s * time_s) <= IMMOBILE * travel_m
+    smaller(yields, creeps_m_s * time_s) <= FIXED_MOTION * travel_m
 }
 
 #[cfg(test)]
@@ -51,7 +51,7 @@ mod tests {
         let scene = scene(pairs);
         let geometry = Geometry::of(&scene);
         let rigid = Passage::rigid(&scene, &geometry);
-        holds_still(&rigid, &Mechanism::of(&scene), 0.0 - scene.plate.cocking_m)
+        plate_is_fixed(&rigid, &Mechanism::of(&scene), 0.0 - scene.plate.cocking_m)
     }
 
     /// F is about 2e4 N: (F/k)^(1/n) is 7e-18 m for k = 1e6 and n = 0.1, 4e-6 m for n = 0.3, 2e-4 m for k = 1e8 and n = 1.

@@ -118,7 +118,7 @@ worded! {
         Decided = "outcome decided",
         Horizon = "horizon reached",
         /// No horizon was given, and nothing was decided within five hundred oscillations.
-        Swings = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
+        Oscillates = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",
@@ -132,7 +132,7 @@ worded! {
 impl EndReason {
     /// Whether the run is complete: decided, or run as far as it was to go.
     pub fn is_complete(self) -> bool {
-        matches!(self, Self::Decided | Self::Horizon | Self::Swings)
+        matches!(self, Self::Decided | Self::Horizon | Self::Oscillates)
     }
 }
 
@@ -362,8 +362,8 @@ impl Run {
         Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
     }
 
-    /// By how much the nose of a shot that is not perforated stands out of the rear face, m; `None` where it does not. By the army
-    /// criterion that is a complete penetration.
+    /// By how much the nose of a shot that is not perforated stands out of the rear face, m; `None` where it does not. By the
+    /// army criterion that is a complete penetration.
     pub fn protrusion_m(&self) -> Option<f64> {
         let depth = self.final_penetration_m.or(self.at_least.penetration_m)?;
         let out = depth - self.scene.effective_thickness_m();

@@ -96,8 +96,8 @@ worded! {
         Given = "given",
         /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
         DoubleYield = "double-yield",
-        /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without
-        /// dishing.
+        /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
+        /// without dishing.
         Cavity = "cavity",
     }
 }

@@ -25,8 +25,8 @@ pub fn simulate(
     simulate_openly(scene, settings, observer, &Window::default())
 }
 
-/// As [`simulate`], with a window through which the observer can look at the run so far. The listing of Appendix A, and the plates
-/// of a stack behind the first, show nothing.
+/// As [`simulate`], with a window through which the observer can look at the run so far. The listing of Appendix A, and the
+/// plates of a stack behind the first, show nothing.
 ///
 /// # Errors
 /// As [`simulate`].

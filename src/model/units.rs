@@ -37,8 +37,8 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a text
-    /// that would do.
+    /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a
+    /// text that would do.
     fn row(self) -> (&'static str, &'static [Unit], &'static str) {
         match self {
             Self::Number => ("-", table::NUMBER_UNITS, "1.5"),

@@ -304,8 +304,8 @@ impl Variable {
         }
     }
 
-    /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis has no
-    /// figure there`.
+    /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
+    /// has no figure there`.
     pub fn range_warning(&self, scene: &Scene) -> Option<String> {
         let Kind::Number(number) = &self.kind else {
             return None;

@@ -17,7 +17,7 @@ pub(crate) fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
 }
 
 /// Where a falling series reaches zero, between 0 and `end`.
-pub(crate) fn fall<const N: usize>(c: &[f64; N], end: f64) -> f64 {
+pub(crate) fn down_crossing<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     crossing(c, end)
 }
 
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn a_fall_is_found_and_a_dip_suspected() {
-        assert!((fall(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
+        assert!((down_crossing(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
         assert!(dips(&[1.0, -4.0, 4.0, 0.0], 1.0));
         assert!(!dips(&[1.0, -0.5, 0.4, 0.0], 1.0) && !dips(&[1.0, 1.0, 1.0, 0.0], 1.0));
     }

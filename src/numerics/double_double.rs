@@ -1,4 +1,5 @@
-//! Numbers of some 31 digits: unevaluated sums of two doubles, for references that must be better than what is compared with them.
+//! Numbers of some 31 digits: unevaluated sums of two doubles, for references that must be better than what is compared with
+//! them.
 //!
 //! Sum and product after T. J. Dekker, "A floating-point technique for extending the available precision", *Numerische
 //! Mathematik* 18 (1971) 224-242, and Y. Hida, X. S. Li and D. H. Bailey, "Algorithms for quad-double precision floating point

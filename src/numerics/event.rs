@@ -1,7 +1,7 @@
 //! Events on a step: where a function of the state goes from positive to negative.
 //!
-//! The sign change is located on the step's dense output and then landed on by new steps from the same start, so that the state there
-//! has the full order of the method. Knows no method and no system.
+//! The sign change is located on the step's dense output and then landed on by new steps from the same start, so that the state
+//! there has the full order of the method. Knows no method and no system.
 
 use crate::numerics::arc::Arc;
 use crate::numerics::root::in_bracket;
@@ -19,8 +19,8 @@ pub(crate) struct SignChange {
     pub(crate) between: (f64, f64),
 }
 
-/// The first sign change of a function that is positive at the start of a step, by samples (part and value) in their order. `at` is the
-/// function on the dense output.
+/// The first sign change of a function that is positive at the start of a step, by samples (part and value) in their order. `at`
+/// is the function on the dense output.
 pub(crate) fn first_sign_change(
     samples: impl IntoIterator<Item = (f64, f64)>,
     at: impl FnMut(f64) -> f64,

@@ -1,12 +1,12 @@
 //! Gauss collocation over an interval at one end of which the solution is a series in non-integer powers.
 //!
-//! dy/dz = f(z, y) between two values of z on one side of 0, or up to 0, where f contains powers like |z|^0.3. With |z| ~ s^5 each power
-//! z^p becomes s^(5 p), times the s^4 of dz/ds: many times differentiable at s = 0, where Gauss points lie close together anyway. The
-//! rule of N points, exact for polynomials of degree 2 N - 1, leaves an error that falls like N^-(10 p + 10) for the power z^p, and
-//! exponentially where f is singular only beyond `far` (P. J. Davis and P. Rabinowitz, *Methods of Numerical Integration*, 2nd ed.
-//! (1984), sections 2.12.6 and 4.6). The stages are found by Picard's iteration, which needs no derivatives and converges where the
-//! solution changes by a part of itself. Everything is computed with two rules, whose difference is the
-//! error of the poorer one; that of the other is a hundred times less, and more.
+//! dy/dz = f(z, y) between two values of z on one side of 0, or up to 0, where f contains powers like |z|^0.3. With |z| ~ s^5
+//! each power z^p becomes s^(5 p), times the s^4 of dz/ds: many times differentiable at s = 0, where Gauss points lie close
+//! together anyway. The rule of N points, exact for polynomials of degree 2 N - 1, leaves an error that falls like N^-(10 p + 10)
+//! for the power z^p, and exponentially where f is singular only beyond `far` (P. J. Davis and P. Rabinowitz, *Methods of
+//! Numerical Integration*, 2nd ed. (1984), sections 2.12.6 and 4.6). The stages are found by Picard's iteration, which needs no
+//! derivatives and converges where the solution changes by a part of itself. Everything is computed with two rules, whose
+//! difference is the error of the poorer one; that of the other is a hundred times less, and more.
 
 use std::sync::LazyLock;
 
@@ -44,8 +44,8 @@ pub(crate) struct Graded<const D: usize> {
 static RULE: LazyLock<Rule<POINTS>> = LazyLock::new(Rule::new);
 static FEWER_RULE: LazyLock<Rule<FEWER>> = LazyLock::new(Rule::new);
 
-/// Solve dy/dz = `rate`(z, y) between two places that are not on different sides of 0, from `y`; `scale` says what each component's
-/// errors are measured by.
+/// Solve dy/dz = `rate`(z, y) between two places that are not on different sides of 0, from `y`; `scale` says what each
+/// component's errors are measured by.
 ///
 /// `None` when Picard's iteration does not settle, or meets what is not finite: the way is too long.
 pub(crate) fn solve<const D: usize>(

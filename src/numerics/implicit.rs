@@ -49,8 +49,8 @@ const GAMMA_0: f64 = 3.637_834_252_744_496;
 const ERROR_WEIGHTS: [f64; STAGES] =
     [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
 const NEWTON_MAX: usize = 25;
-/// Changes below which Newton's method has come to where rounding keeps it, once it no longer halves them; and where it has not for
-/// some rounds.
+/// Changes below which Newton's method has come to where rounding keeps it, once it no longer halves them; and where it has not
+/// for some rounds.
 const STALLED: f64 = 1e-12;
 const STALLED_LONG: f64 = 1e-11;
 const LONG: usize = 4;

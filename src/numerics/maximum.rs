@@ -1,5 +1,5 @@
-//! The greatest value of a function on an interval: samples, and Brent's method around each of their maxima that may exceed what is
-//! known (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 5).
+//! The greatest value of a function on an interval: samples, and Brent's method around each of their maxima that may exceed what
+//! is known (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), chapter 5).
 
 use crate::numerics::{larger, smaller};
 

@@ -5,7 +5,8 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 /// Sections: the bracket shrinks to 1e-13 of itself.
 const SECTIONS: usize = 62;
 
-/// Where, between `a` and `b`, a function with one valley is least. A value that is not a number counts as greater than any other.
+/// Where, between `a` and `b`, a function with one valley is least. A value that is not a number counts as greater than any
+/// other.
 pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut a, mut b) = (a, b);
     let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));

@@ -1,7 +1,7 @@
 //! Powers of positive numbers without a branch, so that the compiler computes them in vectors.
 //!
-//! z^e = 2^(e log2 z), with log2 z split into a whole part and the logarithm of a number between 1/sqrt 2 and sqrt 2 (its series in
-//! (m - 1)/(m + 1)), and the power of two into a whole one and one between -1/2 and 1/2 (the exponential's series). The whole
+//! z^e = 2^(e log2 z), with log2 z split into a whole part and the logarithm of a number between 1/sqrt 2 and sqrt 2 (its series
+//! in (m - 1)/(m + 1)), and the power of two into a whole one and one between -1/2 and 1/2 (the exponential's series). The whole
 //! part times e is exact but for a part that is kept apart: nothing is lost where z is far from one.
 
 use std::f64::consts::{LN_2, LOG2_E};
@@ -20,8 +20,8 @@ const HIGH: u64 = !0x7ff;
 const LEAST: f64 = -1022.0;
 const GREATEST: f64 = 1023.0;
 
-/// z^exponent for z >= 0 and an exponent above zero, relative error below 4e-16 times the greater of 1 and the exponent; powers beyond
-/// 2^±1022 stay there. NaN for a NaN or an infinite z.
+/// z^exponent for z >= 0 and an exponent above zero, relative error below 4e-16 times the greater of 1 and the exponent; powers
+/// beyond 2^±1022 stay there. NaN for a NaN or an infinite z.
 #[inline(always)]
 pub(crate) fn power(z: f64, exponent: f64) -> f64 {
     let shifted = z.to_bits().wrapping_add(ONE - HALF_ROOT);

@@ -16,8 +16,8 @@ pub fn gauss(a: f64, b: f64, panels: usize, mut f: impl FnMut(f64) -> f64) -> f6
 /// Halves into which [`resolved`] may cut an interval in all.
 const PANELS_MAX: usize = 200;
 
-/// The integral of `f` from `a` to `b` with the sixteen-point rule, on halves of halves until on each of them the integrand's last
-/// Legendre coefficients are no more than `resolution` of the first. For an analytic integrand the rule's error is about the
+/// The integral of `f` from `a` to `b` with the sixteen-point rule, on halves of halves until on each of them the integrand's
+/// last Legendre coefficients are no more than `resolution` of the first. For an analytic integrand the rule's error is about the
 /// square of that, since the coefficients go on falling at the same rate up to degree 32.
 pub(crate) fn resolved(a: f64, b: f64, resolution: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut open = vec![(a, b)];

@@ -9,7 +9,7 @@ const PIECES: usize = 8;
 ///
 /// A polynomial that is zero or negative at 0 has to become positive first: an event that has just been handled does not
 /// fire again. Non-finite coefficients give `None`.
-pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
+pub fn first_down_crossing(c: &[f64], end: f64) -> Option<f64> {
     let mut bound = 0.0;
     let mut power = 1.0;
     for c in &c[1..] {
@@ -53,7 +53,7 @@ pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
 
 /// Every s in (0, end) at which the polynomial passes from positive to zero or below, if it does so no more than once in each of
 /// eight parts.
-pub fn each_fall(c: &[f64], end: f64, mut visit: impl FnMut(f64)) {
+pub fn each_down_crossing(c: &[f64], end: f64, mut visit: impl FnMut(f64)) {
     let (mut left, mut at_left) = (0.0, evaluate(c, 0.0));
     for piece in 1..=PIECES {
         let right = end * piece as f64 / PIECES as f64;
@@ -70,14 +70,14 @@ fn first_nonzero(c: &[f64]) -> f64 {
 }
 
 /// A point between 0 and `right` where a polynomial whose first coefficient that is not zero is positive is still positive:
-/// there no later term reaches its share of the first one.
+/// there no later term reaches its fraction of the first one.
 fn positive_side(c: &[f64], right: f64) -> f64 {
     let Some(first) = (1..c.len()).find(|j| c[*j] != 0.0) else { return 0.0 };
     let mut s = right;
     for j in first + 1..c.len() {
         if c[j] < 0.0 {
-            let share = c[first] / (-c[j] * c.len() as f64);
-            s = s.min(share.powf(1.0 / (j - first) as f64));
+            let fraction = c[first] / (-c[j] * c.len() as f64);
+            s = s.min(fraction.powf(1.0 / (j - first) as f64));
         }
     }
     s
@@ -153,31 +153,31 @@ mod tests {
     #[test]
     fn a_simple_fall_is_found_to_rounding() {
         // 1 - s²/4 falls through zero at s = 2.
-        let root = first_fall(&[1.0, 0.0, -0.25], 3.0).unwrap();
+        let root = first_down_crossing(&[1.0, 0.0, -0.25], 3.0).unwrap();
         assert!((root - 2.0).abs() < 1e-15);
-        assert_eq!(first_fall(&[1.0, 0.0, -0.25], 1.9), None);
+        assert_eq!(first_down_crossing(&[1.0, 0.0, -0.25], 1.9), None);
     }
 
     #[test]
     fn an_event_just_handled_does_not_fire_again() {
-        assert_eq!(first_fall(&[0.0, -1.0], 1.0), None);
+        assert_eq!(first_down_crossing(&[0.0, -1.0], 1.0), None);
         // Zero and rising is armed: s - s² falls at 1.
-        assert!((first_fall(&[0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
-        assert!((first_fall(&[0.0, 0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_down_crossing(&[0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_down_crossing(&[0.0, 0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
     }
 
     #[test]
     fn dips_and_humps_between_samples_are_seen() {
         // (s - 0.53)² - 1e-6: a dip narrower than a piece.
         let dip = [0.53 * 0.53 - 1e-6, -1.06, 1.0];
-        assert!((first_fall(&dip, 1.0).unwrap() - 0.529).abs() < 1e-9);
+        assert!((first_down_crossing(&dip, 1.0).unwrap() - 0.529).abs() < 1e-9);
         let hump = [-0.53 * 0.53 + 1e-6, 1.06, -1.0];
-        assert!((first_fall(&hump, 1.0).unwrap() - 0.531).abs() < 1e-9);
+        assert!((first_down_crossing(&hump, 1.0).unwrap() - 0.531).abs() < 1e-9);
     }
 
     #[test]
     fn five_roots_at_step_ends_fire_once_each() {
-        // cos-like polynomial restarted at each root: count falls of a quintic with known roots.
+        // cos-like polynomial restarted at each root: count the down-crossings of a quintic with known roots.
         let roots = [0.1, 0.3, 0.5, 0.7, 0.9];
         let mut c = vec![1.0];
         for r in roots {
@@ -194,15 +194,15 @@ mod tests {
             // Put exactly on the zero it comes from, as states are.
             let mut shifted = shift(&c, from);
             shifted[0] = if from > 0.0 { 0.0 } else { shifted[0] };
-            let Some(s) = first_fall(&shifted, 1.0 - from) else {
+            let Some(s) = first_down_crossing(&shifted, 1.0 - from) else {
                 break;
             };
             found.push(from + s);
             from += s;
         }
-        let falls = [0.1, 0.5, 0.9];
-        assert_eq!(found.len(), falls.len(), "{found:?}");
-        for (found, fall) in found.iter().zip(falls) {
+        let down_crossings = [0.1, 0.5, 0.9];
+        assert_eq!(found.len(), down_crossings.len(), "{found:?}");
+        for (found, fall) in found.iter().zip(down_crossings) {
             assert!((found - fall).abs() < 1e-12);
         }
     }
@@ -220,25 +220,25 @@ mod tests {
 
     #[test]
     fn every_fall_of_a_polynomial_is_visited() {
-        // (s - 0.2)(s - 0.5)(s - 0.9) falls at 0.5; its negative at 0.2 and 0.9.
+        // (s - 0.2)(s - 0.5)(s - 0.9) falls through zero at 0.5; its negative at 0.2 and 0.9.
         let c = [-0.09, 0.73, -1.6, 1.0];
-        let falls = |c: &[f64]| {
+        let down_crossings = |c: &[f64]| {
             let mut found = Vec::new();
-            each_fall(c, 1.0, |s| found.push(s));
+            each_down_crossing(c, 1.0, |s| found.push(s));
             found
         };
         let near = |found: &[f64], exact: &[f64]| {
             found.len() == exact.len()
                 && found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-14)
         };
-        assert!(near(&falls(&c), &[0.5]));
-        assert!(near(&falls(&c.map(|c| -c)), &[0.2, 0.9]));
+        assert!(near(&down_crossings(&c), &[0.5]));
+        assert!(near(&down_crossings(&c.map(|c| -c)), &[0.2, 0.9]));
     }
 
     #[test]
     fn non_finite_coefficients_give_no_event() {
-        assert_eq!(first_fall(&[1.0, f64::NAN], 1.0), None);
-        assert_eq!(first_fall(&[f64::NAN, -1.0], 1.0), None);
+        assert_eq!(first_down_crossing(&[1.0, f64::NAN], 1.0), None);
+        assert_eq!(first_down_crossing(&[f64::NAN, -1.0], 1.0), None);
     }
 
     #[test]

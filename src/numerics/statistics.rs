@@ -36,8 +36,8 @@ pub fn sorted_by<T>(items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
 }
 
 /// Quantile of sorted values, interpolated.
-pub fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let place = share * (sorted.len() - 1) as f64;
+pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
+    let place = fraction * (sorted.len() - 1) as f64;
     let (mut below, mut beyond) = (0, sorted.len());
     while beyond - below > 1 {
         let middle = below + (beyond - below) / 2;
@@ -81,8 +81,8 @@ mod tests {
     #[test]
     fn quantiles_lie_between_the_values() {
         let sorted = [1.0, 2.0, 4.0];
-        for (share, value) in [(0.0, 1.0), (0.25, 1.5), (0.5, 2.0), (0.75, 3.0), (1.0, 4.0)] {
-            assert!((quantile(&sorted, share) - value).abs() < 1e-15);
+        for (fraction, value) in [(0.0, 1.0), (0.25, 1.5), (0.5, 2.0), (0.75, 3.0), (1.0, 4.0)] {
+            assert!((quantile(&sorted, fraction) - value).abs() < 1e-15);
         }
     }
 

@@ -1,8 +1,9 @@
 //! Numbers in the lanes of a vector: the same arithmetic on one number or on as many as the processor's vectors hold.
 //!
 //! A kernel written for [`Real`] runs on `f64` for a single problem and on [`Wide`] for several at once; lane by lane the results
-//! are the same to the last digit, since nothing is contracted or reordered. Which vectors there are is found out when the program
-//! runs ([`Arch::dispatch`](pulp::Arch::dispatch)). Whatever is to be compiled for them must be inlined into what is dispatched.
+//! are the same to the last digit, since nothing is contracted or reordered. Which vectors there are is found out when the
+//! program runs ([`Arch::dispatch`](pulp::Arch::dispatch)). Whatever is to be compiled for them must be inlined into what is
+//! dispatched.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

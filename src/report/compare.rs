@@ -53,7 +53,7 @@ fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
         .with("peak_mount_force_at_limit_n", "  at the limit", "N", |it| {
             it.limit_load.mount_force_n
         })
-        .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.farthest_m)
+        .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.max_displacement_m)
         .with("thickness_m", "thickness", "m", |it| it.scene.target.thickness_m)
         .with("residual_velocity_m_s", "residual velocity", "m/s", |it| it.residual_m_s)
         .with("penetration_m", "depth", "m", |it| it.depth_m)

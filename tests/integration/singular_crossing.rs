@@ -72,7 +72,7 @@ fn a_swing_takes_few_steps() {
 fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
     let pairs = "n=0.776547 m=1 k=4.36516e7 b=4.40647 d=0.565023 gamma=1.50492e-4 v_i=166.74 S_y=0 C_d=0 interface=plastic";
     let found = run(scene(pairs));
-    assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Swings));
+    assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Oscillates));
     assert!(found.final_penetration_m.is_none() && found.end.is_complete());
     let asked = run(scene(&format!("{pairs} run.horizon_s=1e-4")));
     assert_eq!((asked.outcome, asked.end), (Outcome::Moving, EndReason::Horizon));

@@ -154,7 +154,7 @@ fn measure(run: &Run) -> Option<f64> {
 fn class_of_end(course: &Course) -> Option<Class> {
     match course.run.end {
         _ if !is_bounded(course) => Some(Class::ManySteps),
-        EndReason::Decided | EndReason::Horizon | EndReason::Swings => None,
+        EndReason::Decided | EndReason::Horizon | EndReason::Oscillates => None,
         EndReason::StepBudget => Some(Class::StepBudget),
         EndReason::StepUnderflow => Some(Class::StepUnderflow),
         EndReason::NonFinite => Some(Class::NonFiniteEnd),
@@ -207,7 +207,7 @@ fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
         return Some((class, format!("at {TIGHT:e}")));
     }
     let second = second.run;
-    if [run.end, second.end].contains(&EndReason::Swings) {
+    if [run.end, second.end].contains(&EndReason::Oscillates) {
         // Left undecided, and said so; the tighter of two runs may have turned once less.
         return None;
     }
@@ -372,7 +372,7 @@ fn plates_on_a_stop_far_from_the_springs_zero_come_to_rest() {
             let course = course_of(&Arc::new(scene));
             let (class, steps) = (class_of(&course), course.steps);
             assert!(class.is_none() && steps < 4_000, "{index}: {class:?}, {steps} steps");
-            assert_ne!(course.run.end, EndReason::Swings, "{index} at {tolerance:e}");
+            assert_ne!(course.run.end, EndReason::Oscillates, "{index} at {tolerance:e}");
         }
     }
 }

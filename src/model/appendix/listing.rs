@@ -1,8 +1,8 @@
 //! The listing of Appendix A as a run: its contact, step by step, and what its `simulator` makes of the plate afterwards.
 //!
-//! The motion after the contact starts from the plate's state before the last step, as printed, and uses the same steps to the plate's
-//! first turning point, or to the horizon where one is requested. The energy ledger adds up the scheme's own forces over its
-//! own steps: what does not add up is the scheme's error.
+//! The motion after the contact starts from the plate's state before the last step, as printed, and uses the same steps to the
+//! plate's first turning point, or to the horizon where one is requested. The energy ledger adds up the scheme's own forces over
+//! its own steps: what does not add up is the scheme's error.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ struct Work<'a> {
     keep: bool,
     t_s: f64,
     deepest_m: f64,
-    farthest_m: f64,
+    max_displacement_m: f64,
     peak_n: f64,
     before: Option<Sample>,
 }
@@ -84,7 +84,7 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
         keep,
         t_s: 0.0,
         deepest_m: 0.0,
-        farthest_m: state.plate[0],
+        max_displacement_m: state.plate[0],
         peak_n: 0.0,
         before: None,
     };
@@ -143,7 +143,7 @@ impl Work<'_> {
             ledger.damper_j += mean(|sample| sample.damper_force_n) * plate;
         }
         self.before = Some(sample);
-        self.farthest_m = larger(sample.plate_displacement_m, self.farthest_m);
+        self.max_displacement_m = larger(sample.plate_displacement_m, self.max_displacement_m);
         if self.keep && step.is_multiple_of(every) {
             self.run.series.push(sample);
         }
@@ -284,7 +284,7 @@ impl Work<'_> {
             let turned = rising && (y[1] <= 0.0 || faded);
             self.note(sample, step, if turned { 1 } else { step / POINTS + 1 });
             if turned && self.run.max_plate_displacement_m.is_none() {
-                self.run.max_plate_displacement_m = Some(self.farthest_m);
+                self.run.max_plate_displacement_m = Some(self.max_displacement_m);
                 let kind = EventKind::GreatestDisplacement;
                 self.run.events.push(Event { t_s: self.t_s, kind });
                 if asked_s.is_none() {

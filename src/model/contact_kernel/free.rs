@@ -1,4 +1,5 @@
-//! A contact without spring and damper, in closed form: the place of its end follows from a swept volume, the time from a quadrature.
+//! A contact without spring and damper, in closed form: the place of its end follows from a swept volume, the time from a
+//! quadrature.
 //!
 //! Sixteen Gauss-Legendre points on each stretch; up to the arrest at Q the travel is Q - L s², in which the integrand is even
 //! and smooth, so that eight are enough. The last Legendre coefficients of the integrand, which cost next to nothing, say
@@ -145,7 +146,7 @@ fn closed(
         penetration_m: geometry.depth_m(travel_m),
         plate_displacement_m,
         plate_velocity_m_s: share * (c.velocity_m_s - slip),
-        farthest_m: plate_displacement_m,
+        max_displacement_m: plate_displacement_m,
         steps: 0,
     })
 }

@@ -1,14 +1,14 @@
-//! The integration of a contact from step to step: the step size of each expansion, and the ends of slip, of a piece of travel and
-//! of a kind of expansion.
+//! The integration of a contact from step to step: the step size of each expansion, and the ends of slip, of a piece of travel
+//! and of a kind of expansion.
 
 use std::borrow::Borrow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::expansion::{Area, Clock, Series, trusted};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
-use crate::model::contact_kernel::slow_manifold_series::eased;
+use crate::model::contact_kernel::slow_manifold_series::tolerance_factor;
 use crate::model::contact_kernel::{Contact, ContactEnd};
-use crate::numerics::crossing::{dips, fall, rise};
+use crate::numerics::crossing::{dips, down_crossing, rise};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 
@@ -19,20 +19,20 @@ const SHORT: f64 = 0.02;
 
 /// Where a contact is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Track {
+pub(super) struct Progress {
     pub(super) t_s: f64,
     /// (travel, slip, plate, speed).
     pub(super) state: [f64; 4],
     pub(super) clock: Clock,
     pub(super) piece: usize,
-    pub(super) farthest_m: f64,
+    pub(super) max_displacement_m: f64,
     pub(super) steps: usize,
 }
 
 /// The rest of a contact that plain steps can compute.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    pub(super) track: Track,
+    pub(super) progress: Progress,
     pub(super) tolerance: f64,
     /// The plate's displacement matters against this, m, or only against the travel.
     pub(super) reach_m: Option<f64>,
@@ -54,7 +54,7 @@ pub(super) enum InitialPhase {
 pub(super) enum Next {
     Ended(ContactEnd),
     /// Where another expansion must take over.
-    Handed(Track),
+    Handed(Progress),
     /// To where the simulation must.
     Left,
 }
@@ -101,35 +101,35 @@ impl StepEnd {
 }
 
 /// The scale of the plate's displacement at `plate_m`, m.
-pub(super) fn minded_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
+pub(super) fn plate_scale_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
     match reach_m {
-        Some(reach_m) => plate_m.abs() * eased(plate_m.abs(), reach_m),
+        Some(reach_m) => plate_m.abs() * tolerance_factor(plate_m.abs(), reach_m),
         None => f64::INFINITY,
     }
 }
 
 impl Contact {
-    pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: Clock) -> Track {
-        Track { t_s, state, clock, piece: 0, farthest_m: self.start_m, steps: 0 }
+    pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: Clock) -> Progress {
+        Progress { t_s, state, clock, piece: 0, max_displacement_m: self.start_m, steps: 0 }
     }
 
     /// Go on by steps to the end; `None` where the simulation must take over.
     #[inline(always)]
     pub(super) fn go_on<const N: usize>(
         &self,
-        expand: impl Fn(&Track, Area) -> Series<N>,
+        expand: impl Fn(&Progress, Area) -> Series<N>,
         sides: Sides,
         plan: &Plan,
     ) -> Option<ContactEnd> {
-        let Plan { mut track, tolerance, reach_m, .. } = *plan;
-        while track.steps < STEPS_MAX {
-            let area = self.area_law(track.piece)?;
-            track.steps += 1;
-            let series = expand(&track, area);
-            let minded_m = minded_m(track.state[2], reach_m);
-            let last_terms = self.constants.last_terms(&series, minded_m);
+        let Plan { mut progress, tolerance, reach_m, .. } = *plan;
+        while progress.steps < STEPS_MAX {
+            let area = self.area_law(progress.piece)?;
+            progress.steps += 1;
+            let series = expand(&progress, area);
+            let plate_scale_m = plate_scale_m(progress.state[2], reach_m);
+            let last_terms = self.constants.last_terms(&series, plate_scale_m);
             let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
-            if let Some(next) = self.advance(&mut track, sides, &end_of_step, || &series) {
+            if let Some(next) = self.advance(&mut progress, sides, &end_of_step, || &series) {
                 return next.ended();
             }
         }
@@ -147,17 +147,17 @@ impl Contact {
     /// Take a step as far as it is trusted, or to what ends it before; `Some` where that ends this expansion.
     pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
         &self,
-        track: &mut Track,
+        progress: &mut Progress,
         sides: Sides,
         end_of_step: &StepEnd,
         series: impl Fn() -> S,
     ) -> Option<Next> {
         if end_of_step.trusted < SHORT {
             // The unit is far too long for what happens now.
-            track.clock = track.clock.shorter(larger(2.0 * end_of_step.trusted, 1e-3));
+            progress.clock = progress.clock.shorter(larger(2.0 * end_of_step.trusted, 1e-3));
             return None;
         }
-        let to_m = self.geometry.pieces()[track.piece].to_m;
+        let to_m = self.geometry.pieces()[progress.piece].to_m;
         let (mut span, mut state) = (end_of_step.trusted, end_of_step.state);
         let stops = state[1] <= 0.0;
         if !stops && end_of_step.rises && dips(&series().borrow().slip, span) {
@@ -165,7 +165,7 @@ impl Contact {
         }
         if stops {
             let series = series();
-            span = fall(&series.borrow().slip, span);
+            span = down_crossing(&series.borrow().slip, span);
             state = series.borrow().state(span);
         }
         // Travel only grows up to the arrest: the piece's end may lie before it.
@@ -175,30 +175,31 @@ impl Contact {
             span = rise(&series.borrow().travel, to_m, span);
             state = series.borrow().state(span);
         }
-        track.t_s += track.clock.elapsed_s(span);
-        track.state = state;
+        progress.t_s += progress.clock.elapsed_s(span);
+        progress.state = state;
         // A step is shorter than half a swing, so there is one maximum at most.
         let turns = end_of_step.speed_m_s > 0.0 && state[3] < 0.0;
         if turns {
             let series = series();
-            let top = fall(&series.borrow().speed, span);
-            track.farthest_m = larger(track.farthest_m, evaluate(&series.borrow().plate, top));
+            let top = down_crossing(&series.borrow().speed, span);
+            progress.max_displacement_m =
+                larger(progress.max_displacement_m, evaluate(&series.borrow().plate, top));
         }
-        track.farthest_m = larger(track.farthest_m, state[2]);
+        progress.max_displacement_m = larger(progress.max_displacement_m, state[2]);
         if !self.passes(sides, &state) {
             return Some(Next::Left);
         }
         if stops && !at_end {
-            return Some(Next::Ended(self.end(true, track)));
+            return Some(Next::Ended(self.end(true, progress)));
         }
         if at_end {
-            track.state[0] = to_m;
-            track.piece += 1;
-            if track.piece == self.geometry.pieces().len() {
-                return Some(Next::Ended(self.end(false, track)));
+            progress.state[0] = to_m;
+            progress.piece += 1;
+            if progress.piece == self.geometry.pieces().len() {
+                return Some(Next::Ended(self.end(false, progress)));
             }
         }
-        track.clock = track.clock.next(span, end_of_step.trusted);
+        progress.clock = progress.clock.next(span, end_of_step.trusted);
         None
     }
 
@@ -208,16 +209,16 @@ impl Contact {
         (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
     }
 
-    pub(super) fn end(&self, arrested: bool, track: &Track) -> ContactEnd {
-        let state = &track.state;
+    pub(super) fn end(&self, arrested: bool, progress: &Progress) -> ContactEnd {
+        let state = &progress.state;
         ContactEnd {
             arrested,
-            t_s: track.t_s,
+            t_s: progress.t_s,
             penetration_m: self.geometry.depth_m(state[0]),
             plate_displacement_m: state[2],
             plate_velocity_m_s: state[3],
-            farthest_m: track.farthest_m,
-            steps: track.steps,
+            max_displacement_m: progress.max_displacement_m,
+            steps: progress.steps,
         }
     }
 }

@@ -8,7 +8,7 @@
 
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Plan, Sides, StepEnd, Track, minded_m,
+    InitialPhase, Plan, Progress, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
@@ -21,11 +21,11 @@ const VANISHES_ABOVE: f64 = 1.2;
 /// The exponent of a damper that is expanded from rest.
 const ROOT: f64 = 0.5;
 /// Part of the tolerance that may be left of what is put in afterwards.
-const LEFT: f64 = 0.2;
+const RESIDUAL_PART: f64 = 0.2;
 /// How wrong that is per unit by which the plate's displacement is not a pure power of time.
-const BENT: f64 = 0.2;
+const CURVATURE_ERROR: f64 = 0.2;
 /// How much later than the start by balance (`similarity_start.rs`) it must come to be worth its expansion.
-const WORTH: f64 = 4.0;
+const LATER_MIN: f64 = 4.0;
 /// Rounds for the length of the step.
 const ROUNDS: usize = 4;
 
@@ -60,15 +60,16 @@ impl LeftOut {
         self.law.exponent * self.argument
     }
 
-    /// What it takes by `t_s`, where its argument has grown so far, from a plate of this mass whose velocity there would be `w_m_s`.
+    /// What it takes by `t_s`, where its argument has grown so far, from a plate of this mass whose velocity there would be
+    /// `w_m_s`.
     fn taken(self, at: Growth, t_s: f64, plate_kg: f64, w_m_s: f64) -> Taken {
         let power = self.law.exponent * at.power;
         let taken = self.law.force(at.z) * t_s / ((power + 1.0) * plate_kg);
-        let bent = BENT * (at.power - self.argument).abs();
+        let curvature = CURVATURE_ERROR * (at.power - self.argument).abs();
         Taken {
             w_m_s: taken,
             x_m: taken * t_s / (power + 2.0),
-            doubt_m_s: taken * (taken / w_m_s + bent),
+            doubt_m_s: taken * (taken / w_m_s + curvature),
         }
     }
 }
@@ -87,51 +88,52 @@ impl Contact {
             (!is_linear(damper) && !is_root).then_some(LeftOut { law: damper, argument: 2.0 }),
         ];
         let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-        let mut track = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
+        let mut progress = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
         let until = self.matters_at(&left_out, tolerance)?;
         let kept = |law: PowerLaw| if is_linear(law) { law.coefficient } else { 0.0 };
         // Dampers that are not linear are compiled for one number of terms.
         let series = if const { N == TERMS } && is_root {
             let root = RootFromRest::<N>::new(damper.coefficient);
-            self.first(kept(spring), root, &track)?
+            self.first(kept(spring), root, &progress)?
         } else {
-            self.first::<N>(kept(spring), Linear(kept(damper)), &track)?
+            self.first::<N>(kept(spring), Linear(kept(damper)), &progress)?
         };
-        let last_terms = self.constants.last_terms(&series, minded_m(0.0, None));
+        let last_terms = self.constants.last_terms(&series, plate_scale_m(0.0, None));
         let span = trusted::<N>(last_terms, tolerance);
-        track.steps = 1;
+        progress.steps = 1;
         if left_out.iter().all(Option::is_none) {
             let end_of_step = StepEnd::of(&series, span);
             let sides = Sides { spring: true, damper: false };
-            return Some(match self.advance(&mut track, sides, &end_of_step, || &series) {
+            return Some(match self.advance(&mut progress, sides, &end_of_step, || &series) {
                 Some(next) => next.ended().map_or(InitialPhase::Left, InitialPhase::Ended),
-                None if track.t_s == 0.0 => return None,
-                None => InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }),
+                None if progress.t_s == 0.0 => return None,
+                None => InitialPhase::Steps(Plan { progress, tolerance, reach_m: None, terms: N }),
             });
         }
-        self.put_in(&series, &left_out, smaller(span, until), tolerance, track)
-            .map(|track| InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }))
+        self.put_in(&series, &left_out, smaller(span, until), tolerance, progress).map(|progress| {
+            InitialPhase::Steps(Plan { progress, tolerance, reach_m: None, terms: N })
+        })
     }
 
     fn first<const N: usize>(
         &self,
         spring_n_m: f64,
         damping: impl Damping<N>,
-        track: &Track,
+        progress: &Progress,
     ) -> Option<Series<N>> {
-        let (rates, area) = (track.clock.rates(), self.area_law(track.piece)?);
+        let (rates, area) = (progress.clock.rates(), self.area_law(progress.piece)?);
         let spring = Linear(spring_n_m);
-        Some(self.constants.expand::<N, false>(spring, damping, track.state, rates, area))
+        Some(self.constants.expand::<N, false>(spring, damping, progress.state, rates, area))
     }
 
-    /// In units of the clock, when the laws that are omitted begin to matter, by the powers of time of first contact; `None` where
-    /// that is too early.
+    /// In units of the clock, when the laws that are omitted begin to matter, by the powers of time of first contact; `None`
+    /// where that is too early.
     fn matters_at(&self, left_out: &[Option<LeftOut>; 2], tolerance: f64) -> Option<f64> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
         let scale_s = self.scale_s?;
         let w_m_s = 0.5 * self.growth_n_s()? * cos * scale_s * scale_s * plate_mobility;
         let at = [w_m_s * scale_s / 3.0, w_m_s];
-        let left_m_s = LEFT * tolerance * velocity_m_s / cos;
+        let left_m_s = RESIDUAL_PART * tolerance * velocity_m_s / cos;
         let mut part = 1.0;
         for (left_out, z) in left_out.iter().zip(at) {
             let Some(left_out) = left_out else { continue };
@@ -144,7 +146,7 @@ impl Contact {
             part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
         }
         let by_balance = similarity_start::part(tolerance, 2.0);
-        (part > WORTH * by_balance).then_some(2.0 * part)
+        (part > LATER_MIN * by_balance).then_some(2.0 * part)
     }
 
     /// Go to about `span` and put in what the laws that were omitted have taken up to there.
@@ -154,13 +156,13 @@ impl Contact {
         left_out: &[Option<LeftOut>; 2],
         mut span: f64,
         tolerance: f64,
-        track: Track,
-    ) -> Option<Track> {
+        progress: Progress,
+    ) -> Option<Progress> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
         for _ in 0..ROUNDS {
             let [travel, slip, x, w] = series.state(span);
-            let t_s = track.clock.elapsed_s(span);
-            let inside = slip > 0.0 && travel < self.geometry.pieces()[track.piece].to_m;
+            let t_s = progress.clock.elapsed_s(span);
+            let inside = slip > 0.0 && travel < self.geometry.pieces()[progress.piece].to_m;
             if !(inside && x > 0.0 && w > 0.0) {
                 span *= 0.5;
                 continue;
@@ -178,15 +180,15 @@ impl Contact {
                 power = smaller(power, left_out.power());
             }
             let doubt = cos * sum.doubt_m_s / velocity_m_s;
-            if doubt > LEFT * tolerance {
-                span *= 0.9 * (LEFT * tolerance / doubt).powf(1.0 / (power + 2.0));
+            if doubt > RESIDUAL_PART * tolerance {
+                span *= 0.9 * (RESIDUAL_PART * tolerance / doubt).powf(1.0 / (power + 2.0));
                 continue;
             }
             let state =
                 [travel + cos * sum.x_m, slip + cos * sum.w_m_s, x - sum.x_m, w - sum.w_m_s];
             let s = t_s.cbrt();
             let clock = Clock::Graded { s, unit: GRADED_UNIT * s };
-            return Some(Track { t_s, state, clock, ..track });
+            return Some(Progress { t_s, state, clock, ..progress });
         }
         None
     }
@@ -202,9 +204,9 @@ mod tests {
         Contact::of(&scene(pairs))
     }
 
-    fn track(initial_phase: Option<&InitialPhase>) -> Track {
+    fn progress(initial_phase: Option<&InitialPhase>) -> Progress {
         match initial_phase {
-            Some(InitialPhase::Steps(plan)) => plan.track,
+            Some(InitialPhase::Steps(plan)) => plan.progress,
             _ => panic!("no steps"),
         }
     }
@@ -217,13 +219,13 @@ mod tests {
             let (spring, damper) = (contact.spring.exponent > 1.0, contact.damper.exponent > 1.0);
             let singular = Singular { spring, damper };
             for tolerance in [1e-6, 1e-8, 1e-10] {
-                let early = track(contact.early(tolerance, TERMS).as_ref());
+                let early = progress(contact.early(tolerance, TERMS).as_ref());
                 let other = contact.first_step(singular, 1e-12, TERMS_TIGHT).unwrap();
                 assert!(
                     early.t_s
                         > 3.0 * similarity_start::part(tolerance, 2.0) * contact.scale_s.unwrap()
                 );
-                let plan = Plan { track: early, tolerance, reach_m: None, terms: TERMS };
+                let plan = Plan { progress: early, tolerance, reach_m: None, terms: TERMS };
                 let ends = (contact.plan(&plan).unwrap(), contact.plan(&other).unwrap());
                 let errors = [
                     ends.0.t_s / ends.1.t_s - 1.0,

@@ -2,8 +2,8 @@
 //!
 //! A lane is a contact; all lanes take a step together, each with its own length, and a lane whose contact has ended takes the
 //! next. The arithmetic is that of the single contact in the same order, so that its results are the same to the last digit
-//! whatever runs beside it. What is rare (an arrest, the end of a piece, a turn of the plate) is done for its lane alone, and so is
-//! a contact whose spring or damper is of a kind that has no lanes here.
+//! whatever runs beside it. What is rare (an arrest, the end of a piece, a turn of the plate) is done for its lane alone, and so
+//! is a contact whose spring or damper is of a kind that has no lanes here.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Area, Clock, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Plan, STEPS_MAX, Sides, StepEnd, minded_m,
+    InitialPhase, Next, Plan, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
@@ -26,7 +26,7 @@ const PIECE: usize = 7;
 const FIXED: usize = 11;
 const SPRING: usize = FIXED + CONSTANTS;
 const DAMPER: usize = 19;
-const MINDED: usize = 20;
+const PLATE_SCALE: usize = 20;
 /// The result of a step.
 const TRUSTED: usize = 21;
 const SLOPE: usize = 22;
@@ -109,7 +109,7 @@ struct Job<'c> {
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
     fn class(&self, plan: &Plan) -> Option<Class> {
-        let spring = match (is_linear(self.spring), plan.track.clock) {
+        let spring = match (is_linear(self.spring), plan.progress.clock) {
             (true, _) => SpringClass::Linear,
             (false, Clock::Graded { .. }) => SpringClass::GradedPower,
             (false, Clock::Even { .. }) => SpringClass::Power,
@@ -157,12 +157,12 @@ impl LaneBuffer<ROWS> {
 
     /// The part that changes from step to step; `None` where the area is not a polynomial.
     fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
-        let Plan { track, reach_m, .. } = &job.plan;
-        let area = job.contact.area_law(track.piece)?;
-        self.put(lane, STATE, track.state);
-        self.put(lane, RATES, track.clock.rates());
+        let Plan { progress, reach_m, .. } = &job.plan;
+        let area = job.contact.area_law(progress.piece)?;
+        self.put(lane, STATE, progress.state);
+        self.put(lane, RATES, progress.clock.rates());
         self.put(lane, PIECE, area.numbers());
-        self.put(lane, MINDED, [minded_m(track.state[2], *reach_m)]);
+        self.put(lane, PLATE_SCALE, [plate_scale_m(progress.state[2], *reach_m)]);
         Some(())
     }
 }
@@ -189,7 +189,7 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
         let rates = buffer.wides(simd, RATES);
         let area = Area::of(buffer.wides(simd, PIECE));
         let series = constants.expand::<N, GRADED>(spring, damper, state, rates, area);
-        buffer.store(SIZE, [constants.last_terms(&series, buffer.wide(simd, MINDED))]);
+        buffer.store(SIZE, [constants.last_terms(&series, buffer.wide(simd, PLATE_SCALE))]);
         for (lane, job) in lanes.iter().enumerate() {
             let tolerance = job.as_ref().map_or(1.0, |job| job.plan.tolerance);
             buffer.0[TRUSTED][lane] = trusted::<N>(buffer.0[SIZE][lane], tolerance);
@@ -206,12 +206,12 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
                 rises: buffer.0[SLOPE][lane] > 0.0,
                 speed_m_s: speeds[lane],
             };
-            job.plan.track.steps += 1;
+            job.plan.progress.steps += 1;
             let sides = Sides { spring: K::TWO_SIDED, damper: true };
-            let track = &mut job.plan.track;
-            let ending = job.contact.advance(track, sides, &end_of_step, || series.lane(lane));
+            let progress = &mut job.plan.progress;
+            let ending = job.contact.advance(progress, sides, &end_of_step, || series.lane(lane));
             let goes_on =
-                ending.is_none() && track.steps < STEPS_MAX && buffer.place(lane, job).is_some();
+                ending.is_none() && progress.steps < STEPS_MAX && buffer.place(lane, job).is_some();
             if !goes_on {
                 ends[job.place] = ending.and_then(Next::ended);
                 *lane_job = next(&mut waiting, &mut buffer, lane);

@@ -9,7 +9,7 @@ use crate::model::mechanism::PowerLaw;
 use crate::numerics::{larger, smaller};
 
 /// Error of the state's velocity, relative: with the tolerance it says how early the start has to be.
-const LEFT: f64 = 0.04;
+const VELOCITY_ERROR: f64 = 0.04;
 /// Part of the contact's duration at which it is placed at the latest.
 const LATEST: f64 = 0.02;
 
@@ -37,7 +37,7 @@ pub(super) struct Moved {
 /// The part of the contact's duration up to which what is left of the state's error, after growing with that power of time, is
 /// below the tolerance.
 pub(super) fn part(tolerance: f64, slowest: f64) -> f64 {
-    smaller((tolerance / LEFT).powf(1.0 / slowest), LATEST)
+    smaller((tolerance / VELOCITY_ERROR).powf(1.0 / slowest), LATEST)
 }
 
 impl Start {

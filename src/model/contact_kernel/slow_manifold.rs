@@ -8,11 +8,11 @@ use pulp::{Arch, Scalar, Simd, WithSimd};
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_kernel::expansion::{Area, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, STEPS_MAX, Sides, StepEnd, Track, minded_m,
+    InitialPhase, Next, Progress, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::slow_manifold_series::{
-    About, Balance, Guess, Lag, Spring, SpringManifold, eased,
+    About, Balance, Guess, Lag, Spring, SpringManifold, tolerance_factor,
 };
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
@@ -20,19 +20,19 @@ use crate::numerics::wide::Wide;
 /// Maximum number of passes.
 const PASSES_MAX: usize = 8;
 /// Part of the tolerance by which the last two passes may differ.
-const AGREE: f64 = 0.3;
+const PASS_TOLERANCE: f64 = 0.3;
 /// What a pass must at least gain, after the first few.
-const GAIN: f64 = 0.5;
-const SETTLED: usize = 3;
+const PASS_GAIN: f64 = 0.5;
+const FIRST_PASSES: usize = 3;
 /// Part of a step below which a plate that has left the manifold is not tried again.
-const SHORTEST: f64 = 0.1;
+const RETRY_STEP_MIN: f64 = 0.1;
 
 const STATE: usize = 0;
 const UNIT: usize = 4;
 const PIECE: usize = 5;
 const SPRING: usize = 9;
 const BALANCE: usize = 13;
-const MINDED: usize = 15;
+const PLATE_SCALE: usize = 15;
 const FIXED: usize = 16;
 /// The result of a pass.
 const SPEEDS: usize = FIXED + CONSTANTS;
@@ -47,9 +47,9 @@ const ROWS: usize = END + 4;
 pub(super) struct ManifoldRun {
     manifold: SpringManifold,
     tolerance: f64,
-    track: Track,
+    progress: Progress,
     /// From where another method goes on: a step earlier than where this one was seen to fail.
-    before: Track,
+    before: Progress,
     /// The area law of the piece that the last step ended with.
     joint: Option<Area>,
     /// How far steps are trusted after failures.
@@ -57,7 +57,7 @@ pub(super) struct ManifoldRun {
     terms: usize,
 }
 
-/// An expansion about where the track is.
+/// An expansion about the present state.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
     area: Area,
@@ -81,14 +81,14 @@ enum PassResult {
 impl ManifoldRun {
     pub(super) fn from(
         manifold: SpringManifold,
-        start: Track,
+        start: Progress,
         tolerance: f64,
         terms: usize,
     ) -> Self {
         Self {
             manifold,
             tolerance,
-            track: start,
+            progress: start,
             before: start,
             joint: None,
             reach_factor: 1.0,
@@ -97,11 +97,11 @@ impl ManifoldRun {
     }
 
     fn step(&mut self, contact: &Contact) -> Result<Attempt, Next> {
-        if self.track.steps >= STEPS_MAX {
+        if self.progress.steps >= STEPS_MAX {
             return Err(Next::Left);
         }
-        let area = contact.area_law(self.track.piece).ok_or(Next::Left)?;
-        self.track.steps += 1;
+        let area = contact.area_law(self.progress.piece).ok_or(Next::Left)?;
+        self.progress.steps += 1;
         self.attempt(contact, area, false)
     }
 
@@ -111,7 +111,7 @@ impl ManifoldRun {
         area: Area,
         by_piece_before: bool,
     ) -> Result<Attempt, Next> {
-        let Track { state, .. } = self.track;
+        let Progress { state, .. } = self.progress;
         let guess = Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
         let found = self.manifold.balance(&contact.constants, state, area, &guess);
         let change = f64::INFINITY;
@@ -129,12 +129,12 @@ impl ManifoldRun {
         if let (Some(area), false) = (self.joint, by_piece_before) {
             return self.attempt(contact, area, true);
         }
-        if self.track.piece != self.before.piece || self.reach_factor < SHORTEST {
+        if self.progress.piece != self.before.piece || self.reach_factor < RETRY_STEP_MIN {
             return Err(Next::Handed(self.before));
         }
         // The step there may have been too long, and so may be those to come.
         self.reach_factor *= 0.5;
-        self.track = Track { steps: self.track.steps, ..self.before };
+        self.progress = Progress { steps: self.progress.steps, ..self.before };
         self.step(contact)
     }
 
@@ -146,16 +146,16 @@ impl ManifoldRun {
         [old_m_s, new_m_s]: [f64; 2],
         lag_n: f64,
     ) -> PassResult {
-        let Track { state, clock, .. } = self.track;
-        let tolerance = self.tolerance * eased(state[2], self.manifold.reach_m);
+        let Progress { state, clock, .. } = self.progress;
+        let tolerance = self.tolerance * tolerance_factor(state[2], self.manifold.reach_m);
         let x = attempt.balance.plate_m;
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
         // The first has no inertia yet, and agrees with a step before that had none.
-        if attempt.passes > 0 && change <= AGREE * tolerance {
+        if attempt.passes > 0 && change <= PASS_TOLERANCE * tolerance {
             let keeps = self.manifold.keeps_to(attempt.balance, new_m_s, state, tolerance);
             return if keeps { PassResult::Settled } else { PassResult::Failed };
         }
-        if attempt.passes >= SETTLED && change > GAIN * attempt.change {
+        if attempt.passes >= FIRST_PASSES && change > PASS_GAIN * attempt.change {
             return PassResult::Failed;
         }
         let guess = Guess { balance: attempt.balance, lag_n, speed_m_s: new_m_s };
@@ -179,18 +179,18 @@ impl ManifoldRun {
     ) -> Result<Attempt, Next> {
         if attempt.by_piece_before {
             // Fine up to the joint; the next piece sets the plate swinging.
-            return Err(Next::Handed(self.track));
+            return Err(Next::Handed(self.progress));
         }
         self.joint = None;
-        let here = self.track;
+        let here = self.progress;
         let sides = Sides { spring: false, damper: true };
-        if let Some(next) = contact.advance(&mut self.track, sides, end_of_step, series) {
+        if let Some(next) = contact.advance(&mut self.progress, sides, end_of_step, series) {
             return Err(next);
         }
-        if self.track.t_s > here.t_s {
+        if self.progress.t_s > here.t_s {
             self.before = here;
         }
-        if self.track.piece > here.piece {
+        if self.progress.piece > here.piece {
             self.joint = Some(attempt.area);
         }
         self.step(contact)
@@ -200,8 +200,8 @@ impl ManifoldRun {
     fn end(&self, contact: &Contact, next: Next) -> InitialPhase {
         match next {
             Next::Ended(end) => InitialPhase::Ended(end),
-            Next::Handed(track) if track.steps > 0 => {
-                InitialPhase::Steps(self.manifold.plan(track, self.tolerance, self.terms))
+            Next::Handed(progress) if progress.steps > 0 => {
+                InitialPhase::Steps(self.manifold.plan(progress, self.tolerance, self.terms))
             }
             Next::Handed(_) | Next::Left => contact.start(self.tolerance, self.terms),
         }
@@ -302,7 +302,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
 
     /// The first pass of an attempt: no inertia yet, and the plate's velocity as it is.
     fn begin(&mut self, lane: usize, lane_job: &Lane<'_>) {
-        let Track { state, clock, .. } = lane_job.job.manifold_run.track;
+        let Progress { state, clock, .. } = lane_job.job.manifold_run.progress;
         self.buffer.put(lane, STATE, state);
         self.buffer.put(lane, UNIT, [clock.rates()[0]]);
         self.buffer.put(lane, PIECE, lane_job.attempt.area.numbers());
@@ -315,8 +315,9 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
     /// A pass about the balance of the attempt.
     fn balance(&mut self, lane: usize, lane_job: &Lane<'_>) {
         let Balance { plate_m, force_n } = lane_job.attempt.balance;
-        let minded_m = minded_m(plate_m, Some(lane_job.job.manifold_run.manifold.reach_m));
-        self.buffer.put(lane, BALANCE, [plate_m, force_n, minded_m]);
+        let plate_scale_m =
+            plate_scale_m(plate_m, Some(lane_job.job.manifold_run.manifold.reach_m));
+        self.buffer.put(lane, BALANCE, [plate_m, force_n, plate_scale_m]);
     }
 
     /// Go on with the next attempt, or with the next job.
@@ -350,7 +351,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
         lanes: &[Option<Lane<'_>>],
     ) {
         let buffer = &mut self.buffer;
-        buffer.store(SIZE, [constants.last_terms(series, buffer.wide(simd, MINDED))]);
+        buffer.store(SIZE, [constants.last_terms(series, buffer.wide(simd, PLATE_SCALE))]);
         for (lane, lane_job) in lanes.iter().enumerate() {
             let Some(Lane { job: ManifoldJob { manifold_run, .. }, .. }) = lane_job else {
                 continue;

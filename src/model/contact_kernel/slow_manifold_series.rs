@@ -1,13 +1,13 @@
 //! The slow manifold of a spring: with an exponent below 1/3 the spring is so stiff near its zero that from first contact on
 //! the plate is where spring and contact force balance, and oscillates about that place too fast to matter.
 //!
-//! There k x^n = F cos - m x'' - b x' is solved for x term by term, first without inertia; each further pass takes x'' and x' from
-//! the one before (Hairer and Wanner, *Solving Ordinary Differential Equations II*, section VI.3: the slow manifold of a
+//! There k x^n = F cos - m x'' - b x' is solved for x term by term, first without inertia; each further pass takes x'' and x'
+//! from the one before (Hairer and Wanner, *Solving Ordinary Differential Equations II*, section VI.3: the slow manifold of a
 //! singular perturbation). A pass gains as much as the plate oscillates fast against the motion; where two passes no longer
 //! agree, the contact goes on by plain steps from there.
 
 use crate::model::contact_kernel::expansion::{Area, Clock, Constants, Series};
-use crate::model::contact_kernel::integration::{Plan, Track};
+use crate::model::contact_kernel::integration::{Plan, Progress};
 use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::{Contact, free, is_linear};
@@ -20,13 +20,13 @@ const NEWTON_MAX: usize = 30;
 /// Its last step at most, relative.
 const NEWTON_LAST: f64 = 1e-8;
 /// Radians by which a plate could have swung from first contact to its start, at least.
-const SWINGS_MIN: f64 = 60.0;
-/// See [`eased`].
-const EASED_MOST: f64 = 1e3;
+const OSCILLATION_MIN_RAD: f64 = 60.0;
+/// See [`tolerance_factor`].
+const TOLERANCE_FACTOR_MAX: f64 = 1e3;
 /// Tolerances by which a step may miss the next one's start: a plate that oscillates by more has left the manifold.
-const SWING: f64 = 1.0;
+const OFF_MANIFOLD: f64 = 1.0;
 /// Part of the tolerance of what the plate has moved at the start, against its displacement in the contact.
-const START: f64 = 0.1;
+const START_PART: f64 = 0.1;
 
 /// The spring of the manifold.
 #[derive(Clone, Copy, Debug)]
@@ -83,29 +83,29 @@ pub(super) struct Spring<R> {
 /// Exponent below which a plate follows the manifold from the start.
 pub(super) const MANIFOLD_BELOW: f64 = 1.0 / 3.0;
 /// By how much earlier than necessary a plate is started at most, so that it follows the manifold at first.
-const EARLIEST: f64 = 1e-3;
+const START_FACTOR_MIN: f64 = 1e-3;
 /// Part of the tolerance for each of the many steps of a plate that oscillates fast.
-const SWINGING: f64 = 0.2;
+const STEP_TOLERANCE: f64 = 0.2;
 
-/// By how much less well the place of a plate need be known at `plate_m` that comes to `reach_m` at least. Its oscillations about the
-/// balance fade more slowly than its displacement grows, and a step must not lose the plate.
-pub(super) fn eased(plate_m: f64, reach_m: f64) -> f64 {
-    smaller(larger(reach_m / plate_m, 1.0).sqrt(), EASED_MOST)
+/// By how much less well the place of a plate need be known at `plate_m` that comes to `reach_m` at least. Its oscillations about
+/// the balance fade more slowly than its displacement grows, and a step must not lose the plate.
+pub(super) fn tolerance_factor(plate_m: f64, reach_m: f64) -> f64 {
+    smaller(larger(reach_m / plate_m, 1.0).sqrt(), TOLERANCE_FACTOR_MAX)
 }
 
 impl SpringManifold {
     /// Up to which part of the contact's length the plate need not be looked at: it moves with power 1/n of the force.
     fn starts_at(&self, tolerance: f64) -> f64 {
-        (START * tolerance).powf(self.spring.exponent)
+        (START_PART * tolerance).powf(self.spring.exponent)
     }
 
-    /// By how much earlier than at this time and place it has to start for its oscillations to be fast enough: their number up to a
-    /// time falls with the power (3 n - 1)/(2 n) of it.
+    /// By how much earlier than at this time and place it has to start for its oscillations to be fast enough: their number up to
+    /// a time falls with the power (3 n - 1)/(2 n) of it.
     pub(super) fn earlier(&self, t_s: f64, place_m: f64) -> f64 {
         let n = self.spring.exponent;
         let tangent = n * self.spring.force(place_m) / place_m;
-        let swings = (tangent / self.plate_kg).sqrt() * t_s;
-        (swings / SWINGS_MIN).powf(2.0 * n / (1.0 - 3.0 * n))
+        let radians = (tangent / self.plate_kg).sqrt() * t_s;
+        (radians / OSCILLATION_MIN_RAD).powf(2.0 * n / (1.0 - 3.0 * n))
     }
 
     /// Whether the plate comes in on the slow motion: not at all if it is yet to start.
@@ -114,12 +114,12 @@ impl SpringManifold {
         let (dx, dw) = (x - state[2], w - state[3]);
         let tangent = self.spring.exponent * at.force_n / x;
         let swing = dx * dx + dw * dw * self.plate_kg / tangent;
-        state[3] == 0.0 || swing.sqrt() <= SWING * tolerance * x
+        state[3] == 0.0 || swing.sqrt() <= OFF_MANIFOLD * tolerance * x
     }
 
     /// Plain steps from there, small enough to follow its oscillations.
-    pub(super) fn plan(&self, track: Track, tolerance: f64, terms: usize) -> Plan {
-        Plan { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
+    pub(super) fn plan(&self, progress: Progress, tolerance: f64, terms: usize) -> Plan {
+        Plan { progress, tolerance: STEP_TOLERANCE * tolerance, reach_m: Some(self.reach_m), terms }
     }
 
     /// Where a contact is from which the first pass looks for the balance.
@@ -208,8 +208,8 @@ impl<R: Real> Spring<R> {
                     s.slip[J] = next[1][J] - cos * lag.speed[J];
                     // All but the parts of the slip's and the plate's coefficients J: what does not wait for them, ...
                     let moved = next[0][J];
-                    let bent = square_before::<N, J, R>(&offset) + offset[0] * moved * 2.0;
-                    area[J] = a[1] * moved + a[2] * bent;
+                    let curvature = square_before::<N, J, R>(&offset) + offset[0] * moved * 2.0;
+                    area[J] = a[1] * moved + a[2] * curvature;
                     let older = drag_kg_m3 * square_before::<N, J, R>(&s.slip);
                     let known = product_before::<N, J, R>(area, pressure)
                         + (area[J] * pressure[0] + area[0] * older);
@@ -285,7 +285,7 @@ impl Contact {
         let mut start = self.at_balance(&manifold, part, tolerance)?;
         let earlier = manifold.earlier(start.t_s, start.state[2]);
         if earlier < 1.0 {
-            if earlier < EARLIEST {
+            if earlier < START_FACTOR_MIN {
                 return None;
             }
             start = self.at_balance(&manifold, part * earlier, tolerance)?;
@@ -294,7 +294,7 @@ impl Contact {
     }
 
     /// Where a plate on the manifold is so early that the projectile has not felt it move.
-    fn at_balance(&self, manifold: &SpringManifold, part: f64, tolerance: f64) -> Option<Track> {
+    fn at_balance(&self, manifold: &SpringManifold, part: f64, tolerance: f64) -> Option<Progress> {
         let c = &self.constants;
         let passage = c.passage(&self.geometry, c.slip_mobility - c.cos * c.cos * c.plate_mobility);
         let travel_m = c.velocity_m_s * self.scale_s? * part;

@@ -73,24 +73,24 @@ impl ContactModel for FlowStrength {
         ContactForce::Flow(FlowForce { nose: hole.geometry.nose, area, pressure })
     }
 
-    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
         match mode {
             Mode::Penetrating | Mode::Closing => {
                 let geometry = hole.geometry;
                 let end_m = smaller(geometry.piece(hole.state.travel_m).to_m, geometry.exit_m);
-                events.watch(EventId::PieceEnd, EventFunction::travel_up_to(end_m));
-                events.watch(EventId::SlipZero, EventFunction::slip(1.0));
+                events.add(EventId::PieceEnd, EventFunction::travel_up_to(end_m));
+                events.add(EventId::SlipZero, EventFunction::slip(1.0));
                 if mode == Mode::Closing {
-                    events.watch(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
+                    events.add(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
                 }
             }
             Mode::Withdrawing => {
                 let start_m = piece_behind(hole).map_or(0.0, |(from_m, _)| from_m);
-                events.watch(EventId::PieceStart, EventFunction::travel_down_to(start_m));
-                events.watch(EventId::SlipZero, EventFunction::slip(-1.0));
+                events.add(EventId::PieceStart, EventFunction::travel_down_to(start_m));
+                events.add(EventId::SlipZero, EventFunction::slip(-1.0));
             }
             Mode::FreeFlight => {
-                events.watch(EventId::Recontact, EventFunction::travel_up_to(0.0));
+                events.add(EventId::Recontact, EventFunction::travel_up_to(0.0));
             }
             _ => {}
         }

@@ -41,7 +41,7 @@ impl ContactModel for HalfSine {
         }
     }
 
-    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
         let forwards = match mode {
             Mode::Penetrating => 1.0,
             Mode::Withdrawing => -1.0,
@@ -49,10 +49,10 @@ impl ContactModel for HalfSine {
         };
         let end =
             EventFunction { offset: self.pulse.duration_s, time: -1.0, ..EventFunction::default() };
-        events.watch(EventId::HistoryEnd, end);
+        events.add(EventId::HistoryEnd, end);
         // On a plate that stays still it is at the end of the history, where the slip is quadratic in time.
         if !hole.still {
-            events.watch(EventId::SlipZero, EventFunction::slip(forwards));
+            events.add(EventId::SlipZero, EventFunction::slip(forwards));
         }
     }
 

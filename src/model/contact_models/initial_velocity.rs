@@ -29,10 +29,10 @@ impl ContactModel for InitialVelocity {
     }
 
     /// The bodies are one from the first moment on.
-    fn watch(&self, mode: Mode, _hole: &Hole<'_>, events: &mut ActiveEvents) {
+    fn add_events(&self, mode: Mode, _hole: &Hole<'_>, events: &mut ActiveEvents) {
         if mode == Mode::Penetrating {
             let end = EventFunction { time: -1.0, ..EventFunction::default() };
-            events.watch(EventId::HistoryEnd, end);
+            events.add(EventId::HistoryEnd, end);
         }
     }
 

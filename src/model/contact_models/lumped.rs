@@ -94,21 +94,21 @@ impl ContactModel for Lumped {
         }
     }
 
-    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+    fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
         let dent_m = self.dent_m(hole.deepest_m);
         match mode {
-            Mode::Penetrating => events.watch(EventId::SlipZero, EventFunction::slip(1.0)),
+            Mode::Penetrating => events.add(EventId::SlipZero, EventFunction::slip(1.0)),
             Mode::Withdrawing | Mode::Closing => {
-                events.watch(EventId::ContactLost, self.push(hole.deepest_m, 1.0));
-                events.watch(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
+                events.add(EventId::ContactLost, self.push(hole.deepest_m, 1.0));
+                events.add(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
             }
             // The damper has let go of a projectile that is still in its dent.
             Mode::FreeFlight if hole.state.travel_m > dent_m => {
-                events.watch(EventId::ContactAgain, self.push(hole.deepest_m, -1.0));
-                events.watch(EventId::DentLeft, EventFunction::travel_down_to(dent_m));
+                events.add(EventId::ContactAgain, self.push(hole.deepest_m, -1.0));
+                events.add(EventId::DentLeft, EventFunction::travel_down_to(dent_m));
             }
             Mode::FreeFlight => {
-                events.watch(EventId::Recontact, EventFunction::travel_up_to(dent_m));
+                events.add(EventId::Recontact, EventFunction::travel_up_to(dent_m));
             }
             _ => {}
         }

@@ -1,9 +1,10 @@
-//! The contact phase to some 20 digits: Taylor series in double-double arithmetic: a reference for results that are accurate to 1e-15.
+//! The contact phase to some 20 digits: Taylor series in double-double arithmetic: a reference for results that are accurate to
+//! 1e-15.
 //!
 //! A third implementation, independent of the engine and of the explicit methods beside it: SI units, own coefficients, own step
-//! rule, own event location. Made for normal impact without a stop; other scenes are refused, not approximated. A law that is singular at
-//! zero (an exponent other than one) is omitted for an instant there, 1e-20 of the contact's scale: what its impulse would have
-//! done is of the order of that instant squared at first contact, and of its power 1 + n later.
+//! rule, own event location. Made for normal impact without a stop; other scenes are refused, not approximated. A law that is
+//! singular at zero (an exponent other than one) is omitted for an instant there, 1e-20 of the contact's scale: what its impulse
+//! would have done is of the order of that instant squared at first contact, and of its power 1 + n later.
 //!
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 

@@ -1,8 +1,8 @@
 //! The contact phase by Radau IIA of order 5, from first contact to the end: what an implicit, L-stable method does.
 //!
 //! A power law with an exponent below one is infinitely steep at zero. There its force is the unknown, and the displacement (or
-//! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
-//! again. Knows the equations by their stretch only.
+//! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by
+//! stepping again. Knows the equations by their stretch only.
 
 use super::stretch::Stretch;
 use crate::model::mechanism::PowerLaw;
@@ -198,8 +198,8 @@ pub(super) fn integrate(
     }
 }
 
-/// The boundary that a step crosses first, and a fraction of the step that lies beyond it. Looked for on the collocation polynomial
-/// and not by the rates at the ends of the step, which have no bound where a law is singular.
+/// The boundary that a step crosses first, and a fraction of the step that lies beyond it. Looked for on the collocation
+/// polynomial and not by the rates at the ends of the step, which have no bound where a law is singular.
 fn crossed(
     system: &Unknowns<'_, '_>,
     y: &[f64; 4],

@@ -1,7 +1,8 @@
 //! One stretch of the contact phase: the equations between two boundaries, and what follows a boundary.
 //!
-//! A stretch ends where a formula changes (a joint of the area law, a knot of the spring, the zero of a power law), at the stop, and at
-//! arrest. A plate at rest on a rigid stop is held there as long as the contact presses it against the stop. Knows no method.
+//! A stretch ends where a formula changes (a joint of the area law, a knot of the spring, the zero of a power law), at the stop,
+//! and at arrest. A plate at rest on a rigid stop is held there as long as the contact presses it against the stop. Knows no
+//! method.
 
 use super::{Ending, Phase, Refusal};
 use crate::model::scene::{Stop as StopOfScene, StopKind};
@@ -238,8 +239,8 @@ impl<'a> Stretch<'a> {
         self.lean_on(wall, reached.y[0]);
     }
 
-    /// That the contact has pressed a resting plate against its stop all along: within a piece the area is least at one of its ends,
-    /// and the slip at the last.
+    /// That the contact has pressed a resting plate against its stop all along: within a piece the area is least at one of its
+    /// ends, and the slip at the last.
     fn must_have_been_held(&self, y: &[f64; 4]) -> Result<(), Refusal> {
         let Behind::Held(from) = self.behind else { return Ok(()) };
         let phase = self.phase;

@@ -22,7 +22,7 @@ pub(super) use outcome::MaximumDisplacement;
 const LOCAL: f64 = 1e-4;
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps: their local
 /// tolerance of the scale that matters to the depth.
-const UNFELT: f64 = 1e-7;
+const UNRESOLVED_SPEED: f64 = 1e-7;
 
 /// The law of a spring or a damper close to the zero of its argument, displacement or velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +81,7 @@ pub(super) struct Body<'a> {
     /// Times the interface has yielded since the hole last became noticeably deeper.
     pub(super) yields_since_deeper: usize,
     /// Depth of the hole when it last did, as travel, m.
-    noticed_m: f64,
+    counted_depth_m: f64,
 }
 
 impl<'a> Body<'a> {
@@ -116,7 +116,7 @@ impl<'a> Body<'a> {
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,
             yields_since_deeper: 0,
-            noticed_m: 0.0,
+            counted_depth_m: 0.0,
         }
     }
 
@@ -225,7 +225,8 @@ impl<'a> Body<'a> {
     /// Whether the plate moves so slowly during the contact that it matters to nothing else.
     pub(super) fn plate_is_unresolved(&self) -> bool {
         self.is_sliding()
-            && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
+            && self.state.plate_m_s.abs()
+                <= UNRESOLVED_SPEED * self.tolerance * self.problem.velocity_m_s
     }
 
     /// Part of the travel, and of the impact velocity, below which the plate's errors do not matter to the depth.
@@ -268,8 +269,8 @@ impl<'a> Body<'a> {
     /// Count how often the interface yielded without a noticeably deeper hole.
     pub(super) fn count_yields(&mut self) {
         let noticeable = self.problem.scene.run.tolerance * self.deepest_m;
-        if self.deepest_m > self.noticed_m + noticeable {
-            self.noticed_m = self.deepest_m;
+        if self.deepest_m > self.counted_depth_m + noticeable {
+            self.counted_depth_m = self.deepest_m;
             self.yields_since_deeper = 0;
         } else {
             self.yields_since_deeper += 1;

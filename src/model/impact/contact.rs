@@ -3,9 +3,9 @@
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::motion::State;
-use crate::model::plan::{IMMOBILE, holds_still};
+use crate::model::plan::{FIXED_MOTION, plate_is_fixed};
 use crate::model::run::Mode;
 use crate::numerics::{larger, maximum, smaller};
 
@@ -14,7 +14,7 @@ const LIMIT_MARGIN: f64 = 0.05;
 /// Points to draw on each stretch of the closed form.
 const POINTS: usize = 16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Answer {
+pub(super) enum PlateResponse {
     Rigid,
     /// The mechanism cannot move it noticeably.
     Fixed,
@@ -25,28 +25,30 @@ pub(super) enum Answer {
 }
 
 impl Problem {
-    pub(super) fn find_answer(&self) -> Answer {
+    pub(super) fn find_plate_response(&self) -> PlateResponse {
         if !self.flows() {
-            Answer::Mechanism
+            PlateResponse::Mechanism
         } else if self.rigid {
-            Answer::Rigid
+            PlateResponse::Rigid
         } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
-            Answer::Free
-        } else if holds_still(&self.passage(false), &self.mechanism, self.start_m) {
-            Answer::Fixed
+            PlateResponse::Free
+        } else if plate_is_fixed(&self.passage(false), &self.mechanism, self.start_m) {
+            PlateResponse::Fixed
         } else {
-            Answer::Mechanism
+            PlateResponse::Mechanism
         }
     }
 }
 
-impl Track<'_> {
+impl Simulation<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
     pub(super) fn begin(&mut self) {
-        let answer = self.body.problem.answer;
-        let done = match answer {
-            Answer::Rigid | Answer::Fixed | Answer::Free => self.contact_in_closed_form(answer),
-            Answer::Mechanism => false,
+        let plate_response = self.body.problem.plate_response;
+        let done = match plate_response {
+            PlateResponse::Rigid | PlateResponse::Fixed | PlateResponse::Free => {
+                self.contact_in_closed_form(plate_response)
+            }
+            PlateResponse::Mechanism => false,
         };
         if !done {
             match self.body.missed_contact_event() {
@@ -64,9 +66,9 @@ impl Track<'_> {
     }
 
     /// The whole contact at once; `false`, with nothing changed, where the closed form does not serve.
-    fn contact_in_closed_form(&mut self, answer: Answer) -> bool {
+    fn contact_in_closed_form(&mut self, plate_response: PlateResponse) -> bool {
         let problem = self.body.problem;
-        let free = answer == Answer::Free;
+        let free = plate_response == PlateResponse::Free;
         let passage = problem.passage(free);
         let ending = passage.ending();
         if let Ending::Exit { velocity_m_s } = ending
@@ -83,21 +85,21 @@ impl Track<'_> {
         if last.t_s.is_nan() || last.t_s > problem.horizon_s {
             return false;
         }
-        let share =
+        let plate_fraction =
             if free { problem.projectile_kg * problem.cos / problem.joined_kg } else { 0.0 };
         for moment in &moments {
-            self.pass(moment, share);
+            self.apply_moment(moment, plate_fraction);
         }
         let slip_energy =
             problem.velocity_m_s * problem.velocity_m_s - last.slip_m_s * last.slip_m_s;
         self.record.work.penetration_j = 0.5 * slip_energy / passage.mobility_per_kg;
         self.record.peak_contact_n = peak_n(&passage, &moments);
         if matches!(ending, Ending::Arrest { .. }) {
-            if answer == Answer::Fixed {
+            if plate_response == PlateResponse::Fixed {
                 self.body.fixed = true;
                 let force = self.body.interface_n() * problem.cos;
                 self.body.state.plate_m =
-                    smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
+                    smaller(problem.mechanism.spring.at_force(force), FIXED_MOTION);
             }
             self.handle(EventId::SlipZero);
         }
@@ -105,15 +107,15 @@ impl Track<'_> {
     }
 
     /// One moment of the closed form: the plate has what momentum the projectile lost.
-    fn pass(&mut self, moment: &Moment, share: f64) {
+    fn apply_moment(&mut self, moment: &Moment, plate_fraction: f64) {
         let problem = self.body.problem;
         let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
         let state = State {
             t_s: moment.t_s,
             travel_m: moment.travel_m,
             slip_m_s: moment.slip_m_s,
-            plate_m: problem.start_m + share * gone,
-            plate_m_s: share * (problem.velocity_m_s - moment.slip_m_s),
+            plate_m: problem.start_m + plate_fraction * gone,
+            plate_m_s: plate_fraction * (problem.velocity_m_s - moment.slip_m_s),
         };
         let at_joint =
             problem.geometry.pieces().iter().any(|piece| {

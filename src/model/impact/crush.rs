@@ -6,7 +6,7 @@
 use std::sync::OnceLock;
 
 use crate::model::impact::problem::Problem;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{Spring, inertia};
 use crate::model::scene::SpringKind;
 use crate::numerics::larger;
@@ -51,9 +51,9 @@ impl Problem {
     }
 }
 
-impl Track<'_> {
-    /// A plate that no longer goes forward unloads the absorbers it has crushed from where it is; the energy spent on crushing them
-    /// is dissipated.
+impl Simulation<'_> {
+    /// A plate that no longer goes forward unloads the absorbers it has crushed from where it is; the energy spent on crushing
+    /// them is dissipated.
     pub(super) fn unload_absorbers(&mut self) {
         if self.body.state.plate_m_s > 0.0 || !self.body.problem.has_absorber() {
             return;

@@ -6,15 +6,15 @@
 
 use crate::model::event_function::EventId;
 use crate::model::impact::body::side;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::stop::{Hit, SLOW};
 use crate::model::motion::State;
 use crate::model::run::{Arrest, EventKind, Mode};
 
 /// First step of the implicit method, relative to the time reached, where the plate is too slow for Taylor steps.
-const UNFELT_STEP: f64 = 1e-3;
+const UNRESOLVED_STEP: f64 = 1e-3;
 
-impl Track<'_> {
+impl Simulation<'_> {
     pub(super) fn handle(&mut self, event: EventId) {
         match event {
             EventId::PieceEnd => self.piece_end(),
@@ -159,7 +159,7 @@ impl Track<'_> {
         let carried = if self.body.is_still() {
             0.0
         } else {
-            self.body.problem.share * motion.mechanism_force(&self.body.state)
+            self.body.problem.interface_fraction * motion.mechanism_force(&self.body.state)
         };
         let (push, pull) = self.body.interface_limits_n();
         let limit = if carried > push {
@@ -217,7 +217,7 @@ impl Track<'_> {
         } else if self.body.plate_is_unresolved() {
             // Below what Taylor steps resolve: the implicit method follows the spring's force instead.
             self.control.stiff = true;
-            self.control.unit_s = UNFELT_STEP * self.body.state.t_s;
+            self.control.unit_s = UNRESOLVED_STEP * self.body.state.t_s;
         } else {
             self.omit_spring();
         }
@@ -325,16 +325,16 @@ mod tests {
         mode: Mode,
         event: EventId,
         state: [f64; 4],
-        look: impl Fn(&Track<'_>) -> T,
+        look: impl Fn(&Simulation<'_>) -> T,
     ) -> T {
         let problem = Problem::with(pairs);
-        let mut track = Track::at(&problem, mode, state);
-        track.apply_transition(event);
-        look(&track)
+        let mut simulation = Simulation::at(&problem, mode, state);
+        simulation.apply_transition(event);
+        look(&simulation)
     }
 
-    fn noted(track: &Track<'_>) -> Vec<EventKind> {
-        track.record.events.iter().map(|event| event.kind).collect()
+    fn noted(simulation: &Simulation<'_>) -> Vec<EventKind> {
+        simulation.record.events.iter().map(|event| event.kind).collect()
     }
 
     /// Mode, slip and plate velocity after an event, and what is noted of it.
@@ -344,9 +344,9 @@ mod tests {
         event: EventId,
         state: [f64; 4],
     ) -> (Mode, f64, f64, Vec<EventKind>) {
-        look(pairs, mode, event, state, |track| {
-            let State { slip_m_s, plate_m_s, .. } = track.body.state;
-            (track.body.mode, slip_m_s, plate_m_s, noted(track))
+        look(pairs, mode, event, state, |simulation| {
+            let State { slip_m_s, plate_m_s, .. } = simulation.body.state;
+            (simulation.body.mode, slip_m_s, plate_m_s, noted(simulation))
         })
     }
 
@@ -383,7 +383,8 @@ mod tests {
 
     type Change = (&'static str, EventId, [f64; 4], fn(&Body<'_>) -> bool, &'static [EventKind]);
 
-    /// Scene, event and state (q, u, x, w) of joined bodies whose plate starts forward from 0, what holds afterwards, and the notes.
+    /// Scene, event and state (q, u, x, w) of joined bodies whose plate starts forward from 0, what holds afterwards, and the
+    /// notes.
     #[rustfmt::skip]
     const CHANGES: [Change; 12] = [
         ("k=1e5 n=2", EventId::PlateZero, [5e-3, 0.0, 0.0, -3.0], |body| body.x_zero.side < 0.0, &[]),
@@ -405,15 +406,16 @@ mod tests {
     #[test]
     fn an_event_of_the_plate_changes_its_law_or_its_side_and_leaves_the_mode() {
         for (pairs, event, state, holds, notes) in CHANGES {
-            look(pairs, Mode::Fused, event, state, |track| {
-                assert!(holds(&track.body), "{pairs} {event:?}");
-                assert_eq!(track.body.mode, Mode::Fused, "{pairs} {event:?}");
-                assert_eq!(noted(track), notes, "{pairs} {event:?}");
+            look(pairs, Mode::Fused, event, state, |simulation| {
+                assert!(holds(&simulation.body), "{pairs} {event:?}");
+                assert_eq!(simulation.body.mode, Mode::Fused, "{pairs} {event:?}");
+                assert_eq!(noted(simulation), notes, "{pairs} {event:?}");
             });
         }
     }
 
-    /// The ends of pieces that are not exits: the nose is in, then its front is at the rear face; a dent that is left changes nothing.
+    /// The ends of pieces that are not exits: the nose is in, then its front is at the rear face; a dent that is left changes
+    /// nothing.
     #[test]
     fn an_end_of_a_piece_is_noted_by_its_place() {
         let radius_m = 0.00635;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::model::impact::TERMS;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::report;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::run::Observer;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
@@ -29,14 +29,14 @@ pub enum Forced {
 pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let problem = Problem::of(scene);
-    let mut track = Track::new(&problem, scene.run.tolerance, false);
-    track.control.unit_s = 0.1 * problem.time_scales().contact_s;
-    track.start();
-    if track.control.stiff && forced == Forced::Taylor {
+    let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
+    simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
+    simulation.start();
+    if simulation.control.stiff && forced == Forced::Taylor {
         return Ok(None);
     }
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
-    let end = track.run::<TERMS>(observer);
-    let gave_way = forced == Forced::Taylor && track.control.stiff_steps > 0;
-    Ok((!gave_way).then(|| report::gather(&problem, track, end)))
+    let end = simulation.run::<TERMS>(observer);
+    let gave_way = forced == Forced::Taylor && simulation.control.stiff_steps > 0;
+    Ok((!gave_way).then(|| report::gather(&problem, simulation, end)))
 }

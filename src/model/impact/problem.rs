@@ -5,19 +5,19 @@ use std::sync::{Arc, OnceLock};
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactModel};
-use crate::model::impact::contact::Answer;
+use crate::model::impact::contact::PlateResponse;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
 use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Mount, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
 /// waited for at most.
-const CREPT: f64 = 1e-14;
+const RETURNED: f64 = 1e-14;
 const DECAY_MAX: f64 = 50.0;
 
 /// Oscillations of the spring, with all energy in it, after which a run ends at the latest, and where the interface may yield.
-const SWINGS: f64 = 20.0;
-const SLIPPING_SWINGS: f64 = 100.0;
+const OSCILLATIONS: f64 = 20.0;
+const PLASTIC_OSCILLATIONS: f64 = 100.0;
 
 /// Everything the run needs to know about its scene.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Problem {
     /// `m_2` + `m_p` cos², the mass that moves with the plate when both move together, kg.
     pub(super) joined_kg: f64,
     /// Part of the mechanism's force that the interface carries while fused: `m_p` cos / joined mass.
-    pub(super) share: f64,
+    pub(super) interface_fraction: f64,
     pub(super) cos: f64,
     /// `S_y`, Pa.
     pub(super) strength_pa: f64,
@@ -49,15 +49,15 @@ pub(super) struct Problem {
     pub(super) start_m: f64,
     /// When the run ends at the latest, s.
     pub(super) horizon_s: f64,
-    pub(super) answer: Answer,
+    pub(super) plate_response: PlateResponse,
     /// How far the plate yields within the contact, relative to the travel.
     pub(super) yields_part: f64,
     /// Penetration on a rigid mount, m; `None` where that perforates, or the contact model knows no depth.
     pub(super) baseline_m: Option<f64>,
     /// The scene gives the horizon: the run goes on to it.
-    pub(super) horizon_is_asked: bool,
+    pub(super) horizon_is_given: bool,
     /// How many times as long as usual a run that oscillates on undecided is followed.
-    pub(super) patience: usize,
+    pub(super) oscillation_factor: usize,
     /// How far the absorbers among the two springs have been crushed, m.
     pub(super) crushed_m: [f64; 2],
     /// The same impact once they are crushed farther.
@@ -97,7 +97,7 @@ impl Problem {
             plate_kg,
             inertia,
             joined_kg,
-            share: projectile_kg * cos / joined_kg,
+            interface_fraction: projectile_kg * cos / joined_kg,
             cos,
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
             drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
@@ -108,17 +108,17 @@ impl Problem {
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             start_m,
             horizon_s: 0.0,
-            answer: Answer::Mechanism,
+            plate_response: PlateResponse::Mechanism,
             yields_part: 1.0,
             baseline_m: None,
-            horizon_is_asked: scene.run.horizon_s.is_some(),
-            patience: 1,
+            horizon_is_given: scene.run.horizon_s.is_some(),
+            oscillation_factor: 1,
             crushed_m: [0.0; 2],
             next: OnceLock::new(),
         };
         let baseline = problem.contact.hole_on_rigid_mount_m();
         problem.baseline_m = baseline.map(|travel_m| problem.geometry.depth_m(travel_m));
-        problem.answer = problem.find_answer();
+        problem.plate_response = problem.find_plate_response();
         problem.yields_part = problem.time_scales().yields_part;
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
@@ -177,7 +177,7 @@ impl Problem {
                 ways.into_iter().filter(|far| far.is_finite()).fold(0.0, larger)
             }
         };
-        let swing = far / speed * 8.0;
+        let oscillation = far / speed * 8.0;
         // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.
         let fading = if damper.is_absent() {
             0.0
@@ -186,8 +186,8 @@ impl Problem {
         };
         let mut horizon = contact;
         // The first half-oscillation of a joined body decides; one that slips in its hole loses energy for many oscillations.
-        let swings = if self.plastic { SLIPPING_SWINGS } else { SWINGS };
-        for part in [swings * swing, fading, self.creeping_s(far)] {
+        let oscillations = if self.plastic { PLASTIC_OSCILLATIONS } else { OSCILLATIONS };
+        for part in [oscillations * oscillation, fading, self.creeping_s(far)] {
             if part.is_finite() {
                 horizon += part;
             }
@@ -195,7 +195,7 @@ impl Problem {
         horizon
     }
 
-    /// The time in which a plate without inertia comes back from a displacement to [`CREPT`] of it, s: b w^m = k x^n. It is an
+    /// The time in which a plate without inertia comes back from a displacement to [`RETURNED`] of it, s: b w^m = k x^n. It is an
     /// exponential decay for n = m and ends in a finite time for n < m; for n > m it goes on for ever, and is cut short.
     fn creeping_s(&self, far_m: f64) -> f64 {
         let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
@@ -205,9 +205,9 @@ impl Problem {
         }
         let speed = (law.force(far_m) / damper.coefficient).powf(1.0 / damper.exponent);
         let power = 1.0 - law.exponent / damper.exponent;
-        // The integral of z^(power - 1) from CREPT to 1.
+        // The integral of z^(power - 1) from RETURNED to 1.
         let decay =
-            if power.abs() < 1e-6 { -CREPT.ln() } else { (1.0 - CREPT.powf(power)) / power };
+            if power.abs() < 1e-6 { -RETURNED.ln() } else { (1.0 - RETURNED.powf(power)) / power };
         smaller(decay, DECAY_MAX) * far_m / speed
     }
 }

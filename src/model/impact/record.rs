@@ -5,7 +5,7 @@ use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, EnergyLedger, Event, EventKind, Mode, Sample};
-use crate::numerics::root::each_fall;
+use crate::numerics::root::each_down_crossing;
 use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
 
@@ -24,7 +24,7 @@ const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
 /// Part of a series' variation by which it may miss its quantity at the end of a step.
 const CONVERGED: f64 = 1e-7;
 
-/// Everything that was noticed.
+/// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Record<'a> {
     pub(super) keep_series: bool,
@@ -76,7 +76,9 @@ impl Setting<'_> {
             (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
         let contact = match mode {
             Mode::Fused if body.is_still() => 0.0,
-            Mode::Fused => problem.share * (spring + damper + motion.stop.force(state)),
+            Mode::Fused => {
+                problem.interface_fraction * (spring + damper + motion.stop.force(state))
+            }
             _ => motion.contact_force(state),
         };
         let stop = if body.rests_on_stop {
@@ -177,7 +179,8 @@ impl Record<'_> {
         self.draw(setting, times, POINTS_PER_STEP, |part| e.state(span * part));
     }
 
-    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number of equal parts.
+    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number
+    /// of equal parts.
     pub(super) fn draw(
         &mut self,
         setting: &Setting<'_>,
@@ -222,7 +225,7 @@ impl Record<'_> {
             }
             Mode::Fused => {
                 // The greatest forces forwards and backwards so far, as far as the interface's strength says.
-                let per_ratio_n = body.interface_n() / problem.share;
+                let per_ratio_n = body.interface_n() / problem.interface_fraction;
                 let push_n = self.push_ratio.unwrap_or(0.0) * per_ratio_n;
                 let pull_n = self.pull_ratio * per_ratio_n;
                 self.carried(body, greatest(Force::Push, push_n), greatest(Force::Pull, pull_n));
@@ -244,14 +247,14 @@ impl Record<'_> {
         }
     }
 
-    /// Note the greatest forces of the mechanism, forwards and backwards, N, that the interface has to share while fused.
+    /// Note the greatest forces of the mechanism, forwards and backwards, N; a fused interface carries its fraction of them.
     pub(super) fn carried(&mut self, body: &Body<'_>, push_n: f64, pull_n: f64) {
         if body.is_still() || !body.problem.flows() {
             return;
         }
         let interface_n = body.interface_n();
         if interface_n > 0.0 {
-            let part = body.problem.share / interface_n;
+            let part = body.problem.interface_fraction / interface_n;
             let (push, pull) = (part * push_n, part * pull_n);
             let known = self.push_ratio.unwrap_or(0.0);
             self.push_ratio = Some(if push > known { push } else { known });
@@ -290,9 +293,9 @@ const RECIPROCALS: [f64; TERMS_MAX] = {
     reciprocals
 };
 
-/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where the
-/// slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that has not
-/// converged, although those of the state have, says nothing.
+/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where
+/// the slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that
+/// has not converged, although those of the state have, says nothing.
 fn greatest<const N: usize>(
     series: &[f64; N],
     span: f64,
@@ -315,7 +318,7 @@ fn greatest<const N: usize>(
     let does_not_matter = bend <= series[1].abs() || start + size <= known;
     let mut most = best;
     if !does_not_matter {
-        each_fall(&slope(series), span, |s| most = larger(value(s), most));
+        each_down_crossing(&slope(series), span, |s| most = larger(value(s), most));
     }
     most
 }

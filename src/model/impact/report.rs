@@ -1,11 +1,11 @@
-//! The [`Run`] from a finished track.
+//! The [`Run`] from a finished simulation.
 
 use std::sync::Arc;
 
 use crate::model::impact::body::MaximumDisplacement;
-use crate::model::impact::contact::Answer;
+use crate::model::impact::contact::PlateResponse;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
     AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, ModelNote, Outcome, Run,
@@ -15,14 +15,16 @@ use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 
 /// Displacements this part apart are the same.
-const AS_FAR: f64 = 1e-8;
+const SAME_DISPLACEMENT: f64 = 1e-8;
 
-pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
-    let outcome =
-        track.termination.decided.map_or_else(|| track.body.outcome(), |decided| decided.0);
-    let ledger = ledger(problem, &track);
+pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: EndReason) -> Run {
+    let outcome = simulation
+        .termination
+        .decided
+        .map_or_else(|| simulation.body.outcome(), |decided| decided.0);
+    let ledger = ledger(problem, &simulation);
     let geometry = &problem.geometry;
-    let hole_m = problem.contact.hole_m(track.body.deepest_m);
+    let hole_m = problem.contact.hole_m(simulation.body.deepest_m);
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
     let final_penetration_m = match outcome {
         Outcome::Arrested | Outcome::Separated => hole_m,
@@ -30,37 +32,38 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         Outcome::Moving => None,
     };
     let penetration_at_most_m =
-        if outcome == Outcome::Moving { track.body.depth_at_most_m() } else { None };
+        if outcome == Outcome::Moving { simulation.body.depth_at_most_m() } else { None };
     // What can only get deeper by less than the run's own error is as deep as it gets.
     let unseen = problem.scene.run.tolerance;
     let final_penetration_m = final_penetration_m.or_else(|| {
         let at_most_m = penetration_at_most_m?;
         hole_m.filter(|depth_m| at_most_m - depth_m <= unseen * depth_m)
     });
-    let so_far_m = track.record.max_displacement_m;
-    let farthest = match track.termination.farthest {
+    let so_far_m = simulation.record.max_displacement_m;
+    let max_displacement = match simulation.termination.max_displacement {
         MaximumDisplacement::Known(x) => Some(larger(x, so_far_m)),
-        MaximumDisplacement::Pending if track.body.displacement_is_greatest(so_far_m) => {
+        MaximumDisplacement::Pending if simulation.body.displacement_is_greatest(so_far_m) => {
             Some(so_far_m)
         }
         MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     };
-    let mut warnings = warnings(problem, &track, end, &ledger, farthest.unwrap_or(so_far_m));
-    warnings.extend(notes(problem, &track, final_penetration_m).map(Warning::Model));
+    let mut warnings =
+        warnings(problem, &simulation, end, &ledger, max_displacement.unwrap_or(so_far_m));
+    warnings.extend(notes(problem, &simulation, final_penetration_m).map(Warning::Model));
     let at_least = AtLeast {
         penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
-        plate_displacement_m: (farthest.is_none()
-            && track.termination.farthest == MaximumDisplacement::Pending)
+        plate_displacement_m: (max_displacement.is_none()
+            && simulation.termination.max_displacement == MaximumDisplacement::Pending)
             .then_some(so_far_m),
     };
     if outcome == Outcome::Moving || !at_least.is_empty() {
         warnings.push(Warning::StillMoving { outcome, at_least });
     }
-    let cost = cost(problem, &track);
-    let mechanism = load(problem, &track, farthest);
-    let omitted = omitted(problem, &track);
-    tidy_events(&mut track);
-    let record = track.record;
+    let cost = cost(problem, &simulation);
+    let mechanism = load(problem, &simulation, max_displacement);
+    let omitted = omitted(problem, &simulation);
+    tidy_events(&mut simulation);
+    let record = simulation.record;
     Run {
         scene: Arc::clone(&problem.scene),
         outcome,
@@ -72,7 +75,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
             .filter(|_| problem.rigid && !problem.flows())
             .or(problem.baseline_m),
         peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
-        max_plate_displacement_m: farthest,
+        max_plate_displacement_m: max_displacement,
         at_least,
         penetration_at_most_m,
         residual_velocity_m_s: record.exit.map(|exit| exit.1),
@@ -92,12 +95,12 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
     }
 }
 
-fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
+fn ledger(problem: &Problem, simulation: &Simulation<'_>) -> EnergyLedger {
     let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
-    let state = &track.body.state;
+    let state = &simulation.body.state;
     let speed = state.slip_m_s + state.plate_m_s * problem.cos;
     let spring = &problem.mechanism.spring;
-    let (spring_j, crush_j) = track.spring_energies();
+    let (spring_j, crush_j) = simulation.spring_energies();
     let added_kg = problem.inertia.added_kg();
     EnergyLedger {
         initial_kinetic_j: kinetic(problem.projectile_kg, problem.velocity_m_s),
@@ -107,16 +110,21 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
         inertia_j: kinetic(added_kg, state.plate_m_s),
         spring_j,
         crush_j,
-        ..track.record.work
+        ..simulation.record.work
     }
 }
 
-fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> MechanismLoad {
+fn load(
+    problem: &Problem,
+    simulation: &Simulation<'_>,
+    max_displacement: Option<f64>,
+) -> MechanismLoad {
     let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
-    let speed = track.body.speed_scale_m_s;
-    let asked = |x: f64| load::stress_ratio(&problem.scene, x);
-    let ends = farthest.filter(|_| !problem.rigid).map(|far| [problem.start_m, far]);
-    let stress = ends.and_then(|[from, to]| Some(larger(asked(from)?, asked(to)?)));
+    let speed = simulation.body.speed_scale_m_s;
+    let stress_ratio_at = |x: f64| load::stress_ratio(&problem.scene, x);
+    let ends = max_displacement.filter(|_| !problem.rigid).map(|far| [problem.start_m, far]);
+    let stress =
+        ends.and_then(|[from, to]| Some(larger(stress_ratio_at(from)?, stress_ratio_at(to)?)));
     let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
     MechanismLoad {
         stored_j: ends
@@ -125,30 +133,33 @@ fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> Mechanis
         yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
         added_kg: positive(inertia.added_kg()),
         spring_mass_kg: inertia.spring_mass_kg,
-        peak_mount_n: problem.follows_mount_force().then_some(track.record.peak_mount_n),
+        peak_mount_n: problem.follows_mount_force().then_some(simulation.record.peak_mount_n),
         rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
     }
 }
 
 fn warnings(
     problem: &Problem,
-    track: &Track<'_>,
+    simulation: &Simulation<'_>,
     end: EndReason,
     ledger: &EnergyLedger,
     far: f64,
 ) -> Vec<Warning> {
-    let record = &track.record;
+    let record = &simulation.record;
     let mut list = Vec::new();
     if !end.is_complete() {
-        let (t_s, horizon_s) = (track.body.state.t_s, problem.horizon_s);
-        list.push(if problem.horizon_is_asked {
+        let (t_s, horizon_s) = (simulation.body.state.t_s, problem.horizon_s);
+        list.push(if problem.horizon_is_given {
             Warning::HorizonNotReached { reason: end, t_s, horizon_s }
         } else {
             Warning::EndedEarly(end)
         });
     }
     if record.is_thinned {
-        list.push(Warning::SeriesThinned { rows: record.series.len(), steps: track.control.steps });
+        list.push(Warning::SeriesThinned {
+            rows: record.series.len(),
+            steps: simulation.control.steps,
+        });
     }
     if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
         list.push(Warning::InterfacePush { ratio, t_s });
@@ -178,7 +189,7 @@ fn warnings(
 /// The effects that the contact model does not contain.
 fn notes(
     problem: &Problem,
-    track: &Track<'_>,
+    simulation: &Simulation<'_>,
     depth_m: Option<f64>,
 ) -> impl Iterator<Item = ModelNote> {
     let scene = &problem.scene;
@@ -187,14 +198,18 @@ fn notes(
     let notes = [
         (through && !problem.flows()).then_some(ModelNote::DeeperThanPlate),
         (plastic && !problem.flows()).then_some(ModelNote::NoPlasticLaw),
-        problem.contact.note(track.record.first_arrest.map(|arrest| arrest.t_s)),
+        problem.contact.note(simulation.record.first_arrest.map(|arrest| arrest.t_s)),
     ];
     notes.into_iter().flatten()
 }
 
-fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
-    let closed = matches!(problem.answer, Answer::Rigid | Answer::Fixed | Answer::Free);
-    let (method, reason) = match (closed, track.control.steps, track.control.stiff_steps) {
+fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
+    let closed = matches!(
+        problem.plate_response,
+        PlateResponse::Rigid | PlateResponse::Fixed | PlateResponse::Free
+    );
+    let (method, reason) = match (closed, simulation.control.steps, simulation.control.stiff_steps)
+    {
         (true, 0, _) => ("closed form", "only inertia resists the projectile"),
         (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
         (_, _, 0) => ("Taylor 16", "smooth between events"),
@@ -202,22 +217,22 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
         (_, _, _) => ("Taylor 16 + Radau IIA 5", "partly stiff"),
     };
     Cost {
-        steps: track.control.steps,
-        rejected: track.control.rejected,
-        turns: track.control.turns,
-        events: track.control.event_count,
-        rhs_evaluations: track.control.evaluations,
+        steps: simulation.control.steps,
+        rejected: simulation.control.rejected,
+        turns: simulation.control.turns,
+        events: simulation.control.event_count,
+        rhs_evaluations: simulation.control.evaluations,
         method,
         reason,
     }
 }
 
-fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<&'static str> {
+fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
-    let answer = problem.answer;
-    let reached = track.record.max_displacement_m;
-    let onward = matches!(track.termination.farthest, MaximumDisplacement::Known(far) if far > reached * (1.0 + AS_FAR));
+    let plate_response = problem.plate_response;
+    let reached = simulation.record.max_displacement_m;
+    let onward = matches!(simulation.termination.max_displacement, MaximumDisplacement::Known(far) if far > reached * (1.0 + SAME_DISPLACEMENT));
     let rows = [
         (problem.rigid, "plate motion"),
         (spring.is_absent(), "spring"),
@@ -226,24 +241,27 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<&'static str> {
         (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
         (whole(damper.kind()), "damper power function"),
         (problem.geometry.nose.sin == 0.0, "obliquity"),
-        (!problem.flows() || track.body.deepest_m <= problem.geometry.bend_m, "exit face"),
-        (track.control.steps == 0, "integration (closed form)"),
-        (answer == Answer::Fixed, STILL_WITHIN_CONTACT),
+        (!problem.flows() || simulation.body.deepest_m <= problem.geometry.bend_m, "exit face"),
+        (simulation.control.steps == 0, "integration (closed form)"),
+        (plate_response == PlateResponse::Fixed, STILL_WITHIN_CONTACT),
         (!problem.plastic, "interface law"),
         (problem.drag_kg_m3 == 0.0, "drag"),
         (onward, "way to the greatest displacement (energy balance)"),
-        (!track.record.keep_series, "series"),
+        (!simulation.record.keep_series, "series"),
     ];
     rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
 }
 
 /// Of the displacement's maxima on the way only the greatest is reported as an event.
-fn tidy_events(track: &mut Track<'_>) {
-    let greatest = track.record.max_displacement_s;
-    let last =
-        track.record.events.iter().rposition(|event| event.kind == EventKind::GreatestDisplacement);
+fn tidy_events(simulation: &mut Simulation<'_>) {
+    let greatest = simulation.record.max_displacement_s;
+    let last = simulation
+        .record
+        .events
+        .iter()
+        .rposition(|event| event.kind == EventKind::GreatestDisplacement);
     let mut index = 0;
-    track.record.events.retain(|event| {
+    simulation.record.events.retain(|event| {
         let keep = event.kind != EventKind::GreatestDisplacement
             || (Some(index) == last && event.t_s >= greatest);
         index += 1;

@@ -1,15 +1,15 @@
 //! Crossing steps: through the zero of a non-integer power law at once, with the law's own argument as the independent variable.
 //!
-//! A spring |x|^n with a non-integer n is singular where the plate comes through x = 0, a damper |w|^m where it turns round; Taylor
-//! steps come closer to such a moment, and leave it again, only part by part. But the plate comes through zero with speed, and
-//! turns round with acceleration: there, time and path are functions of x, or of w, in which only known powers are singular
+//! A spring |x|^n with a non-integer n is singular where the plate comes through x = 0, a damper |w|^m where it turns round;
+//! Taylor steps come closer to such a moment, and leave it again, only part by part. But the plate comes through zero with speed,
+//! and turns round with acceleration: there, time and path are functions of x, or of w, in which only known powers are singular
 //! ([`crate::numerics::graded`]). Past x = 0 the unknown is the energy of plate and spring instead of the speed: the spring
 //! returns exactly what it took.
 //!
 //! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
 use crate::model::event_function::{EventFunction, EventId};
-use crate::model::impact::track::{Track, is_finite};
+use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
 use crate::model::run::Mode;
@@ -25,35 +25,35 @@ use independent_variable::{IndependentVariable, Law, Unknowns};
 /// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a crossing
 /// step, at tolerance 1, and how it falls with the tolerance: two computations do not share their crossing steps, and with them
 /// their errors.
-const SHARE: f64 = 0.4;
-const SHARE_POWER: f64 = 0.025;
+const EXCHANGED_PART: f64 = 0.4;
+const EXCHANGED_POWER: f64 = 0.025;
 /// How often a crossing step out of the zero is shortened, and by what part, until it is accurate.
 const TRIALS: usize = 6;
-const SHORTER: f64 = 0.4;
+const SHORTENING: f64 = 0.4;
 /// Part of the distance at which a crossing step inwards was refused from which on it is tried again.
-const NEARER: f64 = 0.4;
+const RETRY_PART: f64 = 0.4;
 /// Mark of a zero from which no crossing step outwards was good.
-const GIVEN_UP: f64 = 0.0;
+const REFUSED: f64 = 0.0;
 /// A crossing step outwards begins no further from zero than this part of where it ends.
-const CLOSE: f64 = 0.3;
+const START_PART: f64 = 0.3;
 /// How many times more accurate the finer of the two rules is than their difference says, at least and usually, and what
 /// rounding leaves of the difference.
-const FINER: f64 = 100.0;
-const USUALLY_FINER: f64 = 1_000.0;
+const ACCURACY_GAIN_MIN: f64 = 100.0;
+const ACCURACY_GAIN: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
 /// The least path of a crossing step on an elastic stop, relative to the displacement: the stop's force is known to the
 /// displacement's rounding.
-const OF_STOP: f64 = 1e-3;
+const STOP_PATH_MIN: f64 = 1e-3;
 /// Part of its greatest value on a stretch from which on an event function that starts from zero shows its sign.
-const SEEN: f64 = 1e-9;
+const SIGN_THRESHOLD: f64 = 1e-9;
 /// How far from zero an event function may be where it has fallen, relative to its value at the start.
-const LANDED: f64 = 1e-9;
+const EVENT_TOLERANCE: f64 = 1e-9;
 /// Ulps of the time that a fall keeps from the zero.
-const TICKS: f64 = 500.0;
+const ZERO_DISTANCE_TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
-const SOLVING: usize = 10;
+const COLLOCATION_WORK: usize = 10;
 /// Every this many of a crossing step's points are drawn.
-const DRAWN: usize = 4;
+const DRAWN_EVERY: usize = 4;
 
 /// A crossing step has been taken, and this event ended it.
 pub(super) struct Crossed(pub(super) Option<EventId>);
@@ -63,10 +63,10 @@ struct Stretch {
     graded: Graded<4>,
     states: [State; POINTS],
     end: State,
-    fired: Option<EventId>,
+    detected: Option<EventId>,
 }
 
-impl Track<'_> {
+impl Simulation<'_> {
     /// Take a crossing step, if a non-integer law's zero is close enough.
     pub(super) fn cross_singularity(&mut self) -> Option<Crossed> {
         if self.body.is_still()
@@ -86,7 +86,7 @@ impl Track<'_> {
     fn cross_by(&mut self, law: Law) -> Option<Crossed> {
         let motion = self.body.motion();
         let variable = IndependentVariable::new(law, &motion, self.body.state);
-        let room = variable.room(SHARE * self.body.tolerance.powf(SHARE_POWER));
+        let room = variable.room(EXCHANGED_PART * self.body.tolerance.powf(EXCHANGED_POWER));
         if variable.heading == 0.0 || !room.is_finite() {
             return None;
         }
@@ -104,21 +104,21 @@ impl Track<'_> {
     fn cross_in(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
         let from = variable.now().abs();
         let refused = &mut self.control.crossing_refused[variable.law as usize];
-        if *refused == GIVEN_UP {
+        if *refused == REFUSED {
             *refused = f64::INFINITY;
         }
         if from > smaller(*refused, room) {
             return None;
         }
         let Some(stretch) = self.stretch(variable, 0.0) else {
-            self.control.crossing_refused[variable.law as usize] = NEARER * from;
+            self.control.crossing_refused[variable.law as usize] = RETRY_PART * from;
             return None;
         };
         self.go(variable, &stretch);
         if variable.law == Law::Damper && stretch.end.plate_m_s == 0.0 {
             self.turned_round();
         }
-        Some(Crossed(stretch.fired))
+        Some(Crossed(stretch.detected))
     }
 
     /// From the zero, or from close to it, as far as there is room.
@@ -126,12 +126,12 @@ impl Track<'_> {
         // Ordinary steps follow a velocity only as far as it matters: it may seem to have come back towards the zero it has left.
         let now = variable.now() * variable.heading;
         let has_left = now > 0.0 && now < self.control.crossed_to[variable.law as usize].abs();
-        if has_left || self.control.crossing_refused[variable.law as usize] == GIVEN_UP {
+        if has_left || self.control.crossing_refused[variable.law as usize] == REFUSED {
             return None;
         }
         let mut far = room;
         for trial in 0..TRIALS {
-            if variable.now().abs() > CLOSE * far {
+            if variable.now().abs() > START_PART * far {
                 if trial == 0 {
                     return None;
                 }
@@ -140,35 +140,35 @@ impl Track<'_> {
             if let Some(stretch) = self.stretch(variable, variable.heading * far) {
                 self.go(variable, &stretch);
                 self.control.crossed_to[variable.law as usize] = variable.shown(&self.body.state);
-                return Some(Crossed(stretch.fired));
+                return Some(Crossed(stretch.detected));
             }
-            far *= SHORTER;
+            far *= SHORTENING;
         }
-        self.control.crossing_refused[variable.law as usize] = GIVEN_UP;
+        self.control.crossing_refused[variable.law as usize] = REFUSED;
         None
     }
 
     /// The stretch to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let whole = self.unbroken(variable, to)?;
-        let taken = Taken { track: self, variable, whole: &whole };
+        let taken = Taken { simulation: self, variable, whole: &whole };
         let events = self.active_events();
         let mut first: Option<(EventId, EventFunction, SignChange)> = None;
         for (event, form) in events.iter().filter(|(event, _)| *event != variable.own_trigger()) {
-            let value = |state: &State| form.watched(variable.motion, state);
+            let value = |state: &State| form.value_beyond_rounding(variable.motion, state);
             let start = value(&self.body.state);
             let values = whole.states.each_ref().map(value);
             // One that rises from zero is of either sign until it is seen.
-            let unseen = if start == 0.0 { unseen(&values) } else { 0.0 };
+            let sign_threshold = if start == 0.0 { sign_threshold(&values) } else { 0.0 };
             if start == 0.0
-                && values.iter().find(|it| it.abs() > unseen).is_some_and(|it| *it < 0.0)
+                && values.iter().find(|it| it.abs() > sign_threshold).is_some_and(|it| *it < 0.0)
             {
                 // It may have risen and fallen in between, or have fallen from the start.
                 return None;
             }
             let samples = values.into_iter().enumerate().map(|(i, value)| (part_at(i), value));
             let samples = samples.chain([(1.0, value(&whole.end))]);
-            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= unseen);
+            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= sign_threshold);
             let found = first_sign_change(samples, |part| value(&taken.dense(part)));
             if let Some(sign_change) = found
                 && first.as_ref().is_none_or(|first| sign_change.part < first.2.part)
@@ -178,7 +178,7 @@ impl Track<'_> {
         }
         let Some((event, form, sign_change)) = first else { return Some(whole) };
         let landed = taken.landed(&form, &sign_change)?;
-        Some(Stretch { fired: Some(event), ..landed })
+        Some(Stretch { detected: Some(event), ..landed })
     }
 
     /// The stretch to `to`, whatever happens on it, if it is accurate.
@@ -186,21 +186,21 @@ impl Track<'_> {
         let from = variable.now();
         let scale = self.crossing_scale(variable, to - from);
         let on_stop = variable.law == Law::Damper && variable.motion.stop.stiffness_n_m > 0.0;
-        if on_stop && scale[3] < OF_STOP * self.body.state.plate_m.abs() {
+        if on_stop && scale[3] < STOP_PATH_MIN * self.body.state.plate_m.abs() {
             return None;
         }
         let rate = |z: f64, y: &Unknowns| variable.rate(&variable.state(z, y));
-        self.control.worked(SOLVING);
+        self.control.worked(COLLOCATION_WORK);
         let graded = solve(from, to, &[0.0; 4], &scale, rate)?;
         let states = graded.points.each_ref().map(|point| variable.state(point.z, &point.y));
         let end = variable.state(to, &graded.end);
-        let allowed = larger(FINER * self.body.local_tolerance(), DIFFERENCE_ROUNDING);
+        let allowed = larger(ACCURACY_GAIN_MIN * self.body.local_tolerance(), DIFFERENCE_ROUNDING);
         let took_s = graded.end[0];
         let fits = graded.difference <= allowed
             && is_finite(&end)
             && self.body.state.t_s + took_s > self.body.state.t_s
             && self.body.state.t_s + took_s < self.until_s();
-        fits.then_some(Stretch { graded, states, end, fired: None })
+        fits.then_some(Stretch { graded, states, end, detected: None })
     }
 
     /// What errors of the unknowns are measured by, on a stretch of this length: its duration and the plate's own path or energy,
@@ -221,17 +221,17 @@ impl Track<'_> {
 
     /// Take a stretch: work by its own rule, the greatest forces, points to draw.
     fn go(&mut self, variable: &IndependentVariable<'_>, stretch: &Stretch) {
-        let Stretch { graded, states, end, fired } = stretch;
+        let Stretch { graded, states, end, detected } = stretch;
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = self.body.setting(motion);
         for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, variable.rate(state)[0] * point.dz);
-            if place % DRAWN == DRAWN / 2 {
+            if place % DRAWN_EVERY == DRAWN_EVERY / 2 {
                 record.point(&setting, state, false);
             }
         }
-        let taken = Taken { track: self, variable, whole: stretch };
+        let taken = Taken { simulation: self, variable, whole: stretch };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
             let close = |part: f64| value(&taken.dense(part));
@@ -240,7 +240,7 @@ impl Track<'_> {
         self.record = record;
         if self.body.mode != Mode::Fused || self.body.problem.plastic {
             // An oblique section is not smooth enough for the finer rule to gain much.
-            let finer = if motion.contact.is_smooth() { USUALLY_FINER } else { 1.0 };
+            let finer = if motion.contact.is_smooth() { ACCURACY_GAIN } else { 1.0 };
             self.control.crossing_error += graded.difference / finer;
         }
         self.control.steps += 1;
@@ -248,13 +248,13 @@ impl Track<'_> {
         self.control.count_turns(motion.accelerations(&self.body.state).1);
         let took_s = graded.end[0];
         self.control.unit_s = larger(took_s, f64::MIN_POSITIVE);
-        self.arrive(*end, motion, *fired);
+        self.arrive(*end, motion, *detected);
     }
 }
 
 /// A stretch, to look for events on.
 struct Taken<'a, 'b> {
-    track: &'a Track<'b>,
+    simulation: &'a Simulation<'b>,
     variable: &'a IndependentVariable<'a>,
     whole: &'a Stretch,
 }
@@ -269,7 +269,7 @@ impl Arc for Taken<'_, '_> {
     }
 
     fn anew(&self, part: f64) -> Option<Stretch> {
-        self.track.unbroken(self.variable, self.whole.graded.between(part).0)
+        self.simulation.unbroken(self.variable, self.whole.graded.between(part).0)
     }
 
     fn end(&self, _: f64, step: &Stretch) -> State {
@@ -280,22 +280,25 @@ impl Arc for Taken<'_, '_> {
 impl Taken<'_, '_> {
     /// The stretch to where an event function falls.
     fn landed(&self, form: &EventFunction, sign_change: &SignChange) -> Option<Stretch> {
-        let (track, variable) = (self.track, self.variable);
+        let (simulation, variable) = (self.simulation, self.variable);
         let aim = self.whole.graded.between(sign_change.part).0;
-        let seen = TICKS * f64::EPSILON * track.body.state.t_s * variable.speed().abs();
+        let seen =
+            ZERO_DISTANCE_TICKS * f64::EPSILON * simulation.body.state.t_s * variable.speed().abs();
         if aim.abs() < seen {
             // The time does not resolve the fall from the zero.
             let inwards = variable.now() * variable.heading < 0.0;
-            return track.unbroken(variable, if inwards { 0.0 } else { variable.heading * seen });
+            return simulation
+                .unbroken(variable, if inwards { 0.0 } else { variable.heading * seen });
         }
-        let value = |state: &State| form.watched(variable.motion, state);
-        let start = value(&track.body.state).abs();
-        let near = |state: &State| larger(LANDED * start, form.rounding(variable.motion, state));
+        let value = |state: &State| form.value_beyond_rounding(variable.motion, state);
+        let start = value(&simulation.body.state).abs();
+        let near =
+            |state: &State| larger(EVENT_TOLERANCE * start, form.rounding(variable.motion, state));
         land(self, sign_change, value, near).map(|(_, stretch)| stretch)
     }
 }
 
 /// The bound that an event function from zero must exceed on a stretch to have a sign.
-fn unseen(values: &[f64; POINTS]) -> f64 {
-    SEEN * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
+fn sign_threshold(values: &[f64; POINTS]) -> f64 {
+    SIGN_THRESHOLD * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }

@@ -1,13 +1,13 @@
 //! The first moments of a run whose spring or damper is singular at zero, where every uncocked run begins.
 //!
-//! With F = f t the plate first moves like t³/6 by inertia, unless the spring is so steep at zero (n < 1/3, or very stiff)
-//! that the plate follows the balance of forces: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
-//! the start is placed so early that the momentum in question is below the tolerance.
+//! With F = f t the plate first moves like t³/6 by inertia, unless the spring is so steep at zero (n < 1/3, or very stiff) that
+//! the plate follows the balance of forces: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is
+//! enough: the start is placed so early that the momentum in question is below the tolerance.
 
 use crate::model::contact_models::Scales;
 use crate::model::impact::problem::Problem;
+use crate::model::impact::simulation::Simulation;
 use crate::model::impact::singular_crossing::Crossed;
-use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
 use crate::numerics::{larger, smaller};
@@ -16,17 +16,17 @@ use crate::numerics::{larger, smaller};
 const STIFF_FROM: f64 = 300.0;
 /// Where the search for the start begins, and where it ends at the latest at tolerance 1, in units of the contact's duration; and
 /// how both fall with the tolerance: two computations do not share their start, and with it its error.
-const EARLIEST: f64 = 1e-9;
+const FIRST_GUESS: f64 = 1e-9;
 const LATEST: f64 = 3e-3;
 const START_POWER: f64 = 0.125;
 /// No start is earlier than this, s.
-const EARLIEST_OF_ALL: f64 = 1e-40;
+const START_MIN_S: f64 = 1e-40;
 /// Oscillations (in radians) within the contact that Taylor steps can still follow.
-const SWINGS_MAX: f64 = 1e5;
+const OSCILLATION_MAX_RAD: f64 = 1e5;
 /// Time constants of the damper within the contact up to which Taylor steps are the cheaper way.
 const DECAYS_MAX: f64 = 3e3;
 /// Momentum omitted at the start, relative to the projectile's, per tolerance.
-const LEFT_OUT: f64 = 1e-4;
+const OMITTED_MOMENTUM: f64 = 1e-4;
 
 /// How fast things happen.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ pub(super) struct TimeScales {
     /// How far the mechanism yields to the contact force, relative to the travel.
     pub(super) yields_part: f64,
     /// Angular frequency of the plate on its spring, 1/s.
-    swing_per_s: f64,
+    frequency_rad_s: f64,
     /// Decay rate of the plate's velocity by its damper, 1/s.
     decay_per_s: f64,
 }
@@ -43,9 +43,9 @@ pub(super) struct TimeScales {
 impl TimeScales {
     /// Whether the implicit method should have the contact from the start. NaN counts as stiff.
     pub(super) fn is_stiff(&self) -> bool {
-        let swings = self.swing_per_s * self.contact_s;
+        let oscillations = self.frequency_rad_s * self.contact_s;
         let decays = self.decay_per_s * self.contact_s;
-        !(swings < SWINGS_MAX && decays < DECAYS_MAX)
+        !(oscillations < OSCILLATION_MAX_RAD && decays < DECAYS_MAX)
     }
 }
 
@@ -69,13 +69,13 @@ impl Problem {
         TimeScales {
             contact_s,
             yields_part: smaller(yields / travel_m, 1.0),
-            swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
+            frequency_rad_s: (spring.tangent(x).abs() / m_2).sqrt(),
             decay_per_s: damper.tangent(w) / m_2,
         }
     }
 }
 
-impl Track<'_> {
+impl Simulation<'_> {
     /// Step over the singular start, if there is one.
     pub(super) fn start(&mut self) {
         let problem = self.body.problem;
@@ -85,8 +85,8 @@ impl Track<'_> {
         if self.body.rests_on_stop || problem.rigid || !(spring_singular || damper_singular) {
             return;
         }
-        if !spring_singular && let Some(Crossed(fired)) = self.cross_singularity() {
-            if let Some(event) = fired {
+        if !spring_singular && let Some(Crossed(detected)) = self.cross_singularity() {
+            if let Some(event) = detected {
                 self.apply_transition(event);
             }
             return;
@@ -96,7 +96,7 @@ impl Track<'_> {
         let motion = self.body.motion();
         self.body.x_zero.omitted = false;
         self.body.w_zero.omitted = false;
-        let allowed = LEFT_OUT * self.body.tolerance * problem.velocity_m_s;
+        let allowed = OMITTED_MOMENTUM * self.body.tolerance * problem.velocity_m_s;
         // The area changes there.
         let first_m = problem.geometry.piece(0.0).to_m;
         let is_early = |t_s: f64| {
@@ -110,8 +110,8 @@ impl Track<'_> {
             inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
         let scale_s = self.body.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
-        let mut t_s = EARLIEST * scale_s;
-        while !is_early(t_s) && t_s > EARLIEST_OF_ALL {
+        let mut t_s = FIRST_GUESS * scale_s;
+        while !is_early(t_s) && t_s > START_MIN_S {
             t_s *= 0.25;
         }
         while is_early(4.0 * t_s) && 4.0 * t_s < LATEST * scale_s {

@@ -27,7 +27,7 @@ pub(super) struct StepControl {
     /// Steps since the mode changed or the force on the plate changed its sign.
     pub(super) stretch_steps: usize,
     /// Taylor steps in a row in which the plate crept against its damper.
-    pub(super) creeping_steps: usize,
+    pub(super) stiffness_signs: usize,
     /// Times the force on the plate changed its sign: twice an oscillation.
     pub(super) turns: usize,
     /// The sign of the force on the plate at the last step.
@@ -77,13 +77,13 @@ impl StepControl {
     /// ends at the same step on every machine.
     pub(super) fn budget_used_up(&self, body: &Body<'_>, is_first: bool) -> Option<EndReason> {
         let in_first_contact = is_first && body.mode == Mode::Penetrating;
-        let patience = body.problem.patience;
-        let oscillates =
-            !body.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
-        let is_undecided = !in_first_contact && self.steps > UNDECIDED_STEPS * patience;
+        let oscillation_factor = body.problem.oscillation_factor;
+        let oscillates = !body.problem.horizon_is_given
+            && self.turns + self.event_count > TURNS_MAX * oscillation_factor;
+        let is_undecided = !in_first_contact && self.steps > UNDECIDED_STEPS * oscillation_factor;
         let is_worked_off = self.work.get() > WORK_MAX;
         if oscillates && (is_undecided || is_worked_off) {
-            Some(EndReason::Swings)
+            Some(EndReason::Oscillates)
         } else if self.event_count > EVENTS_MAX {
             Some(EndReason::EventBudget)
         } else {

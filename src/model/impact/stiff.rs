@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
 use crate::model::impact::record::Times;
+use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
-use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::arc::Arc;
@@ -26,13 +26,13 @@ use unknowns::Unknowns;
 /// Points drawn within a step, its end included.
 const POINTS_PER_STEP: usize = 4;
 /// How far from zero an event function may be where it has fallen, relative to its variation over the step.
-const LANDED: f64 = 1e-9;
+const EVENT_TOLERANCE: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
 const TICK: f64 = 2.0 * f64::EPSILON;
 /// The step, relative to the time reached, at whose end an event is taken wherever on it the sign changes.
-const CLOSEST: f64 = 4.0 * TICK;
+const EVENT_STEP_MIN: f64 = 4.0 * TICK;
 /// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
-const NEWTON: usize = 1;
+const ITERATION_WORK: usize = 1;
 const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
@@ -40,26 +40,26 @@ const LOCAL: f64 = 1e-3;
 /// Displacement of the plate, relative to the travel, up to which the contact is independent of its oscillations; the estimate,
 /// relative to the impact velocity, below which it follows them all the same; and the power with which the rest of a tighter
 /// tolerance still counts, so that two tolerances do not share their steps.
-const UNFELT: f64 = 1e-7;
-const FELT: f64 = 1e-9;
-const BELOW_FELT: f64 = 0.05;
+const DECOUPLED: f64 = 1e-7;
+const ESTIMATE_FLOOR: f64 = 1e-9;
+const ESTIMATE_POWER: f64 = 0.05;
 
 /// Energy a step may be off by, relative to all there is, per tolerance, and how often it is halved for that.
-const UNBALANCED: f64 = 1e-2;
+const ENERGY_TOLERANCE: f64 = 1e-2;
 const HALVINGS_MAX: usize = 8;
 
-/// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept oscillates
-/// again, and for how many steps it must.
-const SWINGING_STEP: f64 = 0.5;
-const SWINGING: f64 = 0.2;
-const SWINGING_STEPS: usize = 20;
-/// How far the rounding of the plate's velocity is to lie below what the estimate of a step may be: Newton's method, and the estimate
-/// itself, see nothing below it.
-const ROUNDING_SHARE: f64 = 100.0;
+/// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept
+/// oscillates again, and for how many steps it must.
+const OSCILLATION_STEP_RAD: f64 = 0.5;
+const OSCILLATION_INERTIA: f64 = 0.2;
+const OSCILLATION_STEPS: usize = 20;
+/// How far the rounding of the plate's velocity is to lie below what the estimate of a step may be: Newton's method, and the
+/// estimate itself, see nothing below it.
+const ROUNDING_MARGIN: f64 = 100.0;
 /// The least scale of the slip relative to its own value.
-const SLIP_ROUNDED: f64 = 1e-2;
+const SLIP_SCALE_MIN: f64 = 1e-2;
 
-impl Track<'_> {
+impl Simulation<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.body.motion();
@@ -96,7 +96,7 @@ impl Track<'_> {
             if !at_tick
                 && halvings < HALVINGS_MAX
                 && self.imbalance_j(&system, &solved, h).abs()
-                    > UNBALANCED * self.body.tolerance * self.body.problem.energy_j
+                    > ENERGY_TOLERANCE * self.body.tolerance * self.body.problem.energy_j
             {
                 halvings += 1;
                 h *= 0.5;
@@ -112,10 +112,10 @@ impl Track<'_> {
     /// The tolerance for the estimate of a step, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
         let allowed = LOCAL * self.body.tolerance.powf(2.0 / 3.0);
-        let unfelt = self.body.problem.yields_part < UNFELT
-            && self.body.plate_scale_m < UNFELT * self.body.state.travel_m;
-        if self.body.is_sliding() && unfelt && allowed < FELT {
-            FELT * (allowed / FELT).powf(BELOW_FELT)
+        let unresolved = self.body.problem.yields_part < DECOUPLED
+            && self.body.plate_scale_m < DECOUPLED * self.body.state.travel_m;
+        if self.body.is_sliding() && unresolved && allowed < ESTIMATE_FLOOR {
+            ESTIMATE_FLOOR * (allowed / ESTIMATE_FLOOR).powf(ESTIMATE_POWER)
         } else {
             allowed
         }
@@ -128,7 +128,7 @@ impl Track<'_> {
     }
 
     /// A plate that no longer creeps oscillates, and Taylor steps follow that with far fewer.
-    fn notice_swings(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
+    fn notice_oscillations(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
         let (motion, state) = (system.motion, &self.body.state);
         let stiffness = motion.stop.stiffness_n_m + motion.spring.tangent(state.plate_m).abs();
         let radians = (stiffness * motion.plate_mobility).sqrt() * h;
@@ -138,11 +138,12 @@ impl Track<'_> {
         let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
         let faded = damping * motion.plate_mobility * h;
         // About a place where large forces hold each other the one that is left says little.
-        let is_free = faded < SWINGING_STEP || net_n > SWINGING * held_n;
-        let swings = radians < SWINGING_STEP && is_free;
-        self.control.creeping_steps = if swings { self.control.creeping_steps + 1 } else { 0 };
-        if self.control.creeping_steps > SWINGING_STEPS {
-            self.control.creeping_steps = 0;
+        let is_free = faded < OSCILLATION_STEP_RAD || net_n > OSCILLATION_INERTIA * held_n;
+        let oscillations = radians < OSCILLATION_STEP_RAD && is_free;
+        self.control.stiffness_signs =
+            if oscillations { self.control.stiffness_signs + 1 } else { 0 };
+        if self.control.stiffness_signs > OSCILLATION_STEPS {
+            self.control.stiffness_signs = 0;
             self.control.stretch_steps = 0;
             self.control.stiff = false;
         }
@@ -176,7 +177,7 @@ impl Track<'_> {
             + f64::MIN_POSITIVE;
         // An oscillation that an error starts does not die down: it is to be small beside the way the plate will have come.
         let yields = self.body.problem.yields_part;
-        let part = if yields < UNFELT { 1.0 } else { yields };
+        let part = if yields < DECOUPLED { 1.0 } else { yields };
         let (x, w) = if self.body.mode == Mode::Fused {
             let (x, w) = (self.body.plate_scale_m, self.body.speed_scale_m_s);
             (larger(x, f64::MIN_POSITIVE), larger(w, f64::MIN_POSITIVE))
@@ -184,11 +185,11 @@ impl Track<'_> {
             let state = &self.body.state;
             (part * travel + state.plate_m.abs(), part * speed + state.plate_m_s.abs())
         };
-        let known_w = self.rounding_of_speed_m_s(motion) * ROUNDING_SHARE / tolerance;
+        let known_w = self.rounding_of_speed_m_s(motion) * ROUNDING_MARGIN / tolerance;
         [
             travel,
             // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
-            larger(speed, SLIP_ROUNDED * self.body.state.slip_m_s.abs()),
+            larger(speed, SLIP_SCALE_MIN * self.body.state.slip_m_s.abs()),
             x,
             larger(known_w, w),
         ]
@@ -214,18 +215,22 @@ impl Track<'_> {
         let motion = system.motion;
         let events = self.active_events();
         let start = self.body.state;
-        let mut fired = None;
+        let mut detected = None;
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has
         // come back within it.
         for _ in events.iter() {
             let taken = Taken { control: &self.control, system, y, h, solved: &solved };
             let end = taken.dense(1.0);
             let armed = events.iter().filter(|(event, form)| {
-                fired != Some(*event) && form.watched(motion, &start) > 0.0
+                detected != Some(*event) && form.value_beyond_rounding(motion, &start) > 0.0
             });
             let sign_changes = armed.filter_map(|(event, form)| {
-                let at = |part: f64| form.watched(motion, &taken.dense(part));
-                Some((*event, form, first_sign_change([(1.0, form.watched(motion, &end))], at)?))
+                let at = |part: f64| form.value_beyond_rounding(motion, &taken.dense(part));
+                Some((
+                    *event,
+                    form,
+                    first_sign_change([(1.0, form.value_beyond_rounding(motion, &end))], at)?,
+                ))
             });
             let Some((event, form, sign_change)) =
                 sign_changes.min_by(|a, b| a.2.part.total_cmp(&b.2.part))
@@ -233,13 +238,14 @@ impl Track<'_> {
                 break;
             };
             let variation = form.at(motion, &start) - form.at(motion, &end);
-            let near = |state: &State| LANDED * variation + form.rounding(motion, state);
-            let landed = land(&taken, &sign_change, |state| form.watched(motion, state), near);
+            let near = |state: &State| EVENT_TOLERANCE * variation + form.rounding(motion, state);
+            let landed =
+                land(&taken, &sign_change, |state| form.value_beyond_rounding(motion, state), near);
             if let Some((part, step)) = landed {
-                (h, solved, fired) = (part * h, step, Some(event));
-            } else if h <= CLOSEST * start.t_s {
+                (h, solved, detected) = (part * h, step, Some(event));
+            } else if h <= EVENT_STEP_MIN * start.t_s {
                 // No coming closer: time has no finer resolution.
-                fired = Some(event);
+                detected = Some(event);
                 break;
             } else {
                 // Newton's method went astray on the way to the event: come closer first.
@@ -257,13 +263,13 @@ impl Track<'_> {
         self.control.stiff_steps += 1;
         self.control.stretch_steps += 1;
         self.control.count_turns(system.rate(0.0, y)[3]);
-        self.notice_swings(system, y, h);
-        self.arrive(state, motion, fired);
+        self.notice_oscillations(system, y, h);
+        self.arrive(state, motion, detected);
         let is_moved = self.body.state.plate_m.to_bits() != state.plate_m.to_bits();
         if !is_moved {
             self.body.compensation_m = system.compensation_m(&solved.stages[2]);
         }
-        ControlFlow::Continue(fired)
+        ControlFlow::Continue(detected)
     }
 
     /// Work by the method's own quadrature, extremes of its dense output, points to draw.
@@ -275,7 +281,8 @@ impl Track<'_> {
             let state = system.state(stage, node * h);
             record.worked(&setting, &state, h * weight);
         }
-        // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to there.
+        // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to
+        // there.
         let taken = Taken { control: &self.control, system, y, h, solved };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
@@ -298,7 +305,7 @@ fn newton(
     guess: [[f64; 4]; 3],
 ) -> Option<Step<4>> {
     let solved = step::<4, 12>(system, y, h, guess);
-    control.worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
+    control.worked(ITERATION_WORK * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
     solved
 }
 

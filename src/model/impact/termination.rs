@@ -4,7 +4,7 @@
 //! that the interface may have to carry.
 
 use crate::model::impact::body::{MaximumDisplacement, NO_ENERGY};
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::motion::ContactForce;
 use crate::model::run::{EndReason, Mode, Outcome};
 use crate::numerics::root::in_bracket;
@@ -18,33 +18,33 @@ const TAIL_STEPS: usize = 200;
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
 /// Loss of energy, relative, from which on the outcome is computed again: far above rounding, far below an oscillation's.
-const LOST: f64 = 1e-9;
+const ENERGY_CHANGE: f64 = 1e-9;
 /// A plate slowed by its damper alone to this part of its speed has arrived, to be drawn.
-const FADED: f64 = 1e-2;
+const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of the interface's load by which it may still grow without being followed.
-const DEMANDED: f64 = 1e-9;
+const DEMAND_GROWTH: f64 = 1e-9;
 /// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
-const LITTLE_ENERGY: f64 = 1e-18;
+const NEGLIGIBLE_ENERGY: f64 = 1e-18;
 
 /// The known part of the run's outcome.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Termination {
     /// The outcome, once it is decided, and the steps taken until then.
     pub(super) decided: Option<(Outcome, usize)>,
-    pub(super) farthest: MaximumDisplacement,
+    pub(super) max_displacement: MaximumDisplacement,
     /// For what the outcome was last computed, on a curve.
     computed_for: Option<Conditions>,
     /// How far the first half-oscillation of the joined body has come.
-    swing: Swing,
+    oscillation: HalfOscillation,
 }
 
 /// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-enum Swing {
+enum HalfOscillation {
     #[default]
     Back,
     Forward,
-    Turned,
+    Over,
 }
 
 /// The state that the outcome depends on while projectile and plate are together; unchanged state means unchanged outcome.
@@ -55,17 +55,17 @@ struct Conditions {
     slips: usize,
 }
 
-impl Track<'_> {
+impl Simulation<'_> {
     pub(super) fn finished(&mut self) -> Option<EndReason> {
-        self.follow_swing();
+        self.note_half_oscillation();
         let at_horizon =
             self.body.state.t_s >= self.body.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
         if self.termination.decided.is_none() && self.may_have_decided() {
             let outcome = self.body.outcome();
             if outcome != Outcome::Moving {
-                self.termination.farthest =
+                self.termination.max_displacement =
                     self.body.maximum_displacement(self.record.max_displacement_m);
-                if self.termination.farthest != MaximumDisplacement::Pending {
+                if self.termination.max_displacement != MaximumDisplacement::Pending {
                     self.termination.decided = Some((outcome, self.control.steps));
                 }
             }
@@ -76,11 +76,11 @@ impl Track<'_> {
         }
         let (_, steps) = self.termination.decided?;
         let tail_is_long = self.control.steps > steps + TAIL_STEPS;
-        if (self.body.is_at_rest() || tail_is_long) && !self.body.problem.horizon_is_asked {
+        if (self.body.is_at_rest() || tail_is_long) && !self.body.problem.horizon_is_given {
             return Some(EndReason::Decided);
         }
-        let wanted = self.body.problem.horizon_is_asked
-            || self.is_swinging()
+        let wanted = self.body.problem.horizon_is_given
+            || self.spring_load_may_grow()
             || self.demand_may_grow()
             || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
@@ -100,7 +100,7 @@ impl Track<'_> {
         let same = self.termination.computed_for.is_some_and(|before| {
             before.travel_m.to_bits() == now.travel_m.to_bits()
                 && before.slips == now.slips
-                && now.energy_j > before.energy_j * (1.0 - LOST)
+                && now.energy_j > before.energy_j * (1.0 - ENERGY_CHANGE)
         });
         if !same {
             self.termination.computed_for = Some(now);
@@ -125,7 +125,7 @@ impl Track<'_> {
     pub(super) fn until_s(&self) -> f64 {
         let tail = self.tail_s();
         let in_tail = self.termination.decided.is_some()
-            && !self.body.problem.horizon_is_asked
+            && !self.body.problem.horizon_is_given
             && self.body.state.t_s < tail;
         if in_tail {
             smaller(tail, self.body.problem.horizon_s)
@@ -140,17 +140,17 @@ impl Track<'_> {
             return true;
         }
         // Coasting to a greatest displacement that is already known in closed form.
-        self.goes_farther() && self.body.state.plate_m_s > FADED * self.body.speed_scale_m_s
+        self.goes_farther() && self.body.state.plate_m_s > ARRIVED_SPEED * self.body.speed_scale_m_s
     }
 
     /// Whether the plate is on its way to a greatest displacement that is known already.
     fn goes_farther(&self) -> bool {
         let reached = self.record.max_displacement_m;
-        matches!(self.termination.farthest, MaximumDisplacement::Known(far) if reached < far * (1.0 - 1e-9))
+        matches!(self.termination.max_displacement, MaximumDisplacement::Known(far) if reached < far * (1.0 - 1e-9))
     }
 
     /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
-    fn is_swinging(&self) -> bool {
+    fn spring_load_may_grow(&self) -> bool {
         self.goes_farther() && !self.body.problem.mechanism.spring.is_absent()
     }
 
@@ -196,7 +196,7 @@ impl Track<'_> {
     }
 
     /// Note what the interface carries as soon as both bodies are one, and whether their first forward half-oscillation is over.
-    fn follow_swing(&mut self) {
+    fn note_half_oscillation(&mut self) {
         if self.body.mode != Mode::Fused {
             return;
         }
@@ -205,10 +205,10 @@ impl Track<'_> {
             let force = motion.mechanism_force(&self.body.state);
             self.record.carried(&self.body, force, -force);
         }
-        self.termination.swing = match self.termination.swing {
-            Swing::Back if self.body.state.plate_m_s > 0.0 => Swing::Forward,
-            Swing::Forward if self.body.state.plate_m_s <= 0.0 => Swing::Turned,
-            swing => swing,
+        self.termination.oscillation = match self.termination.oscillation {
+            HalfOscillation::Back if self.body.state.plate_m_s > 0.0 => HalfOscillation::Forward,
+            HalfOscillation::Forward if self.body.state.plate_m_s <= 0.0 => HalfOscillation::Over,
+            oscillation => oscillation,
         };
     }
 
@@ -217,11 +217,11 @@ impl Track<'_> {
     fn demand_may_grow(&self) -> bool {
         let strength = self.body.interface_n();
         self.body.mode == Mode::Fused
-            && self.termination.swing != Swing::Turned
+            && self.termination.oscillation != HalfOscillation::Over
             && !self.body.is_still()
             && strength > 0.0
             && self.record.push_ratio.is_some_and(|known| {
-                self.body.push_at(self.body.energy_j()) > known * strength * (1.0 + DEMANDED)
+                self.body.push_at(self.body.energy_j()) > known * strength * (1.0 + DEMAND_GROWTH)
             })
     }
 
@@ -240,7 +240,7 @@ impl Track<'_> {
             {
                 NO_ENERGY
             }
-            Mode::Perforated | Mode::Fused if for_good => LITTLE_ENERGY,
+            Mode::Perforated | Mode::Fused if for_good => NEGLIGIBLE_ENERGY,
             _ => return,
         };
         if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
@@ -281,14 +281,18 @@ mod tests {
     fn a_run_is_over_when_its_outcome_and_greatest_displacement_are_known_or_at_its_horizon() {
         for (pairs, mode, state, expected) in ENDS {
             let problem = Problem::with(pairs);
-            assert_eq!(Track::at(&problem, mode, state).finished(), expected, "{pairs} {mode:?}");
+            assert_eq!(
+                Simulation::at(&problem, mode, state).finished(),
+                expected,
+                "{pairs} {mode:?}"
+            );
         }
     }
 
     #[test]
     fn a_run_that_is_drawn_goes_on_for_a_quarter_of_its_contact_and_one_with_a_horizon_up_to_it() {
         let free = Problem::with("k=0");
-        let mut drawn = Track::at(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let mut drawn = Simulation::at(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         drawn.record.keep_series = true;
         drawn.record.exit = Some((1e-4, 60.0));
         assert_eq!(drawn.finished(), None);
@@ -296,7 +300,7 @@ mod tests {
         drawn.body.state.t_s = 1.25e-4;
         assert_eq!(drawn.finished(), Some(EndReason::Decided));
         let with_horizon = Problem::with("k=0 horizon=1e-3");
-        let mut asked = Track::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let mut asked = Simulation::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         assert_eq!(asked.finished(), None);
         assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
     }
@@ -306,20 +310,22 @@ mod tests {
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
         let problem = Problem::with("k=1e7 interface=plastic grip=2");
-        let mut track = Track::at(&problem, Mode::Fused, [0.012, 0.0, 0.0, 0.0]);
-        track.body.deepest_m = 0.012;
-        let strength_n = track.body.interface_n();
+        let mut simulation = Simulation::at(&problem, Mode::Fused, [0.012, 0.0, 0.0, 0.0]);
+        simulation.body.deepest_m = 0.012;
+        let strength_n = simulation.body.interface_n();
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.01 * 1.01 * holding_j;
-        track.body.state.plate_m_s = (2.0 * energy_j / problem.joined_kg).sqrt();
-        track.yield_to_the_end();
-        let slipped_m = track.body.state.travel_m - 0.012;
+        simulation.body.state.plate_m_s = (2.0 * energy_j / problem.joined_kg).sqrt();
+        simulation.yield_to_the_end();
+        let slipped_m = simulation.body.state.travel_m - 0.012;
         let expected_m = (energy_j - holding_j) / strength_n;
         assert!((slipped_m / expected_m - 1.0).abs() < 1e-6, "{slipped_m} {expected_m}");
-        assert_eq!(track.body.deepest_m.to_bits(), track.body.state.travel_m.to_bits());
-        let left_j = track.body.energy_j();
-        assert!((energy_j - left_j - track.record.work.penetration_j).abs() < 1e-12 * energy_j);
-        let load = track.body.push_at(left_j) / track.body.interface_n();
+        assert_eq!(simulation.body.deepest_m.to_bits(), simulation.body.state.travel_m.to_bits());
+        let left_j = simulation.body.energy_j();
+        assert!(
+            (energy_j - left_j - simulation.record.work.penetration_j).abs() < 1e-12 * energy_j
+        );
+        let load = simulation.body.push_at(left_j) / simulation.body.interface_n();
         assert!((load - 1.0).abs() < 1e-7, "{load}");
     }
 }

@@ -79,14 +79,14 @@ impl Window {
 /// The row at a time between two: paths as cubics by their velocities, everything else in proportion.
 fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     let span_s = high.t_s - low.t_s;
-    let share = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
-    let mix = |get: fn(&Sample) -> f64| get(low) + share * (get(high) - get(low));
+    let part = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
+    let mix = |get: fn(&Sample) -> f64| get(low) + part * (get(high) - get(low));
     let path = |at: fn(&Sample) -> f64, speed: fn(&Sample) -> f64| {
-        let rest = 1.0 - share;
-        let ends = rest * at(low) + share * at(high);
+        let rest = 1.0 - part;
+        let ends = rest * at(low) + part * at(high);
         let chord = at(high) - at(low);
         let (start, end) = (speed(low) * span_s - chord, chord - speed(high) * span_s);
-        ends + share * rest * (rest * start + share * end)
+        ends + part * rest * (rest * start + part * end)
     };
     Sample {
         t_s,

@@ -127,8 +127,8 @@ impl Curve {
             .unwrap_or(way * f64::INFINITY)
     }
 
-    /// The first place on the way from x, past these marks and on beyond them, where a function that is below zero before has risen to
-    /// zero, as `is_past` says; x itself where it has already.
+    /// The first place on the way from x, past these marks and on beyond them, where a function that is below zero before has
+    /// risen to zero, as `is_past` says; x itself where it has already.
     fn first_place(
         &self,
         x: f64,

@@ -12,7 +12,7 @@ pub struct Limit {
     /// The limit, in words.
     pub what: &'static str,
     /// The displacement at which this is the load, m.
-    pub asked_m: f64,
+    pub required_m: f64,
     /// The limit, m.
     pub limit_m: f64,
 }
@@ -37,11 +37,11 @@ pub fn yields_at_m(spring: &scene::Spring) -> Option<f64> {
 pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
     let shares = shares(&scene.mechanism, x_m);
     let mut found = Vec::new();
-    for (spring, asked_m) in acting(&scene.mechanism).zip(shares) {
+    for (spring, required_m) in acting(&scene.mechanism).zip(shares) {
         for (what, low_m, high_m) in limits(spring) {
-            let limit_m = if asked_m < low_m { low_m } else { high_m };
-            if asked_m < low_m || asked_m > high_m {
-                found.push(Limit { what, asked_m, limit_m });
+            let limit_m = if required_m < low_m { low_m } else { high_m };
+            if required_m < low_m || required_m > high_m {
+                found.push(Limit { what, required_m, limit_m });
             }
         }
     }
@@ -54,11 +54,11 @@ pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
     let mut least = None;
     for x_m in [from_m, to_m] {
         let shares = shares(&scene.mechanism, x_m);
-        for (spring, asked_m) in acting(&scene.mechanism).zip(shares) {
+        for (spring, required_m) in acting(&scene.mechanism).zip(shares) {
             for (_, low_m, high_m) in limits(spring) {
-                let limit_m = if asked_m < 0.0 { low_m } else { high_m };
-                let margin = limit_m / asked_m;
-                if asked_m != 0.0 {
+                let limit_m = if required_m < 0.0 { low_m } else { high_m };
+                let margin = limit_m / required_m;
+                if required_m != 0.0 {
                     least = Some(least.map_or(margin, |least| smaller(least, margin)));
                 }
             }

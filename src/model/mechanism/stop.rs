@@ -5,7 +5,7 @@ use crate::model::scene::Stop;
 /// A rebound slower than this part of the velocities of the impact is a rest.
 pub(in crate::model) const SLOW: f64 = 1e-9;
 /// So is one whose height is below this part of the displacements: their digits end there.
-pub(in crate::model) const UNSEEN: f64 = 4.0 * f64::EPSILON;
+pub(in crate::model) const HEIGHT_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A plate that meets its rigid stop, in any units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,8 +24,9 @@ impl Stop {
     pub(in crate::model) fn rebound(&self, hit: &Hit) -> f64 {
         let after = -self.restitution * hit.velocity;
         let height = 0.5 * after * after / hit.acceleration.abs();
-        let is_unseen = hit.acceleration > 0.0 && height <= UNSEEN * hit.length_scale;
-        if after.abs() <= SLOW * hit.velocity_scale || is_unseen { 0.0 } else { after }
+        let is_within_rounding =
+            hit.acceleration > 0.0 && height <= HEIGHT_ROUNDING * hit.length_scale;
+        if after.abs() <= SLOW * hit.velocity_scale || is_within_rounding { 0.0 } else { after }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Envelope of validity: what the model is good for (model page, section 8). One check for every command, page and study.
 //!
-//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. Breaches that follow from the scene are found by
-//! [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so it costs
-//! sweeps and searches nothing.
+//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. Breaches that follow from the scene are
+//! found by [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so
+//! it costs sweeps and searches nothing.
 
 pub mod numerical;
 

@@ -126,7 +126,7 @@ impl fmt::Display for Warning {
             Self::Limit(limit) => write!(
                 f,
                 "a spring is displaced by {} m, beyond {} m, where {}",
-                units::significant(limit.asked_m, 4),
+                units::significant(limit.required_m, 4),
                 units::significant(limit.limit_m, 4),
                 limit.what
             ),

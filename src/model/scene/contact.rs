@@ -71,8 +71,8 @@ worded! {
 }
 
 impl Listing {
-    /// As printed, but for depth, damper and obliquity, which are read so: corrected, depth follows from the whole relative travel, the
-    /// damper resists, and both couplings have obliquity's cosine.
+    /// As printed, but for depth, damper and obliquity, which are read so: corrected, depth follows from the whole relative
+    /// travel, the damper resists, and both couplings have obliquity's cosine.
     pub fn coupled(step_s: f64, reading: Reading) -> Self {
         Self { step_s, coupling: reading, damper: reading, obliquity: reading, ..Self::default() }
     }

@@ -148,8 +148,8 @@ impl Crush {
 }
 
 defaulted! {
-    /// Measured force against displacement, points (x m, F N) with rising x: the baseline's spring as a curve, 100 kN/m. One at x = 0,
-    /// F = 0 at the start makes the law odd.
+    /// Measured force against displacement, points (x m, F N) with rising x: the baseline's spring as a curve, 100 kN/m. One at x
+    /// = 0, F = 0 at the start makes the law odd.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Table {
         pub points: Arc<[[f64; 2]]> = Arc::from([[0.0, 0.0], [0.01, 1e3], [0.05, 5e3]]),

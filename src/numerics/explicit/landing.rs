@@ -63,8 +63,8 @@ impl<const N: usize> Ends<'_, N> {
         crossed.min_by(|a, b| a.1.part.total_cmp(&b.1.part))
     }
 
-    /// Lands on the boundary that is crossed first; `None` where none is, or where steps only come near the one that the dense output
-    /// seems to cross. `anew` gives the state at the end of a step of a part of the length.
+    /// Lands on the boundary that is crossed first; `None` where none is, or where steps only come near the one that the dense
+    /// output seems to cross. `anew` gives the state at the end of a step of a part of the length.
     pub(super) fn land(
         &self,
         boundaries: &[Boundary<N>],

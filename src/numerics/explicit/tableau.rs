@@ -1,8 +1,8 @@
 //! The numbers of DOP853: weights, error weights and dense output. Its nodes are the sums of the rows.
 //!
-//! Published in E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), section II.10,
-//! in the program DOP853 that comes with it; rounded to double precision. Knows nothing else. The tests of the parent check
-//! quadrature and row conditions, and the order that is observed.
+//! Published in E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), section
+//! II.10, in the program DOP853 that comes with it; rounded to double precision. Knows nothing else. The tests of the parent
+//! check quadrature and row conditions, and the order that is observed.
 
 /// Row i - 1 gives stage i from the stages before it; row 11 (stage 12, the end of the step) holds the weights.
 pub(super) const STAGES: [[f64; 15]; 15] = filled(&[

@@ -61,15 +61,15 @@ impl Hardware {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Demand {
     /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.
-    pub(super) farthest_m: Option<f64>,
+    pub(super) max_displacement_m: Option<f64>,
     /// Greatest energy in the springs, J.
     pub(super) stored_j: Option<f64>,
 }
 
 impl Demand {
-    pub(super) fn of(element: &Scene, farthest_m: Option<f64>) -> Self {
+    pub(super) fn of(element: &Scene, max_displacement_m: Option<f64>) -> Self {
         let start_m = 0.0 - element.plate.cocking_m;
-        Self { farthest_m, stored_j: spring_energy_j(element, start_m, farthest_m) }
+        Self { max_displacement_m, stored_j: spring_energy_j(element, start_m, max_displacement_m) }
     }
 
     fn of_rest(element: &Scene) -> Self {
@@ -111,11 +111,12 @@ pub(super) fn failure(
     demand: &Demand,
     capacity_j: f64,
 ) -> Option<Failure> {
-    let farthest_m = demand.farthest_m.filter(|_| element.plate.mount == Mount::Sprung)?;
-    if let Some(limit) = exceeded(element, farthest_m).first() {
+    let max_displacement_m =
+        demand.max_displacement_m.filter(|_| element.plate.mount == Mount::Sprung)?;
+    if let Some(limit) = exceeded(element, max_displacement_m).first() {
         return Some(Failure::Range(limit.what));
     }
-    let stroke_m = farthest_m + element.plate.cocking_m;
+    let stroke_m = max_displacement_m + element.plate.cocking_m;
     if hardware.stroke_m.is_some_and(|room| stroke_m > room * (1.0 + SAME)) {
         return Some(Failure::Stroke);
     }
@@ -193,11 +194,11 @@ pub(super) fn areal_kg_m2(
 pub(in crate::study) fn spring_energy_j(
     scene: &Scene,
     start_m: f64,
-    farthest_m: Option<f64>,
+    max_displacement_m: Option<f64>,
 ) -> Option<f64> {
     let spring = Mechanism::of(scene).spring;
     if scene.plate.mount == Mount::Rigid || spring.is_absent() {
         return Some(0.0);
     }
-    Some(spring.greatest_energy(start_m, farthest_m?))
+    Some(spring.greatest_energy(start_m, max_displacement_m?))
 }

@@ -10,7 +10,7 @@ use crate::numerics::larger;
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Load {
     /// Greatest displacement of a plate, m.
-    pub farthest_m: Option<f64>,
+    pub max_displacement_m: Option<f64>,
     /// Greatest displacement plus cocking distance, m.
     pub stroke_m: Option<f64>,
     /// Greatest energy in the springs, J; in a stack of all elements together.
@@ -38,7 +38,7 @@ impl Load {
         let has_spring = !Mechanism::of(&run.scene).is_absent();
         let stored = || runs().map(|run| run.mechanism.stored_j).sum::<Option<f64>>();
         Self {
-            farthest_m: greatest(&|run| run.max_plate_displacement_m).flatten(),
+            max_displacement_m: greatest(&|run| run.max_plate_displacement_m).flatten(),
             stroke_m: greatest(&|run| run.stroke_m()).flatten(),
             stored_j: stored(),
             mount_force_n: greatest(&peak_n).flatten(),
@@ -83,12 +83,12 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
 }
 
 /// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.
-pub(in crate::study) fn holds_still(scene: &Scene, farthest_m: Option<f64>) -> bool {
+pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
     let acts = !Mechanism::of(scene).is_absent();
     scene.plate.mount == Mount::Sprung
         && acts
         && scene.plate.cocking_m == 0.0
-        && farthest_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
+        && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
 }
 
 /// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the

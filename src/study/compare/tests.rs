@@ -127,7 +127,7 @@ fn a_free_plate_is_worth_one_plus_one_over_gamma() {
 fn the_spring_stores_what_the_swing_brings() {
     let found = plain("k=1e5");
     let own = found.of(Candidate::Scene).unwrap();
-    let farthest = own.load.farthest_m.unwrap();
+    let farthest = own.load.max_displacement_m.unwrap();
     let stored = own.load.stored_j.unwrap();
     assert!(close(own.load.mount_force_n.unwrap(), 1e5 * farthest, 1e-12));
     assert!(close(stored, 0.5e5 * farthest * farthest, 1e-12));
@@ -154,7 +154,7 @@ fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_f
     let found = plain("k=1e5 d=5mm");
     let own = found.of(Candidate::Scene).unwrap();
     assert!(close(own.load.preload_j.unwrap(), 0.5 * 1e5 * 25e-6, 1e-14));
-    assert!(close(own.load.stroke_m.unwrap(), own.load.farthest_m.unwrap() + 5e-3, 1e-14));
+    assert!(close(own.load.stroke_m.unwrap(), own.load.max_displacement_m.unwrap() + 5e-3, 1e-14));
     let stopped = plain("k=1e5 x_stop=5mm");
     assert!(stopped.has_stop);
     assert!(stopped.of(Candidate::Scene).unwrap().load.mount_force_n.is_none());

@@ -7,24 +7,24 @@ use crate::numerics::larger;
 use crate::study::compare::{load, spring_energy_j};
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
-pub(super) fn least_spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    let stored_j = spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m)?;
+pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+    let stored_j = spring_energy_j(scene, 0.0 - scene.plate.cocking_m, max_displacement_m)?;
     Some(stored_j / scene.mechanism.specific_energy_j_kg())
 }
 
 /// The springs' own mass where it is known, else the least, kg.
-fn spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    Inertia::of(scene).spring_mass_kg.or_else(|| least_spring_kg(scene, farthest_m))
+fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+    Inertia::of(scene).spring_mass_kg.or_else(|| least_spring_kg(scene, max_displacement_m))
 }
 
-pub(super) fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    Some(scene.plate_mass_kg() + spring_kg(scene, farthest_m)?)
+pub(super) fn system_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+    Some(scene.plate_mass_kg() + spring_kg(scene, max_displacement_m)?)
 }
 
 /// Plate and springs over the plate's face, kg/m².
-pub(super) fn areal_kg_m2(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
+pub(super) fn areal_kg_m2(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-    Some(plate_kg_m2 * (1.0 + spring_kg(scene, farthest_m)? / scene.plate_mass_kg()))
+    Some(plate_kg_m2 * (1.0 + spring_kg(scene, max_displacement_m)? / scene.plate_mass_kg()))
 }
 
 /// The greatest force into the mount, from the run's course where that is needed.
@@ -49,20 +49,20 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
 }
 
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
-pub(super) fn force_n(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
+pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::of(scene);
     let is_rigid = scene.plate.mount == Mount::Rigid;
     if is_rigid || mechanism.is_absent() || !turn_tells_force(scene) {
         return None;
     }
-    if load::holds_still(scene, farthest_m) {
+    if load::holds_still(scene, max_displacement_m) {
         return None;
     }
-    let (start_m, farthest_m) = (0.0 - scene.plate.cocking_m, farthest_m?);
+    let (start_m, max_displacement_m) = (0.0 - scene.plate.cocking_m, max_displacement_m?);
     // A curve's greatest force may lie on the way.
     let (least, most) = mechanism.spring.curve().map_or_else(
-        || (mechanism.spring.force(start_m), mechanism.spring.force(farthest_m)),
-        |curve| curve.forces_between(start_m, farthest_m),
+        || (mechanism.spring.force(start_m), mechanism.spring.force(max_displacement_m)),
+        |curve| curve.forces_between(start_m, max_displacement_m),
     );
     Some(larger(least.abs(), most.abs()))
 }

@@ -203,12 +203,12 @@ pub(in crate::study) fn max_displacement_m(scene: &Scene, end: &ContactEnd) -> O
     let spring = Mechanism::of(scene).spring;
     let w = end.plate_velocity_m_s;
     if spring.is_absent() {
-        return (w <= 0.0).then_some(end.farthest_m);
+        return (w <= 0.0).then_some(end.max_displacement_m);
     }
     let cos = scene.cos_obliquity();
     let joined = if end.arrested { scene.projectile.mass_kg * cos * cos } else { 0.0 };
     let x = end.plate_displacement_m;
     let kinetic = 0.5 * (moving_plate_kg(scene) + joined) * w * w;
     let reach = spring.forward(x, kinetic + spring.energy(x));
-    reach.is_finite().then(|| larger(reach, end.farthest_m))
+    reach.is_finite().then(|| larger(reach, end.max_displacement_m))
 }

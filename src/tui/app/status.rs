@@ -202,7 +202,7 @@ impl App {
                 let short = format!("stack {}", stack.outcome.word());
                 (severity(stack.outcome), stack.sentence(), short)
             }
-            None if run.outcome == Outcome::Moving && run.end == EndReason::Swings => {
+            None if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates => {
                 part(severity(run.outcome), "moving after 500 oscillations".to_owned())
             }
             None => (severity(run.outcome), sentence(run), run.outcome.word().to_owned()),

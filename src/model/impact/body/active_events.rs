@@ -23,10 +23,10 @@ impl Body<'_> {
     ) -> ActiveEvents {
         let mut events = self.contact_events();
         if self.mode == Mode::Fused && !self.is_still() {
-            self.watch_interface(&mut events, noted);
+            self.add_interface_events(&mut events, noted);
         }
         if !self.problem.rigid && !self.fixed {
-            self.watch_plate(&mut events, stiff);
+            self.add_plate_events(&mut events, stiff);
         }
         events
     }
@@ -35,52 +35,59 @@ impl Body<'_> {
     pub(super) fn contact_events(&self) -> ActiveEvents {
         let mut events = ActiveEvents::none();
         if self.mode != Mode::Fused {
-            self.problem.contact.watch(self.mode, &self.hole(), &mut events);
+            self.problem.contact.add_events(self.mode, &self.hole(), &mut events);
         }
         events
     }
 
-    fn watch_interface(&self, events: &mut ActiveEvents, noted: Noted) {
+    fn add_interface_events(&self, events: &mut ActiveEvents, noted: Noted) {
         let (push, pull) = self.interface_limits_n();
         let watches = |noted: bool| self.problem.plastic || (self.interface_n() > 0.0 && !noted);
-        let share = self.problem.share;
+        let interface_fraction = self.problem.interface_fraction;
         if watches(noted.push) {
-            let form =
-                EventFunction { offset: push, mechanism: -share, ..EventFunction::default() };
-            events.watch(EventId::PushLimit, form);
+            let form = EventFunction {
+                offset: push,
+                mechanism: -interface_fraction,
+                ..EventFunction::default()
+            };
+            events.add(EventId::PushLimit, form);
         }
         if watches(noted.pull) {
-            let form = EventFunction { offset: pull, mechanism: share, ..EventFunction::default() };
-            events.watch(EventId::PullLimit, form);
+            let form = EventFunction {
+                offset: pull,
+                mechanism: interface_fraction,
+                ..EventFunction::default()
+            };
+            events.add(EventId::PullLimit, form);
         }
     }
 
-    fn watch_plate(&self, events: &mut ActiveEvents, stiff: bool) {
+    fn add_plate_events(&self, events: &mut ActiveEvents, stiff: bool) {
         let mechanism = &self.problem.mechanism;
         if self.rests_on_stop {
             let offset = -mechanism.spring.force(self.state.plate_m);
             let form =
                 EventFunction { offset, contact: self.problem.cos, ..EventFunction::default() };
-            events.watch(EventId::StopRelease, form);
+            events.add(EventId::StopRelease, form);
             return;
         }
         let singular = |law: PowerLaw| law.kind() == PowerKind::General && !stiff;
         if mechanism.spring.curve().is_some() {
-            self.watch_knots(events);
+            self.add_knots_events(events);
         } else if !stiff || self.x_zero.omitted {
-            self.watch_zero_of_x(events);
+            self.add_zero_of_x_events(events);
         }
         // A plate that follows the slow manifold of its spring from rest is of either sign until its velocity matters.
         if !(stiff && self.plate_is_unresolved()) {
-            self.watch_zero_of_w(events, singular(mechanism.damper));
+            self.add_zero_of_w_events(events, singular(mechanism.damper));
         }
         let at = mechanism.stop_at_m;
         if self.stop_touches {
-            events.watch(EventId::StopCleared, self.stop_force(1.0));
+            events.add(EventId::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
-            events.watch(EventId::StopReached, EventFunction::plate(at, -1.0));
+            events.add(EventId::StopReached, EventFunction::plate(at, -1.0));
             if self.is_beyond_stop() {
-                events.watch(EventId::StopPressed, self.stop_force(-1.0));
+                events.add(EventId::StopPressed, self.stop_force(-1.0));
             }
         }
     }
@@ -98,8 +105,8 @@ impl Body<'_> {
         }
     }
 
-    /// A force on the plate that is lost in the rounding of the others, N: a stop beside a plate that follows the slow manifold of
-    /// a spring infinitely steep at zero would let go and press again at every step.
+    /// A force on the plate that is lost in the rounding of the others, N: a stop beside a plate that follows the slow manifold
+    /// of a spring infinitely steep at zero would let go and press again at every step.
     fn force_resolution_n(&self) -> f64 {
         let (motion, state) = (self.motion(), &self.state);
         let contact_n = motion.coupling * motion.contact_force(state);
@@ -108,34 +115,34 @@ impl Body<'_> {
         ROUNDED * (contact_n.abs() + spring_n.abs() + damper_n.abs())
     }
 
-    fn watch_knots(&self, events: &mut ActiveEvents) {
+    fn add_knots_events(&self, events: &mut ActiveEvents) {
         let (behind, ahead) = self.spring_ends();
         if ahead.is_finite() {
-            events.watch(EventId::KnotAhead, EventFunction::plate(ahead, -1.0));
+            events.add(EventId::KnotAhead, EventFunction::plate(ahead, -1.0));
         }
         if behind.is_finite() {
-            events.watch(EventId::KnotBehind, EventFunction::plate(-behind, 1.0));
+            events.add(EventId::KnotBehind, EventFunction::plate(-behind, 1.0));
         }
     }
 
-    fn watch_zero_of_x(&self, events: &mut ActiveEvents) {
+    fn add_zero_of_x_events(&self, events: &mut ActiveEvents) {
         let singular = self.problem.mechanism.spring.is_singular();
         if self.x_zero.omitted || !self.spring().is_smooth_at_zero() {
             let near = if singular { self.near_zero_m() } else { 0.0 };
             let ids = [EventId::PlateZero, EventId::PlateClear];
-            watch_zero(events, self.x_zero, near, ids, EventFunction::plate);
+            add_zero_events(events, self.x_zero, near, ids, EventFunction::plate);
         }
     }
 
-    fn watch_zero_of_w(&self, events: &mut ActiveEvents, singular: bool) {
+    fn add_zero_of_w_events(&self, events: &mut ActiveEvents, singular: bool) {
         let near = if singular { self.near_zero_m_s() } else { 0.0 };
         let ids = [EventId::PlateSpeedZero, EventId::PlateSpeedClear];
-        watch_zero(events, self.w_zero, near, ids, EventFunction::plate_speed);
+        add_zero_events(events, self.w_zero, near, ids, EventFunction::plate_speed);
     }
 }
 
 /// Watches for an argument that comes as near to the zero of its law as that, or, where the law is omitted, is clear of it.
-fn watch_zero(
+fn add_zero_events(
     events: &mut ActiveEvents,
     zero: NearZero,
     near: f64,
@@ -144,9 +151,9 @@ fn watch_zero(
 ) {
     if zero.omitted {
         for side in [1.0, -1.0] {
-            events.watch(is_clear, form(zero.clear, -side));
+            events.add(is_clear, form(zero.clear, -side));
         }
     } else {
-        events.watch(comes_near, form(-near, zero.side));
+        events.add(comes_near, form(-near, zero.side));
     }
 }

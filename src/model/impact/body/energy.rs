@@ -8,7 +8,7 @@ use crate::numerics::{larger, smaller};
 /// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
 pub(in crate::model::impact) const NO_ENERGY: f64 = 1e-24;
 /// How far a stop that yields to a spring driving the plate away is followed, m.
-const FARTHEST_M: f64 = 1e3;
+const STOP_TRAVEL_MAX_M: f64 = 1e3;
 /// How many times the path that the energy above the holding oscillation pays for is left to slips: the last one may take some
 /// more.
 const SLIP_RESERVE: f64 = 1.25;
@@ -89,10 +89,11 @@ impl Body<'_> {
         };
         let mut far = smaller(spring_reach - at, (2.0 * energy.abs() / stiffness).sqrt());
         // A spring that drives the plate away presses it farther than that.
-        while far > 0.0 && missing(far) < 0.0 && far < spring_reach - at && far < FARTHEST_M {
+        while far > 0.0 && missing(far) < 0.0 && far < spring_reach - at && far < STOP_TRAVEL_MAX_M
+        {
             far = 2.0 * far + mechanism.spring.force(at + far).abs() / stiffness;
         }
-        if missing(far) < 0.0 && far >= FARTHEST_M {
+        if missing(far) < 0.0 && far >= STOP_TRAVEL_MAX_M {
             return f64::INFINITY;
         }
         // Of the two places with this potential the farther one: beyond where spring and stop hold each other.
@@ -133,7 +134,7 @@ impl Body<'_> {
                 0.0
             }
         });
-        self.problem.share * (spring + stop + mechanism.damper.force(speed))
+        self.problem.interface_fraction * (spring + stop + mechanism.damper.force(speed))
     }
 
     /// The most the interface can be pulled with this much energy left, N.
@@ -145,7 +146,7 @@ impl Body<'_> {
         }
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let spring = mechanism.spring.greatest_pull(self.state.plate_m, energy_j);
-        self.problem.share * (spring + mechanism.damper.force(speed))
+        self.problem.interface_fraction * (spring + mechanism.damper.force(speed))
     }
 
     /// Whether a projectile that still slips to and fro within its hole neither comes to its bottom nor out of it.

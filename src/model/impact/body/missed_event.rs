@@ -4,7 +4,7 @@
 use super::Body;
 use crate::model::event_function::{EventId, Forces};
 use crate::model::mechanism::sign;
-use crate::model::mechanism::stop::UNSEEN;
+use crate::model::mechanism::stop::HEIGHT_ROUNDING;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 
@@ -41,8 +41,8 @@ impl Body<'_> {
         self.missed_contact_event()
     }
 
-    /// An event of the contact that the state has passed: a slip of the wrong sign, or a place, force or time beyond that of its event
-    /// that goes on.
+    /// An event of the contact that the state has passed: a slip of the wrong sign, or a place, force or time beyond that of its
+    /// event that goes on.
     pub(in crate::model::impact) fn missed_contact_event(&self) -> Option<EventId> {
         let events = self.contact_events();
         let missed = events.iter().find(|(event, form)| {
@@ -115,8 +115,9 @@ impl Body<'_> {
     fn turns_within_resolution(&self) -> bool {
         let (_, rate) = self.motion().accelerations(&self.state);
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
-        let (on_stop, unseen_m) = (self.problem.mechanism.stop_at_m, UNSEEN * self.stop_scale_m());
-        x - on_stop <= unseen_m && w <= 0.0 && rate > 0.0 && 0.5 * w * w <= unseen_m * rate
+        let (on_stop, rounding_m) =
+            (self.problem.mechanism.stop_at_m, HEIGHT_ROUNDING * self.stop_scale_m());
+        x - on_stop <= rounding_m && w <= 0.0 && rate > 0.0 && 0.5 * w * w <= rounding_m * rate
     }
 
     /// Whether an elastic stop's force is zero and about to pull.

@@ -47,8 +47,8 @@ impl Body<'_> {
         self.w_zero.clear / rate.abs()
     }
 
-    /// Restores an omitted law as soon as its argument has left the neighbourhood of zero. A plate that only touched zero is on the
-    /// side on which it is, so that its next passage is not taken for a return.
+    /// Restores an omitted law as soon as its argument has left the neighbourhood of zero. A plate that only touched zero is on
+    /// the side on which it is, so that its next passage is not taken for a return.
     pub(in crate::model::impact) fn restore_omitted(&mut self) {
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
         self.x_zero.leave(x, FINEST * self.plate_scale_m);
@@ -59,7 +59,7 @@ impl Body<'_> {
     pub(in crate::model::impact) fn near_zero_m(&self) -> f64 {
         let (spring, w) = (self.spring(), self.state.plate_m_s);
         let energy = 0.5 * self.problem.plate_kg * w * w;
-        // Tighter computations come closer, so that two of them do not share what is omitted.
+        // Tighter computations come closer, so that two of them do not omit the same.
         let closer = smaller((self.tolerance / CLEAR_AT).sqrt(), 1.0);
         let clear_m = CLEAR_OF_SPRING * closer * self.plate_scale_m;
         let passing = smaller(clear_m, spring.at_integral(PASSING * energy));

@@ -8,12 +8,12 @@ use crate::numerics::larger;
 /// A later change of depth below this part of the tolerance does not count.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Nor does one below this part of the depth, however tight the tolerance.
-const UNSEEN: f64 = 1e-12;
+const DEPTH_ROUNDING: f64 = 1e-12;
 /// Energy below this part of all there was with which bodies that are not joined are at rest.
 const AT_REST: f64 = 1e-9;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
 /// as arrested: an undamped mount rattles for ever.
-const RATTLES: usize = 24;
+const FRUITLESS_SLIPS_MAX: usize = 24;
 
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(in crate::model::impact) enum MaximumDisplacement {
@@ -29,7 +29,7 @@ impl Body<'_> {
         match self.mode {
             Mode::Perforated => Outcome::Perforated,
             Mode::Fused if !self.problem.plastic || self.holds_for_good() => Outcome::Arrested,
-            Mode::FreeFlight if self.gone_for_good() => Outcome::Separated,
+            Mode::FreeFlight if self.is_separated_for_good() => Outcome::Separated,
             Mode::FreeFlight | Mode::Penetrating | Mode::Closing | Mode::Withdrawing
                 if self.rests_in_contact() =>
             {
@@ -61,12 +61,12 @@ impl Body<'_> {
         let pull_out = self.problem.grip
             * self.problem.strength_pa
             * self.problem.geometry.swept_m3(self.state.travel_m);
-        let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, UNSEEN);
+        let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, DEPTH_ROUNDING);
         let is_nothing = |energy: f64| energy < negligible * depth * strength && energy < pull_out;
         if is_nothing(energy) {
             return true;
         }
-        if self.yields_since_deeper > RATTLES && energy < pull_out {
+        if self.yields_since_deeper > FRUITLESS_SLIPS_MAX && energy < pull_out {
             return true;
         }
         let returns = !mechanism.spring.is_absent() || self.state.plate_m_s > 0.0;
@@ -93,7 +93,7 @@ impl Body<'_> {
             })
     }
 
-    fn gone_for_good(&self) -> bool {
+    fn is_separated_for_good(&self) -> bool {
         let State { travel_m, slip_m_s, plate_m, plate_m_s, .. } = self.state;
         let problem = self.problem;
         let apart_m = problem.contact.slack_m(self.deepest_m) - travel_m;
@@ -116,7 +116,7 @@ impl Body<'_> {
         if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
             return self.motion().accelerations(&self.state).1 >= 0.0;
         }
-        // The projectile flies away, and is already beyond the plate's farthest point back.
+        // The projectile flies away, and is already beyond the plate's greatest displacement backwards.
         let back = mechanism.spring.backward(plate_m, energy);
         v < 0.0 && (plate_m + back) * problem.cos < apart_m
     }

@@ -3,7 +3,7 @@
 use super::{Body, MaximumDisplacement, Noted};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::track::Track;
+use crate::model::impact::simulation::Simulation;
 use crate::model::run::{Mode, Outcome};
 
 /// `m_p`, kg, and the impact velocity, m/s, of the default scene; gamma = 1.
@@ -11,7 +11,7 @@ const MASS_KG: f64 = 0.0295;
 const VELOCITY_M_S: f64 = 100.0;
 
 fn body(problem: &Problem, mode: Mode, state: [f64; 4]) -> Body<'_> {
-    Track::at(problem, mode, state).body
+    Simulation::at(problem, mode, state).body
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
-/// Part of the displacement that a plate may come back from its farthest point within a crossing step, where its spring is
+/// Part of the displacement that a plate may come back from its greatest displacement within a crossing step, where its spring is
 /// non-integer, too.
 const OF_DISPLACEMENT: f64 = 0.3;
 
@@ -19,7 +19,8 @@ pub(super) enum Law {
 }
 
 /// Since the start of the crossing step: time, s; path of the projectile, travel and plate together, m; change of its velocity,
-/// m/s; and of what the variable leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
+/// m/s; and of what the variable leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement,
+/// m.
 pub(super) type Unknowns = [f64; 4];
 
 pub(super) struct IndependentVariable<'a> {
@@ -109,9 +110,9 @@ impl<'a> IndependentVariable<'a> {
         }
     }
 
-    /// How far from zero a crossing step may begin or end: as far as no more than this share of the plate's energy, or of the force
-    /// that turns it round, is exchanged on the way, and further singularities are further away still.
-    pub(super) fn room(&self, share: f64) -> f64 {
+    /// How far from zero a crossing step may begin or end: as far as no more than this part of the plate's energy, or of the
+    /// force that turns it round, is exchanged on the way, and further singularities are further away still.
+    pub(super) fn room(&self, part: f64) -> f64 {
         let motion = self.motion;
         let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
         let (_, a) = motion.accelerations(&self.from);
@@ -119,15 +120,15 @@ impl<'a> IndependentVariable<'a> {
             (Law::Spring, Elastic::Power(spring)) => {
                 let kinetic = 0.5 * w * w;
                 let others = (a + spring.force(x) * mobility).abs();
-                let by_spring = spring.at_integral(share * kinetic / mobility);
-                smaller(by_spring, share * kinetic / others)
+                let by_spring = spring.at_integral(part * kinetic / mobility);
+                smaller(by_spring, part * kinetic / others)
             }
             (Law::Spring, Elastic::Piece(_)) => 0.0,
             (Law::Damper, spring) => {
                 let others = (a + motion.damper.force(w) * mobility).abs();
                 let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
-                let by_damper = motion.damper.at_force(share * others / mobility);
-                let by_spring = (share * others * others / (mobility * stiffness)).sqrt();
+                let by_damper = motion.damper.at_force(part * others / mobility);
+                let by_spring = (part * others * others / (mobility * stiffness)).sqrt();
                 let broken =
                     matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
                 let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };

@@ -1,8 +1,8 @@
 //! Where the numerical promise holds: every result within ten times the tolerance, an honest estimate, an end within a second.
 //!
-//! From a tenth of the lower to ten times the upper bound of the thesis's Table 9.2, and the ranges of ordinary work for the rest. Every
-//! kind of spring and stop, both interface laws. Outside, a run is never silently wrong: its estimate says how good it is, or it ends
-//! with a named reason.
+//! From a tenth of the lower to ten times the upper bound of the thesis's Table 9.2, and the ranges of ordinary work for the
+//! rest. Every kind of spring and stop, both interface laws. Outside, a run is never silently wrong: its estimate says how good
+//! it is, or it ends with a named reason.
 
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind};

@@ -5,8 +5,8 @@ use crate::model::units::Quantity;
 use crate::model::variables::visible::{Visible, has_force, has_wire, is_sprung};
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable};
 
-/// A slice of rows in groups. Each group begins with the springs to which it belongs, and among them those in which its rows have an
-/// effect; each row has its kind, its path in the spring, its symbol, label and meaning, and what else there is to say of it.
+/// A slice of rows in groups. Each group begins with the springs to which it belongs, and among them those in which its rows have
+/// an effect; each row has its kind, its path in the spring, its symbol, label and meaning, and what else there is to say of it.
 macro_rules! rows {
     ($field:ident $suffix:literal $present:ident; $(
         $of_kind:expr, $acts:expr => {$(

@@ -1,9 +1,9 @@
 //! The run itself: stretches of smooth motion between located events.
 //!
-//! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps (`taylor.rs`) or,
-//! where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its sign,
-//! the state is put exactly on the event and `events.rs` decides what follows. Events that rounding has put behind the state are
-//! found by `missed_event.rs`.
+//! A [`Simulation`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps (`taylor.rs`)
+//! or, where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its
+//! sign, the state is put exactly on the event and `events.rs` decides what follows. Events that rounding has put behind the
+//! state are found by `missed_event.rs`.
 
 use std::ops::ControlFlow;
 
@@ -28,18 +28,18 @@ const PASSED_TICKS: f64 = 16.0;
 
 /// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero oscillate: Taylor
 /// steps then follow the oscillations, with fewer steps than the implicit method.
-const SWINGS_TO: f64 = 3.0;
+const OSCILLATES_BELOW: f64 = 3.0;
 
 /// A run in progress.
 #[derive(Clone)]
-pub(super) struct Track<'a> {
+pub(super) struct Simulation<'a> {
     pub(super) body: Body<'a>,
     pub(super) control: StepControl,
     pub(super) record: Record<'a>,
     pub(super) termination: Termination,
 }
 
-impl<'a> Track<'a> {
+impl<'a> Simulation<'a> {
     /// A run at the moment of first contact.
     pub(super) fn new(problem: &'a Problem, tolerance: f64, keep_series: bool) -> Self {
         Self {
@@ -80,8 +80,8 @@ impl<'a> Track<'a> {
             self.body.restore_omitted();
             self.come_to_rest();
             self.unload_absorbers();
-            if let Some(Crossed(fired)) = self.cross_singularity() {
-                if let Some(event) = fired {
+            if let Some(Crossed(detected)) = self.cross_singularity() {
+                if let Some(event) = detected {
                     self.apply_transition(event);
                 }
                 continue;
@@ -129,7 +129,7 @@ impl<'a> Track<'a> {
 
     /// A run whose outcome is known is complete even when its tail is cut short, unless it was to go as far as a horizon.
     fn end_early(&self, reason: EndReason) -> EndReason {
-        let is_complete = self.termination.decided.is_some() && !self.body.problem.horizon_is_asked;
+        let is_complete = self.termination.decided.is_some() && !self.body.problem.horizon_is_given;
         if is_complete { EndReason::Decided } else { reason }
     }
 
@@ -169,11 +169,13 @@ impl<'a> Track<'a> {
         }
         let (spring, damper) = (self.body.spring(), self.body.problem.mechanism.damper);
         // The velocity of a plate that only follows the contact's force may be what a step has left of it.
-        let unfelt = self.body.plate_is_unresolved();
-        let rides = unfelt && 0.5 * self.body.problem.plate_kg * w * w < spring.integral(x);
-        if x * w < 0.0 && x.abs() <= self.body.near_zero_m() && !rides {
-            if !unfelt
-                && damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs()
+        let unresolved = self.body.plate_is_unresolved();
+        let on_manifold =
+            unresolved && 0.5 * self.body.problem.plate_kg * w * w < spring.integral(x);
+        if x * w < 0.0 && x.abs() <= self.body.near_zero_m() && !on_manifold {
+            if !unresolved
+                && damper.exponent * damper.force(w).abs()
+                    <= OSCILLATES_BELOW * spring.force(x).abs()
             {
                 self.control.stiff = false;
                 self.control.stretch_steps = 0;
@@ -199,18 +201,18 @@ impl<'a> Track<'a> {
     }
 
     /// Records the state at the end of a step, put exactly on the event that ended it.
-    pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, fired: Option<EventId>) {
-        self.reach(state, fired);
+    pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, detected: Option<EventId>) {
+        self.reach(state, detected);
         self.record.point(&self.body.setting(motion), &self.body.state, true);
     }
 
     /// Takes a state, put exactly on the event that led to it.
-    pub(super) fn reach(&mut self, state: State, fired: Option<EventId>) {
+    pub(super) fn reach(&mut self, state: State, detected: Option<EventId>) {
         let before = self.body.state;
         self.body.state = state;
         self.body.compensation_m = 0.0;
         self.body.released = false;
-        if let Some(event) = fired {
+        if let Some(event) = detected {
             self.body.project_onto_event(event, &before);
         }
         if self.body.mode == Mode::Penetrating {
@@ -224,14 +226,15 @@ impl<'a> Track<'a> {
 }
 
 #[cfg(test)]
-impl<'a> Track<'a> {
+impl<'a> Simulation<'a> {
     /// A run at 0.1 ms in a hole 5 mm of travel deep.
     pub(super) fn at(problem: &'a Problem, mode: Mode, [q, u, x, w]: [f64; 4]) -> Self {
-        let mut track = Self::new(problem, 1e-9, false);
-        (track.body.mode, track.body.deepest_m) = (mode, 5e-3);
-        track.body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
-        track.body.speed_scale_m_s = w.abs();
-        track
+        let mut simulation = Self::new(problem, 1e-9, false);
+        (simulation.body.mode, simulation.body.deepest_m) = (mode, 5e-3);
+        simulation.body.state =
+            State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
+        simulation.body.speed_scale_m_s = w.abs();
+        simulation
     }
 }
 
