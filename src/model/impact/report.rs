@@ -33,20 +33,14 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
     };
     let penetration_at_most_m =
         if outcome == Outcome::Moving { simulation.body.depth_at_most_m() } else { None };
-    // What can only get deeper by less than the run's own error is as deep as it gets.
-    let unseen = problem.scene.run.tolerance;
+    // A hole that can grow by less than the error of the run has its final depth.
+    let negligible = problem.scene.run.tolerance;
     let final_penetration_m = final_penetration_m.or_else(|| {
         let at_most_m = penetration_at_most_m?;
-        hole_m.filter(|depth_m| at_most_m - depth_m <= unseen * depth_m)
+        hole_m.filter(|depth_m| at_most_m - depth_m <= negligible * depth_m)
     });
     let so_far_m = simulation.record.max_displacement_m;
-    let max_displacement = match simulation.termination.max_displacement {
-        MaximumDisplacement::Known(x) => Some(larger(x, so_far_m)),
-        MaximumDisplacement::Pending if simulation.body.displacement_is_greatest(so_far_m) => {
-            Some(so_far_m)
-        }
-        MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
-    };
+    let max_displacement = max_displacement_m(&simulation);
     let mut warnings =
         warnings(problem, &simulation, end, &ledger, max_displacement.unwrap_or(so_far_m));
     warnings.extend(notes(problem, &simulation, final_penetration_m).map(Warning::Model));
@@ -92,6 +86,18 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
         cost,
         omitted,
         warnings,
+    }
+}
+
+/// The maximum displacement of the plate, m; `None` while it is unknown or has no bound.
+fn max_displacement_m(simulation: &Simulation<'_>) -> Option<f64> {
+    let so_far_m = simulation.record.max_displacement_m;
+    match simulation.termination.max_displacement {
+        MaximumDisplacement::Known(x_m) => Some(larger(x_m, so_far_m)),
+        MaximumDisplacement::Pending if simulation.body.displacement_is_greatest(so_far_m) => {
+            Some(so_far_m)
+        }
+        MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     }
 }
 
