@@ -7,8 +7,8 @@ use cmra::model::scene::{Mount, Scene};
 use cmra::model::units::Bare;
 use cmra::model::variables::set_by_name;
 
-/// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. Primed: of the same kind as the scene of that
-/// number in the survey of peers, whose parameters are not recorded.
+/// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. A prime marks a scene that replaces one of an earlier
+/// comparison, whose parameters were not recorded.
 pub(crate) const SCENES: [(&str, &str); 18] = [
     ("S1", "gamma=1"),
     ("S2", "k=1e5"),
