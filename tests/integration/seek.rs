@@ -44,7 +44,10 @@ fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
 #[test]
 fn bad_goals_and_bounds_are_refused_with_the_cure() {
     for (arguments, fragments) in [
-        (["--over", "k=0..1e6", "--goal", "depth=3"], &["output depth", "system_mass_kg"][..]),
+        (
+            ["--over", "k=0..1e6", "--goal", "depth=3"],
+            &["output depth", "did you mean `final_penetration_m`"][..],
+        ),
         (["--over", "k=0..1e6", "--goal", "stroke_m"], &["RESULT=VALUE"]),
         (["--over", "k=0..1e6", "--goal", "stroke_m=3kg"], &["`kg` is not a unit", "mm"]),
         (["--over", "k=1..1", "--goal", "stroke_m=3mm"], &["both ends are 1"]),

@@ -223,7 +223,7 @@ fn bad_sweeps_are_refused_before_anything_runs() {
         ("--over gamma=1..2:5 --shard 3/2 --csv x.csv", &["shard 3/2", "I/N"]),
         (
             "--over gamma=1..2:5 --outputs depth --csv x.csv",
-            &["output depth", "the usual ones are"],
+            &["output depth", "did you mean `final_penetration_m`"],
         ),
         ("--over gamma=1..2:5 --points 9 --csv x.csv", &["--points", "--design lhs or sobol"]),
     ] {

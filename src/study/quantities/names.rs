@@ -37,13 +37,19 @@ const USUAL: [&str; 6] = [
 const NEAREST_MAX: usize = 4;
 const WIDTH: usize = 78;
 
-/// A hint for a name that no quantity has: the quantities spelled most like it, else those requested most.
+/// A hint for an unknown name: the quantities whose name or meaning is nearest, else the usual ones.
 pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
     let limit = (lower.chars().count() / 3).max(1);
     let mut ranked: Vec<(usize, &str)> = QUANTITIES
         .iter()
-        .map(|quantity| (distance(&lower, quantity.name), quantity.name))
+        .map(|quantity| {
+            // `depth` is a word of meanings, not of names.
+            let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric());
+            let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
+            let far = distance(&lower, quantity.name);
+            (if is_meant { far.min(1) } else { far }, quantity.name)
+        })
         .filter(|(distance, _)| *distance <= limit)
         .collect();
     // Of those as near as each other the ones requested most come first.
@@ -66,7 +72,7 @@ fn distance(name: &str, quantity: &str) -> usize {
     });
     // A single letter is a unit's, and near to everything.
     let parts = parts.filter(|part| part.len() > 2);
-    // Whoever types three letters or more of the beginning of a word means that word.
+    // Three letters or more of the beginning of a word mean that word.
     let begun = |part: &str| name.len() > 2 && part.starts_with(name);
     let off = |part: &str| if begun(part) { 0 } else { strsim::osa_distance(name, part) };
     let nearest = parts.map(|part| off(&part) + usize::from(part != quantity)).min();
@@ -121,6 +127,7 @@ mod tests {
         assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");
         assert_eq!(nearest("percent_of_basline"), "did you mean `percent_of_baseline`?");
         assert!(nearest("penetration").starts_with("did you mean `final_penetration_m` or "));
+        assert!(nearest("depth").starts_with("did you mean `final_penetration_m` or "));
         assert_eq!(nearest("sistem_mass"), "did you mean `system_mass_kg`?");
         for strange in ["foo", "", "quux_quux"] {
             let hint = nearest(strange);
