@@ -7,6 +7,7 @@
 //! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
 
 pub use cmra_engine::{model, numerics};
+pub(crate) use cmra_studies::enumeration;
 pub use cmra_studies::{report, study};
 
 pub mod cli;

@@ -8,14 +8,15 @@
 pub use cmra_engine::{model, numerics};
 
 /// Defines an enum whose variants are the rows of a table: a method for each column gives a variant's entry.
+#[macro_export]
 macro_rules! enumeration {
-    ($(#[$about:meta])* pub enum $name:ident in $row:ident {
+    ($(#[$about:meta])* $vis:vis enum $name:ident in $row:ident {
         $($(#[$column_doc:meta])* $column:ident: $type:ty,)+
     }
     $($(#[$doc:meta])* $variant:ident { $($key:ident: $value:expr),+ })+) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $name {
+        $vis enum $name {
             $($(#[$doc])* $variant,)+
         }
 
@@ -25,7 +26,7 @@ macro_rules! enumeration {
 
         impl $name {
             /// All of them, in the order of tables.
-            pub const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
+            $vis const ALL: [Self; [$(Self::$variant),+].len()] = [$(Self::$variant),+];
 
             fn row(self) -> &'static $row {
                 match self {
@@ -34,7 +35,7 @@ macro_rules! enumeration {
             }
 
             $($(#[$column_doc])*
-            pub fn $column(self) -> $type {
+            $vis fn $column(self) -> $type {
                 self.row().$column
             })+
         }

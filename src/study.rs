@@ -25,7 +25,15 @@ pub mod thesis;
 pub mod validation;
 pub mod validity;
 
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use serde::Deserialize;
+
+use crate::model::run::Run;
 use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 use crate::model::variables::{self, VariableError};
 
@@ -43,4 +51,16 @@ fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
     let mut scene = Scene::default();
     scene.mechanism.spring.coefficient = 0.0;
     changed(scene, changes)
+}
+
+/// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
+fn plain_run(scene: &Scene) -> Option<Run> {
+    let settings = Settings { series: false, estimate: false };
+    simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
+}
+
+/// The entries of a file of one list.
+fn listed<T: Deserialize<'static>>(text: &'static str) -> Result<Vec<T>, toml::de::Error> {
+    let lists: BTreeMap<&str, Vec<T>> = toml::from_str(text)?;
+    Ok(lists.into_values().flatten().collect())
 }

@@ -9,27 +9,18 @@ use crate::cli::{
     libraries, limit, man, monte_carlo, optimise, paths, presets, report, reproduce, run, seek,
     sensitivity, stability, sweep, validate, variables,
 };
+use crate::enumeration;
 
-/// The groups of commands in `cmra --help`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Group {
-    Explore,
-    Decide,
-    Check,
-    Data,
-}
-
-impl Group {
-    pub(super) const ALL: [Self; 4] = [Self::Explore, Self::Decide, Self::Check, Self::Data];
-
-    pub(super) fn heading(self) -> &'static str {
-        match self {
-            Self::Explore => "Run and explore",
-            Self::Decide => "Decide",
-            Self::Check => "Check",
-            Self::Data => "Data",
-        }
+enumeration! {
+    /// The groups of commands in `cmra --help`.
+    pub(super) enum Group in GroupRow {
+        /// The heading of its commands.
+        heading: &'static str,
     }
+    Explore { heading: "Run and explore" }
+    Decide { heading: "Decide" }
+    Check { heading: "Check" }
+    Data { heading: "Data" }
 }
 
 pub(super) struct Row {

@@ -11,7 +11,7 @@ use crate::study::models::{Comparison, Row, What, compare};
 
 pub(super) fn compute(preset: &Preset, what: What) -> Result<Comparison, CliError> {
     let start = Instant::now();
-    Ok(compare(&preset.scene, what, &|| start.elapsed().as_secs_f64())?)
+    Ok(compare(&preset.scene, what, &mut || start.elapsed().as_secs_f64())?)
 }
 
 pub(super) fn page(name: &str, found: &Comparison) -> String {

@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::pace::{Pace, interruptible};
+use crate::cli::pace::Pace;
 use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
+use crate::cli::search::all_threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::table::exists;
 use crate::cli::{CliError, draw, output, summary};
@@ -21,12 +22,13 @@ use crate::model::variables::{VARIABLES, Variable, is_used};
 use crate::report::document::{Block, Document};
 use crate::report::figures::limit::residual;
 use crate::report::figures::run::selected;
-use crate::report::figures::sweeps::{Row, picture};
+use crate::report::figures::sweeps::picture;
 use crate::report::limit::remarks;
 use crate::report::svg::Picture;
 use crate::study::limit::{self, Criterion, Effort};
 use crate::study::quantities::{Quantity, of_runs};
-use crate::study::sweep::{Evaluator, Plan};
+use crate::study::sweep::Plan;
+use crate::study::sweep::grid::{Grid, PIECE};
 use crate::study::validity;
 
 /// Digits of a result.
@@ -84,7 +86,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let charts = selected(&computed.run).into_iter().map(Picture::Chart).map(block);
     section(&mut document, "Charts", charts.collect());
     section(&mut document, "Ballistic limit", ballistic_limit(&scene, &mut pace)?);
-    section(&mut document, "Sweep", own_sweep(&scene)?);
+    section(&mut document, "Sweep", own_sweep(&scene, &mut pace)?);
     section(&mut document, "Run it again", again(&computed, &scene));
     pace.clear();
     if pace.exit_code(true) != ExitCode::SUCCESS {
@@ -197,18 +199,15 @@ fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliErro
 }
 
 /// The pictures of the sweep that is kept with the scene.
-fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
+fn own_sweep(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliError> {
     if scene.sweep.is_none() {
         return Ok(Vec::new());
     }
-    let plan = Plan::of(scene)?;
-    if plan.axes().len() > 2 || plan.points() > KEPT_MAX {
-        return Ok(Vec::new());
-    }
-    let stop = interruptible();
-    let found = Evaluator::new(&plan, &stop).rows(0..plan.points());
-    let rows: Vec<Row> = Row::all(&found).collect();
-    let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&plan, output, &rows));
+    let plan = Arc::new(Plan::of(scene)?);
+    let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
+    let Some(grid) = grid else { return Ok(Vec::new()) };
+    let grid = pace.study(all_threads(), "points", |context| grid.fill(PIECE, context));
+    let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&grid, output));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
     let warnings = validity::of_axes(plan.base(), plan.axes());
     blocks.extend((!warnings.is_empty()).then_some(Block::List(warnings)));

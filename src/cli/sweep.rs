@@ -7,6 +7,7 @@ pub(super) mod page;
 
 use std::ops::Range;
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
@@ -27,7 +28,7 @@ use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::study::context::{Context, Progress, Stop, Work};
 use crate::study::quantities;
 use crate::study::search::design_space::DesignSpace;
-use crate::study::sweep::grid::PIECE;
+use crate::study::sweep::grid::{Grid, PIECE};
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
 use axes::{Asked, DesignWord};
@@ -97,9 +98,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         },
     };
     let (plan, all) = axes::plan(&preset.scene, &preset.name, &asked)?;
+    let plan = Arc::new(plan);
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
-    if draws && !page::Kept::is_drawable(&plan, &shard.of(plan.points())) {
+    if draws && !page::is_drawable(&plan, &shard.of(plan.points())) {
         return Err(CliError::Option(page::undrawable()));
     }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
@@ -111,7 +113,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
     let start = Instant::now();
     let columns = if all { Columns::All } else { Columns::Chosen };
-    let mut kept = page::Kept::of(&plan, job.points(), draws || !rows_wanted);
+    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
+    let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = if rows_wanted {
         job.rows(arguments, columns, &mut kept)?
     } else {
@@ -121,7 +124,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         }
         page.summary
     };
-    arguments.pictures.write(&arguments.table, || kept.pictures(&plan, columns))?;
+    arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
     Ok(job.ended(&ended, columns, &arguments.table, start))
 }
 
@@ -182,7 +185,7 @@ impl Job<'_> {
         ExitCode::SUCCESS
     }
 
-    fn page(&self, kept: &mut page::Kept) -> Result<Page, CliError> {
+    fn page(&self, kept: &mut Option<Grid>) -> Result<Page, CliError> {
         let count = self.points().end - self.points().start;
         say_if_long(&DesignSpace::of(self.plan.clone()), (count, "points"), self.threads);
         let name = &self.preset.name;
@@ -190,13 +193,13 @@ impl Job<'_> {
         let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
         let start = Instant::now();
         let summary = self.stream(&sheet, |piece| {
-            kept.keep(&piece.rows);
+            kept.iter_mut().for_each(|grid| grid.extend(&piece.rows));
             Ok(())
         })?;
         let took_s = start.elapsed().as_secs_f64();
         let head = page::Head { name, threads: self.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        let text = at_top(&page::text(self.plan, &head, &summary, kept), &warnings);
+        let text = at_top(&page::text(self.plan, &head, &summary, kept.as_ref()), &warnings);
         Ok(Page { text, summary })
     }
 
@@ -204,7 +207,7 @@ impl Job<'_> {
         &self,
         arguments: &SweepArguments,
         columns: Columns,
-        kept: &mut page::Kept,
+        kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
         let mut file = match &target {
@@ -241,7 +244,7 @@ impl Job<'_> {
         write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |piece| {
-            kept.keep(&piece.rows);
+            kept.iter_mut().for_each(|grid| grid.extend(&piece.rows));
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
                 write("", ",\n")?;
             }

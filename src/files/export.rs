@@ -9,6 +9,7 @@ use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use crate::enumeration;
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
@@ -58,35 +59,20 @@ pub struct RunTable {
     pub style: Style,
 }
 
-/// Where the scene of an export goes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Meta {
+enumeration! {
+    /// Where the scene of an export goes.
+    #[derive(Default)]
+    pub enum Meta in MetaRow {
+        /// The word of the command line.
+        word: &'static str,
+        /// Its description.
+        words: &'static str,
+    }
     /// Into a scene file beside the table, which runs it again to the same digits.
     #[default]
-    Beside,
+    Beside { word: "beside", words: "in a .toml file beside it, which runs it again" }
     /// Into comment lines at the head of the table.
-    Inline,
-}
-
-impl Meta {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Beside, Self::Inline];
-
-    /// The word of the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Beside => "beside",
-            Self::Inline => "inline",
-        }
-    }
-
-    /// Its description.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Beside => "in a .toml file beside it, which runs it again",
-            Self::Inline => "in # lines at the top of the table",
-        }
-    }
+    Inline { word: "inline", words: "in # lines at the top of the table" }
 }
 
 impl Destination {

@@ -7,51 +7,31 @@ use std::borrow::Cow;
 
 use csv::{ReaderBuilder, Terminator, WriterBuilder};
 
+use crate::enumeration;
 use crate::files::error::FileError;
 
-/// The CSV dialect of a table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Style {
+enumeration! {
+    /// The CSV dialect of a table.
+    #[derive(Default)]
+    pub enum Style in StyleRow {
+        /// The word of the command line and of files.
+        word: &'static str,
+        /// Its description.
+        words: &'static str,
+        /// The prefix of a file, before its first line.
+        head: &'static str,
+    }
     /// A comma between values, a point in numbers, LF at the end of lines.
     #[default]
-    Plain,
+    Plain { word: "plain", words: "commas, as every program reads it", head: "" }
     /// The same with CRLF line ends.
-    Crlf,
+    Crlf { word: "crlf", words: "commas, lines end with CR LF", head: "" }
     /// A semicolon between values, a comma in numbers, CRLF, and the mark of UTF-8 at the head: what Excel opens by itself where
     /// the comma is the decimal sign, and few other programs do.
-    ExcelEu,
+    ExcelEu { word: "excel-eu", words: "for Excel with decimal commas: 1,5;2", head: "\u{feff}" }
 }
 
 impl Style {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Plain, Self::Crlf, Self::ExcelEu];
-
-    /// The word of the command line and of files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Plain => "plain",
-            Self::Crlf => "crlf",
-            Self::ExcelEu => "excel-eu",
-        }
-    }
-
-    /// Its description.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Plain => "commas, as every program reads it",
-            Self::Crlf => "commas, lines end with CR LF",
-            Self::ExcelEu => "for Excel with decimal commas: 1,5;2",
-        }
-    }
-
-    /// The prefix of a file, before its first line.
-    pub fn head(self) -> &'static str {
-        match self {
-            Self::Plain | Self::Crlf => "",
-            Self::ExcelEu => "\u{feff}",
-        }
-    }
-
     /// A whole file: its head, comment lines, and the table.
     ///
     /// # Errors

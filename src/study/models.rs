@@ -13,10 +13,10 @@ use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
 use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VariableError};
+use crate::study::accuracy::timing::{Clock, Patience, time};
 
-/// Computations of one scene whose shortest time counts, and how long they may take in all, s.
-const REPEATS: usize = 15;
-const REPEATS_UNTIL_S: f64 = 0.2;
+/// How long the computations of one scene may take of which the shortest time counts.
+const PATIENCE: Patience = Patience { point_s: 0.2, slow_s: 0.1 };
 
 enumeration! {
     /// The subjects of the comparison.
@@ -106,15 +106,11 @@ struct Plan {
     judged: (&'static str, &'static str),
 }
 
-/// Compute a comparison; `now_s` is the clock.
+/// Compute a comparison; `clock` gives the time.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense, or none of the rows can run it.
-pub fn compare(
-    scene: &Scene,
-    what: What,
-    now_s: &dyn Fn() -> f64,
-) -> Result<Comparison, VariableError> {
+pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison, VariableError> {
     variables::require_single(scene)?;
     let plans = match what {
         What::Models => models(scene),
@@ -133,17 +129,7 @@ pub fn compare(
         }
         let run = simulate(&own, Settings::default())?;
         let quiet = Settings { series: false, estimate: false };
-        let begin_s = now_s();
-        let mut took_s = f64::INFINITY;
-        for _ in 0..REPEATS {
-            let from_s = now_s();
-            simulate(&own, quiet)?;
-            let one_s = now_s() - from_s;
-            took_s = if one_s < took_s { one_s } else { took_s };
-            if now_s() - begin_s > REPEATS_UNTIL_S {
-                break;
-            }
-        }
+        let took_s = time(clock, PATIENCE, || simulate(&own, quiet)).min_s;
         rows.push(Row {
             name: plan.name,
             with: parameters(&own),
@@ -245,7 +231,7 @@ mod tests {
 
     #[test]
     fn every_model_stands_beside_the_hydrodynamic_one() {
-        let found = compare(&Scene::default(), What::Models, &|| 0.0).unwrap();
+        let found = compare(&Scene::default(), What::Models, &mut || 0.0).unwrap();
         let names: Vec<&str> = found.rows.iter().map(|row| row.name).collect();
         assert_eq!(names, ["hydrodynamic", "lumped", "half-sine", "initial-velocity", "appendix"]);
         let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
@@ -261,7 +247,7 @@ mod tests {
 
     #[test]
     fn quirks_stand_beside_the_listing_as_printed() {
-        let found = compare(&Scene::default(), What::Quirks, &|| 0.0).unwrap();
+        let found = compare(&Scene::default(), What::Quirks, &mut || 0.0).unwrap();
         assert_eq!(found.rows.len(), 10);
         let error =
             |name: &str| found.depth_error(found.rows.iter().find(|row| row.name == name).unwrap());

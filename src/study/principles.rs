@@ -1,9 +1,10 @@
 //! Families, principles and functions of thesis Tables 4.1 and 5.1, and the presets that show them.
 
-use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
+
+use crate::study::listed;
 
 /// A design principle (chapter 4) with the functions that serve it (Table 5.1).
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -31,9 +32,7 @@ pub struct Principle {
 pub static PRINCIPLES: LazyLock<Vec<Principle>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Principle>, toml::de::Error> {
-    let text = include_str!("../../presets/tables/principles.toml");
-    let mut lists: BTreeMap<&str, Vec<Principle>> = toml::from_str(text)?;
-    Ok(lists.remove("principle").unwrap_or_default())
+    listed(include_str!("../../presets/tables/principles.toml"))
 }
 
 #[cfg(test)]

@@ -4,16 +4,14 @@
 //! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. Measurements that
 //! cannot be checked are listed with the reason.
 
-use std::ops::ControlFlow;
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use serde::Deserialize;
 
 use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
-use crate::model::simulate::{Settings, simulate};
 use crate::model::variables;
-use crate::study::{changed, limit};
+use crate::study::{changed, limit, plain_run};
 
 mod bias;
 
@@ -237,14 +235,12 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 /// The scene under the other closure, with the drag each is made with: Virostek's `C_d` = 0.5 for 2 Y, a hemisphere's 1 for
 /// cavity expansion.
 fn other(scene: &Scene) -> Option<Scene> {
-    let mut own = scene.clone();
-    (own.target.closure, own.target.dishing, own.target.drag_coefficient) =
-        match scene.target.closure {
-            Closure::Given => return None,
-            Closure::DoubleYield => (Closure::Cavity, false, 1.0),
-            Closure::Cavity => (Closure::DoubleYield, true, 0.5),
-        };
-    Some(own)
+    let closure = match scene.target.closure {
+        Closure::Given => return None,
+        Closure::DoubleYield => Closure::Cavity,
+        Closure::Cavity => Closure::DoubleYield,
+    };
+    Some(limit::by_closure(scene, closure))
 }
 
 fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
@@ -265,12 +261,7 @@ fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
         }
         Quantity::Strength => Some(scene.flow_strength_pa()),
         Quantity::Bulge => scene.target.dishing.then_some(2.0 * scene.projectile.tip_radius_m),
-        Quantity::Depth => {
-            let settings = Settings { series: false, estimate: false };
-            let scene = Arc::new(scene.clone());
-            let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).ok()?;
-            run.final_penetration_m
-        }
+        Quantity::Depth => plain_run(scene)?.final_penetration_m,
     }
 }
 

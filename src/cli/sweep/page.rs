@@ -8,11 +8,12 @@ use crate::cli::text::width;
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::model::units::{self, Engineering};
-use crate::report::figures::sweeps::{Row, picture};
+use crate::report::figures::sweeps::picture;
 use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
 use crate::report::table::Table;
-use crate::study::sweep::{Axis, Design, Plan, Rows, Spacing, Summary, USUAL_OUTPUTS};
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Design, Plan, PointOutcome, Spacing, Summary, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -26,41 +27,20 @@ pub(super) struct Head<'a> {
     pub(super) took_s: f64,
 }
 
-/// The rows to draw, where there are few enough and the whole grid is there.
-pub(super) struct Kept(Option<Vec<Row>>);
+/// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
+pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
+    let whole = *points == (0..plan.points());
+    let drawable = plan.design() == Design::Factorial && plan.axes().len() <= 2;
+    whole && drawable && plan.points() <= KEPT_MAX
+}
 
-impl Kept {
-    pub(super) fn of(plan: &Plan, points: Range<u64>, wanted: bool) -> Self {
-        Self((wanted && Self::is_drawable(plan, &points)).then(Vec::new))
-    }
-
-    /// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
-    pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
-        let whole = *points == (0..plan.points());
-        let drawable = plan.design() == Design::Factorial && plan.axes().len() <= 2;
-        whole && drawable && plan.points() <= KEPT_MAX
-    }
-
-    pub(super) fn keep(&mut self, rows: &Rows) {
-        if let Some(kept) = &mut self.0 {
-            kept.extend(Row::all(rows));
-        }
-    }
-
-    /// All rows of a sweep that has been made to its end.
-    fn whole(&self, plan: &Plan) -> Option<&[Row]> {
-        self.0.as_deref().filter(|rows| rows.len() as u64 == plan.points())
-    }
-
-    /// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
-    pub(super) fn pictures(&self, plan: &Plan, columns: Columns) -> Vec<Picture> {
-        let Some(rows) = self.whole(plan) else { return Vec::new() };
-        let wanted = |output: &usize| {
-            columns == Columns::Chosen || USUAL_OUTPUTS.contains(&plan.outputs()[*output].name)
-        };
-        let outputs = (0..plan.outputs().len()).filter(wanted);
-        outputs.filter_map(|output| picture(plan, output, rows)).collect()
-    }
+/// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
+pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
+    let Some(grid) = kept.filter(|grid| grid.is_complete()) else { return Vec::new() };
+    let all = grid.plan().outputs();
+    let wanted =
+        |output: &usize| columns == Columns::Chosen || USUAL_OUTPUTS.contains(&all[*output].name);
+    (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 
 /// Why a sweep cannot be drawn.
@@ -71,7 +51,7 @@ pub(super) fn undrawable() -> String {
     )
 }
 
-pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept) -> String {
+pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option<&Grid>) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
     let design = match plan.design() {
         Design::Factorial => "every combination".to_owned(),
@@ -87,12 +67,12 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept)
         head.threads,
         if head.threads == 1 { "" } else { "s" }
     );
-    if let Some(rows) = kept.whole(plan) {
+    if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
         for output in 0..plan.outputs().len() {
-            drawn(&mut page, plan, output, rows);
+            drawn(&mut page, grid, output);
         }
         if let [axis] = plan.axes() {
-            table(&mut page, plan, axis, rows);
+            table(&mut page, grid, axis);
         }
     }
     extremes(&mut page, plan, summary);
@@ -114,38 +94,37 @@ fn axis_words(axis: &Axis) -> String {
 }
 
 /// The picture of an output.
-fn drawn(page: &mut String, plan: &Plan, output: usize, rows: &[Row]) {
-    let column = plan.outputs()[output];
-    let Some(picture) = picture(plan, output, rows) else {
-        let where_to = if plan.axes().len() == 1 { "axis" } else { "grid" };
+fn drawn(page: &mut String, grid: &Grid, output: usize) {
+    let column = grid.plan().outputs()[output];
+    let is_axis = grid.plan().axes().len() == 1;
+    let Some(picture) = picture(grid, output) else {
+        let where_to = if is_axis { "axis" } else { "grid" };
         let _ = writeln!(page, "{}: no value anywhere on this {where_to}\n", column.title());
         return;
     };
     page.push_str(&draw::picture(&picture));
-    let gone = rows.iter().filter(|row| row.shown(output, column).is_none()).count();
-    if gone > 0 && plan.axes().len() == 1 {
-        let _ = writeln!(page, "{gone} of {} points have no value and are left blank", rows.len());
+    let points = grid.counts().0;
+    let gone = (0..points).filter(|at| grid.cell(*at, 0, output).value().is_none()).count();
+    if gone > 0 && is_axis {
+        let _ = writeln!(page, "{gone} of {points} points have no value and are left blank");
     }
     page.push('\n');
 }
 
-fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
+fn table(page: &mut String, grid: &Grid, axis: &Axis) {
     let last = axis.count() - 1;
     // Evenly spread, where the number of points allows it.
     let even = (5..TABLE_ROWS).rev().find(|steps| last.is_multiple_of(*steps));
     let count = even.map_or_else(|| TABLE_ROWS.min(axis.count()), |steps| steps + 1);
     let places = (0..count).map(|row| row * last / (count - 1));
-    let shown = places.filter_map(|at| Some((at, rows.get(usize::try_from(at).ok()?)?)));
+    let shown = places.filter_map(|at| usize::try_from(at).ok());
     let unit = axis.variable().unit().trim_matches('-');
-    let table = Table::of(shown).with("axis", axis.symbol(), unit, |(at, _)| axis.value(*at)).with(
-        "outcome",
-        "outcome",
-        "",
-        |(_, row)| row.outcome.word(),
-    );
-    let outputs = plan.outputs().iter().enumerate();
-    let table = outputs.fold(table, |table, (at, column)| {
-        table.with(column.name, column.title(), column.unit(), move |(_, row)| row.values[at])
+    let table = Table::of(shown)
+        .with("axis", axis.symbol(), unit, |at| axis.value(*at as u64))
+        .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::word));
+    let outputs = grid.plan().outputs().iter().enumerate();
+    let table = outputs.fold(table, |table, (output, column)| {
+        table.with(column.name, column.title(), column.unit(), move |at| grid.value(*at, 0, output))
     });
     let _ = writeln!(page, "{}", table.page(&table.keys(), width()));
 }

@@ -7,44 +7,28 @@ use crate::report::figures::{axis_of, map_over};
 use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
-use crate::study::sweep::grid::{self, tells};
-use crate::study::sweep::{self, Plan, PointOutcome, Rows};
+use crate::study::sweep::grid::{self, Grid};
+use crate::study::sweep::{self, PointOutcome};
 
-/// The outcome of a point, and its outputs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Its outcome.
-    pub outcome: PointOutcome,
-    /// The outputs of the plan.
-    pub values: Vec<Option<f64>>,
-}
-
-impl Row {
-    /// The rows that came out of a sweep.
-    pub fn all(rows: &Rows) -> impl Iterator<Item = Self> {
-        let values = |row| (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
-        (0..rows.len()).map(move |row| Self { outcome: rows.outcome(row), values: values(row) })
-    }
-
-    /// The number to draw, if one tells anything.
-    pub fn shown(&self, output: usize, column: &Quantity) -> Option<f64> {
-        self.values[output].filter(|_| tells(column, self.outcome))
-    }
-}
-
-/// The picture of an output over all points of a sweep of one or two axes; `None` where it exists nowhere.
-pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
-    match plan.axes() {
-        [x] => curve(plan, x, output, rows).map(Picture::Chart),
-        [x, y] => map(plan, x, y, output, rows).map(Picture::Map),
+/// The picture of an output over a full grid of one or two axes; `None` where it exists nowhere.
+pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {
+    match grid.plan().axes() {
+        [x] => curve(grid, x, output).map(Picture::Chart),
+        [x, y] => map(grid, (x, y), output).map(Picture::Map),
         _ => None,
     }
 }
 
-fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart<'static>> {
-    let column = plan.outputs()[output];
-    let value = |row: &Row| row.shown(output, column).unwrap_or(f64::NAN);
-    let points = (0..).map(|index| axis.value(index)).zip(rows.iter().map(value));
+/// The points of a grid in their order.
+fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> + '_ {
+    let (across, up) = grid.counts();
+    (0..across).flat_map(move |x| (0..up).map(move |y| grid.cell(x, y, output)))
+}
+
+fn curve(grid: &Grid, axis: &sweep::Axis, output: usize) -> Option<Chart<'static>> {
+    let column = grid.plan().outputs()[output];
+    let values = points(grid, output).map(|point| point.value().unwrap_or(f64::NAN));
+    let points = (0..).map(|index| axis.value(index)).zip(values);
     let points = sorted_by(points.collect(), |point: &(f64, f64)| point.0);
     let values = points.iter().map(|point| point.1);
     let y = Axis::fitted(column.title(), column.unit(), Scale::Linear, values)?;
@@ -52,23 +36,11 @@ fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option
     Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
 
-fn map(
-    plan: &Plan,
-    x: &sweep::Axis,
-    y: &sweep::Axis,
-    output: usize,
-    rows: &[Row],
-) -> Option<Map<'static>> {
-    let column = plan.outputs()[output];
-    let height = usize::try_from(y.count()).ok()?;
-    let point = |row: &Row| {
-        row.shown(output, column).map_or(grid::Cell::Outcome(row.outcome), grid::Cell::Value)
-    };
-    let at = |at_x: usize, at_y: usize| {
-        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| cell(point(row), Scale::Linear))
-    };
-    let marks = marks(column, rows.iter().map(point), Scale::Linear);
-    let values = rows.iter().filter_map(|row| row.shown(output, column));
+fn map(grid: &Grid, (x, y): (&sweep::Axis, &sweep::Axis), output: usize) -> Option<Map<'static>> {
+    let column = grid.plan().outputs()[output];
+    let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output), Scale::Linear);
+    let marks = marks(column, points(grid, output), Scale::Linear);
+    let values = points(grid, output).filter_map(grid::Cell::value);
     let levels = Levels::of(Scale::Linear, values)?;
     let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })

@@ -1,15 +1,14 @@
 //! The thinnest armour of a scene's kind that stops its shot, and the thinnest solid plate that does.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
-use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::hardware::Built;
 use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
 use crate::study::compare::{elements, outcome};
+use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
@@ -82,9 +81,7 @@ pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
 
 /// Areal mass of a valid scene as built, its springs sized for its own shot, kg/m²; `None` where it is not known.
 pub fn areal_mass_kg_m2(scene: &Scene, hardware: &Hardware) -> Option<f64> {
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));
-    Built::of(scene, hardware, &run.ok()?).areal_kg_m2(scene)
+    Built::of(scene, hardware, &plain_run(scene)?).areal_kg_m2(scene)
 }
 
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
@@ -132,9 +129,7 @@ fn shoot(scene: &Scene) -> Option<Shot> {
         let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));
         return Some(Shot { stopped: end.arrested, demands: vec![demand] });
     }
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));
-    let run = run.ok()?;
+    let run = plain_run(scene)?;
     // An undecided run is not a proof that the plate stops the shot.
     let stopped = match outcome(&run) {
         Outcome::Arrested | Outcome::Separated => true,

@@ -26,23 +26,8 @@ impl Closures {
     /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
     pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
         let mut by = |closure: Closure| {
-            let mut own = scene.clone();
-            own.sweep = None;
-            let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
-            for target in std::iter::once(&mut own.target).chain(layers) {
-                if target.closure == Closure::Given {
-                    continue;
-                }
-                // Virostek's law has half the drag of cavity expansion on a hemisphere.
-                let drag = match (target.closure, closure) {
-                    (Closure::DoubleYield, Closure::Cavity) => 2.0,
-                    (Closure::Cavity, Closure::DoubleYield) => 0.5,
-                    (_, _) => 1.0,
-                };
-                target.drag_coefficient *= drag;
-                (target.closure, target.dishing) = (closure, closure == Closure::DoubleYield);
-            }
-            alone(&Arc::new(own), context).ok().and_then(super::Limit::velocity_m_s)
+            let own = Arc::new(by_closure(scene, closure));
+            alone(&own, context).ok().and_then(super::Limit::velocity_m_s)
         };
         (scene.target.closure != Closure::Given).then(|| Self {
             double_yield_m_s: by(Closure::DoubleYield),
@@ -55,6 +40,24 @@ impl Closures {
         let (a, b) = self.double_yield_m_s.zip(self.cavity_m_s)?;
         Some(if a < b { (a, b) } else { (b, a) })
     }
+}
+
+/// A scene whose flow strengths come from their yield stresses by this closure, with the dishing and the drag that belong to it.
+pub(in crate::study) fn by_closure(scene: &Scene, closure: Closure) -> Scene {
+    let mut own = scene.clone();
+    own.sweep = None;
+    let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
+    for target in std::iter::once(&mut own.target).chain(layers) {
+        if target.closure == Closure::Given {
+            continue;
+        }
+        if target.closure != closure {
+            // Virostek's law has half the drag of cavity expansion on a hemisphere.
+            target.drag_coefficient *= if closure == Closure::Cavity { 2.0 } else { 0.5 };
+        }
+        (target.closure, target.dishing) = (closure, closure == Closure::DoubleYield);
+    }
+    own
 }
 
 /// The load of the mechanism and its mount for a shot just below this limit; `None` when stopped.

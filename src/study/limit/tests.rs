@@ -6,9 +6,8 @@ use std::ops::ControlFlow;
 
 use super::*;
 use crate::model::scene::InterfaceLaw;
-use crate::model::simulate::{Settings, simulate};
-use crate::study::changed_free_plate;
 use crate::study::context::{Progress, to_its_end, until};
+use crate::study::{changed_free_plate, plain_run};
 
 const PLAIN: Effort = Effort { criterion: Criterion::Passage, sampling: None };
 
@@ -96,9 +95,8 @@ fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
 /// A shot whose run ends undecided is stopped where it has no energy left to go through, and else neither stopped nor through.
 #[test]
 fn undecided_shots_are_not_counted_as_stopped() {
-    let settings = Settings { series: false, estimate: false };
     let verdict = |pairs: &str| {
-        let run = simulate(&scene(pairs), &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let run = plain_run(&scene(pairs)).unwrap();
         assert_eq!(run.outcome, Outcome::Moving, "{pairs}");
         Verdict::of(&run, Criterion::Passage)
     };

@@ -1,11 +1,8 @@
 //! The study on scenes whose answer is known.
 
-use std::ops::ControlFlow;
-use std::sync::Arc;
-
 use super::*;
-use crate::model::simulate::{Settings, simulate};
 use crate::study::context::{to_its_end, until};
+use crate::study::plain_run;
 use crate::study::testing::{axes, rigid};
 
 const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1 };
@@ -22,9 +19,7 @@ fn what_has_an_effect_comes_first_and_the_ends_are_those_of_runs() {
     // The tornado's ends are the runs' own.
     let mut fast = rigid();
     fast.projectile.velocity_m_s = 120.0;
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(&Arc::new(fast), &settings, &mut |_| ControlFlow::Continue(())).unwrap();
-    assert_eq!(found.bars[1].high, run.final_penetration_m);
+    assert_eq!(found.bars[1].high, plain_run(&fast).unwrap().final_penetration_m);
 }
 
 #[test]

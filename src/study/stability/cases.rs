@@ -1,13 +1,12 @@
 //! The battery: named stiff and extreme scenes, and the difficulty of each.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use serde::Deserialize;
 
 use crate::model::scene::Scene;
 use crate::model::variables::VariableError;
-use crate::study::changed_free_plate;
+use crate::study::{changed_free_plate, listed};
 
 /// A named scene.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -35,9 +34,7 @@ impl Case {
 pub static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Case>, toml::de::Error> {
-    let text = include_str!("../../../presets/tables/stability.toml");
-    let mut lists: BTreeMap<&str, Vec<Case>> = toml::from_str(text)?;
-    Ok(lists.remove("scenes").unwrap_or_default())
+    listed(include_str!("../../../presets/tables/stability.toml"))
 }
 
 #[cfg(test)]

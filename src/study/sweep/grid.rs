@@ -49,6 +49,16 @@ pub enum Cell {
     Waiting,
 }
 
+impl Cell {
+    /// The number, where there is one.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::Value(value) => Some(value),
+            Self::Outcome(_) | Self::Waiting => None,
+        }
+    }
+}
+
 /// A grid, filled as far as it is.
 #[derive(Clone, Debug)]
 pub struct Grid {
@@ -184,7 +194,7 @@ impl Grid {
             let work = Work { count: all, at_once };
             context.each(work, worker, |context, piece, rows: Rows| {
                 let whole = rows.len() == slice(&piece).len();
-                self.put(slice(&piece), &rows);
+                self.put(slice(&piece).iter().copied(), &rows);
                 context.count(rows.len());
                 let finished = whole && piece.end == all;
                 if finished {
@@ -224,10 +234,16 @@ impl Grid {
         points
     }
 
-    fn put(&mut self, points: &[u64], rows: &Rows) {
+    /// Keep the rows of the points that follow those kept so far, of a grid that is filled in the order of its points.
+    pub fn extend(&mut self, rows: &Rows) {
+        let first = self.done as u64;
+        self.put(first.., rows);
+    }
+
+    fn put(&mut self, points: impl IntoIterator<Item = u64>, rows: &Rows) {
         let outputs = self.plan.outputs().len();
-        for (row, index) in points.iter().take(rows.len()).enumerate() {
-            let Ok(index) = usize::try_from(*index) else { continue };
+        for (row, index) in (0..rows.len()).zip(points) {
+            let Ok(index) = usize::try_from(index) else { continue };
             self.done += usize::from(self.outcomes[index].is_none());
             self.outcomes[index] = Some(rows.outcome(row));
             for output in 0..outputs {

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::grid::{Cell, Grid};
 use super::*;
-use crate::model::simulate::{Settings, simulate};
 use crate::study::context::{Context, Stop, to_its_end, until};
 use crate::study::parallel::Parallel;
+use crate::study::plain_run;
 use crate::study::testing::scene;
 
 const NONE: [&str; 0] = [];
@@ -114,9 +114,7 @@ fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     let mut scene = scene.clone();
     // A tenth of what is required of the sweep: the contact kernel is to be judged, not this one.
     scene.run.tolerance *= 0.1;
-    let settings = Settings { series: false, estimate: false };
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let run = simulate(&Arc::new(scene), &settings, go_on).unwrap();
+    let run = plain_run(&scene).unwrap();
     (PointOutcome::of(&run), named(name).unwrap().value(&run))
 }
 
