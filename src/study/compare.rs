@@ -256,9 +256,10 @@ pub fn compare(
         let areal = report.entries.first().map(|entry: &Entry| entry.areal_kg_m2);
         let Some(made) = make(scene, candidate, areal.flatten()) else { continue };
         let hardware = if candidate == Candidate::Scene { hardware } else { Hardware::bare() };
+        variables::validate(&made)?;
         let entry = context.uncounted(|context| {
             Judge { scene: Arc::new(made), hardware, context }.entry(candidate)
-        })?;
+        });
         let Some(entry) = entry else { return Ok(report) };
         report.entries.push(entry);
         context.count(1);

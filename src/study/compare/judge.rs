@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
-use crate::model::variables::VariableError;
 use crate::study::compare::hardware::Built;
 use crate::study::compare::sized::{self, sized};
 use crate::study::compare::solid::thickness_of_limit_m;
@@ -35,35 +34,28 @@ pub(super) struct Judge<'c, 'w> {
 }
 
 impl Judge<'_, '_> {
-    pub(super) fn entry(&mut self, candidate: Candidate) -> Result<Option<Entry>, VariableError> {
+    /// The entry; `None` when stopped.
+    pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
         let design_m_s = scene.projectile.velocity_m_s;
-        let perforation = limit::alone(&scene, self.context)?;
+        let perforation = limit::alone(&scene, self.context).ok()?;
         if perforation == Limit::Unknown {
-            return Ok(None);
+            return None;
         }
-        let Some(run) = self.fire(design_m_s)? else { return Ok(None) };
+        let run = self.fire(design_m_s)?;
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let sizing = match perforation.velocity_m_s() {
-            Some(limit) if outcome(&run) == Outcome::Perforated => {
-                let Some(run) = self.fire(limit * (1.0 - BELOW_LIMIT))? else { return Ok(None) };
-                Some(run)
-            }
+            Some(limit) if outcome(&run) == Outcome::Perforated => Some(self.fire_below(limit)?),
             Some(_) | None => None,
         };
         let built = Built::of(&scene, &self.hardware, sizing.as_ref().unwrap_or(&run));
-        let Some(BuiltLimit { limit_m_s, failure }) = self.limit(perforation, &built)? else {
-            return Ok(None);
-        };
+        let BuiltLimit { limit_m_s, failure } = self.limit(perforation, &built)?;
         let limit_load = match limit_m_s {
-            Some(limit) => {
-                let Some(run) = self.fire(limit * (1.0 - BELOW_LIMIT))? else { return Ok(None) };
-                Load::of(&run)
-            }
+            Some(limit) => Load::of(&self.fire_below(limit)?),
             None => Load::default(),
         };
         if !self.context.goes_on() {
-            return Ok(None);
+            return None;
         }
         let sized = sized(&scene, &self.hardware, sized::WIDTH);
         let areal_kg_m2 = built.areal_kg_m2(&scene);
@@ -72,7 +64,7 @@ impl Judge<'_, '_> {
         let stays = matches!(outcome(&run), Outcome::Arrested | Outcome::Separated);
         let depth_m =
             run.stack.as_ref().map_or(run.final_penetration_m, |stack| stack.penetration_m);
-        Ok(Some(Entry {
+        Some(Entry {
             candidate,
             outcome: outcome(&run),
             is_held: is_held(&scene),
@@ -89,63 +81,56 @@ impl Judge<'_, '_> {
             depth_m: depth_m.filter(|_| stays),
             residual_m_s: residual_m_s(&run),
             scene,
-        }))
+        })
     }
 
     /// One run, with its series for the mount force; `None` when it was stopped.
-    fn fire(&mut self, velocity_m_s: f64) -> Result<Option<Run>, VariableError> {
+    fn fire(&mut self, velocity_m_s: f64) -> Option<Run> {
         let settings = Settings { series: true, estimate: false };
         let mut aimed = (*self.scene).clone();
         aimed.projectile.velocity_m_s = velocity_m_s;
-        let run = simulate(&Arc::new(aimed), &settings, &mut self.context.observer())?;
-        Ok((run.end != EndReason::Cancelled).then_some(run))
+        let run = simulate(&Arc::new(aimed), &settings, &mut self.context.observer()).ok()?;
+        (run.end != EndReason::Cancelled).then_some(run)
+    }
+
+    fn fire_below(&mut self, limit_m_s: f64) -> Option<Run> {
+        self.fire(limit_m_s * (1.0 - BELOW_LIMIT))
     }
 
     /// The limit velocity with this hardware, and what fails there; `None` when stopped.
-    fn limit(
-        &mut self,
-        perforation: Limit,
-        built: &Built,
-    ) -> Result<Option<BuiltLimit>, VariableError> {
+    fn limit(&mut self, perforation: Limit, built: &Built) -> Option<BuiltLimit> {
         let plate_m_s = perforation.velocity_m_s();
         let top_m_s = match plate_m_s {
             Some(velocity_m_s) => velocity_m_s,
             None if perforation == Limit::Never => limit::RANGE_M_S.1,
-            None => return Ok(Some(BuiltLimit::default())),
+            None => return Some(BuiltLimit::default()),
         };
-        let failure_at = |judge: &mut Self, velocity_m_s: f64| {
-            judge.fire(velocity_m_s).map(|run| run.map(|run| built.failure(&run)))
+        let at_top = self.fire_below(top_m_s)?;
+        let Some(mut failure) = built.failure(&at_top) else {
+            return Some(BuiltLimit { limit_m_s: plate_m_s, failure: None });
         };
-        let Some(at_top) = failure_at(self, top_m_s * (1.0 - BELOW_LIMIT))? else {
-            return Ok(None);
-        };
-        let Some(mut failure) = at_top else {
-            return Ok(Some(BuiltLimit { limit_m_s: plate_m_s, failure: None }));
-        };
-        // What was sized for a shot holds it, and nothing faster.
         let design_m_s = self.scene.projectile.velocity_m_s;
         let (mut holds, mut fails) = (0.0, top_m_s);
+        let mut look = |velocity_m_s: f64, holds: &mut f64, fails: &mut f64| {
+            match built.failure(&self.fire(velocity_m_s)?) {
+                None => *holds = velocity_m_s,
+                Some(found) => (*fails, failure) = (velocity_m_s, found),
+            }
+            Some(())
+        };
+        // What was sized for a shot holds it, and nothing faster.
         for velocity_m_s in [design_m_s, design_m_s * (1.0 + BELOW_LIMIT)] {
             if velocity_m_s < fails {
-                match failure_at(self, velocity_m_s)? {
-                    None => return Ok(None),
-                    Some(None) => holds = velocity_m_s,
-                    Some(Some(found)) => (fails, failure) = (velocity_m_s, found),
-                }
+                look(velocity_m_s, &mut holds, &mut fails)?;
             }
         }
         if holds >= design_m_s && fails <= design_m_s * (1.0 + BELOW_LIMIT) {
-            return Ok(Some(BuiltLimit { limit_m_s: Some(design_m_s), failure: Some(failure) }));
+            return Some(BuiltLimit { limit_m_s: Some(design_m_s), failure: Some(failure) });
         }
         while fails - holds > WIDTH * fails && fails > limit::RANGE_M_S.0 {
-            let middle = 0.5 * (holds + fails);
-            match failure_at(self, middle)? {
-                None => return Ok(None),
-                Some(None) => holds = middle,
-                Some(Some(found)) => (fails, failure) = (middle, found),
-            }
+            look(0.5 * (holds + fails), &mut holds, &mut fails)?;
         }
         let limit_m_s = (fails > limit::RANGE_M_S.0).then_some(fails);
-        Ok(Some(BuiltLimit { limit_m_s, failure: Some(failure) }))
+        Some(BuiltLimit { limit_m_s, failure: Some(failure) })
     }
 }

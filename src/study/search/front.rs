@@ -5,7 +5,6 @@
 //! models the objective and constraint functions by linear interpolation", 1994). Must not know files, screens or a clock.
 
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
 use std::ops::ControlFlow;
 
 use crate::model::run::EndReason;
@@ -205,8 +204,6 @@ pub fn optimise(
 }
 
 struct State<'s, 'w> {
-    /// The designs of the present generation, by their shares.
-    known: HashMap<Vec<u64>, Design>,
     front: Front,
     context: &'s mut Context<'w, Front>,
 }
@@ -219,19 +216,16 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn run(&self, context: &mut Context<'_, Front>) -> Front {
-        let state = RefCell::new(State { known: HashMap::new(), front: self.blank(), context });
+        let state = RefCell::new(State { front: self.blank(), context });
         let mut function = |points: &[Vec<f64>]| {
-            let found = self.evaluate_all(points, &state)?;
-            Some(found.iter().map(|found| self.judge(&found.values)).collect())
+            let found = self.evaluate_all(points, &state)?.into_iter();
+            Some(found.map(|found| (self.judge(&found.values), found)).collect())
         };
-        let mut observe = |generation: usize, people: &[Individual]| {
+        let mut observe = |generation: usize, people: &[Individual<Found>]| {
             let mut state = state.borrow_mut();
-            // Only those that are there can be shown or chosen later.
-            let there: HashSet<Vec<u64>> = people.iter().map(|one| bits(&one.shares)).collect();
-            state.known.retain(|shares, _| there.contains(shares));
             state.front.generations = generation;
-            state.front.designs = Self::designs(&nsga::front(people), &state.known);
-            let State { front, context, .. } = &mut *state;
+            state.front.designs = self.designs(nsga::front(people));
+            let State { front, context } = &mut *state;
             front.is_complete = context.show(front);
         };
         // The scene itself and what the thesis recommends are tried first, where the bounds hold them.
@@ -246,19 +240,13 @@ impl Search<'_> {
         if let ([start], true, 1) = (best.as_slice(), whole, self.task.objectives.len()) {
             let mut attempt = |shares: &[f64]| {
                 let found = self.evaluate_all(&[shares.to_vec()], &state)?.into_iter().next()?;
-                Some(Trial {
-                    judged: self.judge(&found.values),
-                    margins: self.margins(&found.values),
-                })
+                let (judged, margins) = (self.judge(&found.values), self.margins(&found.values));
+                Some(Trial { judged, found, margins })
             };
             best =
                 vec![polish(start.clone(), (self.task.constraints.len(), POLISHED), &mut attempt)];
         }
-        {
-            let mut state = state.borrow_mut();
-            let designs = Self::designs(&best, &state.known);
-            state.front.designs = designs;
-        }
+        state.borrow_mut().front.designs = self.designs(best);
         let whole = state.borrow().front.is_complete;
         let mut candidates = self.candidates(whole);
         for candidate in &mut candidates {
@@ -293,7 +281,7 @@ impl Search<'_> {
         state: &RefCell<State<'_, '_>>,
     ) -> Option<Vec<Found>> {
         let mut state = state.borrow_mut();
-        let State { known, front, context } = &mut *state;
+        let State { front, context } = &mut *state;
         if !front.is_complete {
             return None;
         }
@@ -303,9 +291,6 @@ impl Search<'_> {
         front.runs += found.len();
         let budget = PointOutcome::Failed(Failure::Early(EndReason::StepBudget));
         front.given_up += found.iter().filter(|found| found.outcome == budget).count();
-        for ((shares, values), found) in points.iter().zip(designs).zip(&found) {
-            known.insert(bits(shares), Self::design(values, found.clone()));
-        }
         front.is_complete.then_some(found)
     }
 
@@ -336,13 +321,13 @@ impl Search<'_> {
         self.space.axes().iter().map(share).collect()
     }
 
-    fn design(values: Vec<f64>, found: Found) -> Design {
-        Design { values, measures: found.values, outcome: found.outcome }
+    fn designs(&self, best: Vec<Individual<Found>>) -> Vec<Design> {
+        sorted_by(best.into_iter().map(|one| self.design(one)).collect(), first)
     }
 
-    fn designs(best: &[Individual], known: &HashMap<Vec<u64>, Design>) -> Vec<Design> {
-        let of = |one: &Individual| known.get(&bits(&one.shares)).cloned();
-        sorted_by(best.iter().filter_map(of).collect(), first)
+    fn design(&self, one: Individual<Found>) -> Design {
+        let Found { outcome, values } = one.found;
+        Design { values: self.place(&one.shares), measures: values, outcome }
     }
 
     fn judge(&self, measures: &[Option<f64>]) -> Judged {
@@ -405,22 +390,20 @@ impl Search<'_> {
                 .map(|(own, held)| (held - own) / if *held == 0.0 { 1.0 } else { held.abs() })
                 .collect();
             margins.extend(self.margins(&found.values));
-            Some(Trial { judged, margins })
+            Some(Trial { judged, found, margins })
         };
         let others = held.len() - 1 + self.task.constraints.len();
-        let start = Individual { shares, judged: judged.clone() };
+        let found = Found { outcome: PointOutcome::Moving, values: candidate.measures.clone() };
+        let start = Individual { shares, judged: judged.clone(), found };
         let better = polish(start, (others, CHALLENGED), &mut attempt);
         if !better.judged.dominates(&judged) {
             return;
         }
-        let mut state = state.borrow_mut();
-        let State { known, front, .. } = &mut *state;
-        let dominates = |design: &Design| self.judge(&design.measures).dominates(&better.judged);
-        if let Some(design) = known.get(&bits(&better.shares))
-            && !front.designs.iter().any(dominates)
-        {
-            front.designs.retain(|other| !better.judged.dominates(&self.judge(&other.measures)));
-            front.designs.push(design.clone());
+        let designs = &mut state.borrow_mut().front.designs;
+        let of = |design: &Design| self.judge(&design.measures);
+        if !designs.iter().any(|design| of(design).dominates(&better.judged)) {
+            designs.retain(|other| !better.judged.dominates(&of(other)));
+            designs.push(self.design(better));
         }
     }
 
@@ -458,10 +441,6 @@ impl Search<'_> {
 /// The first measure, by which fronts are sorted.
 fn first(design: &Design) -> f64 {
     design.measures[0].unwrap_or(f64::NAN)
-}
-
-fn bits(shares: &[f64]) -> Vec<u64> {
-    shares.iter().map(|share| share.to_bits()).collect()
 }
 
 /// The usual objectives, those named, or the names' own.

@@ -44,11 +44,13 @@ impl Judged {
 
 /// A point and what it comes to.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Individual {
+pub struct Individual<T> {
     /// Where, 0 to 1 along every input.
     pub shares: Vec<f64>,
     /// Its result.
     pub judged: Judged,
+    /// What else is known of it.
+    pub found: T,
 }
 
 /// How much is done.
@@ -70,20 +72,20 @@ impl Effort {
 }
 
 /// The function, many points at once; `None` when it was stopped.
-pub type Function<'a> = &'a mut dyn FnMut(&[Vec<f64>]) -> Option<Vec<Judged>>;
+pub type Function<'a, T> = &'a mut dyn FnMut(&[Vec<f64>]) -> Option<Vec<(Judged, T)>>;
 
 /// Told every generation: how many there have been, and the points that are there.
-pub type Observer<'a> = &'a mut dyn FnMut(usize, &[Individual]);
+pub type Observer<'a, T> = &'a mut dyn FnMut(usize, &[Individual<T>]);
 
 /// The last generation, the best first; what there was of it when the function was stopped. `starts` are points of the first
 /// generation, the others a Latin hypercube.
-pub fn evolve(
+pub fn evolve<T>(
     inputs: usize,
     starts: &[Vec<f64>],
     effort: Effort,
-    function: Function<'_>,
-    observe: Observer<'_>,
-) -> Vec<Individual> {
+    function: Function<'_, T>,
+    observe: Observer<'_, T>,
+) -> Vec<Individual<T>> {
     let mut random = Random::new(effort.seed);
     let mut first: Vec<Vec<f64>> = starts.iter().take(effort.population / 2).cloned().collect();
     let rest = effort.population - first.len();
@@ -113,8 +115,8 @@ pub fn evolve(
 }
 
 /// The feasible points that no other dominates, each once.
-pub fn front(people: &[Individual]) -> Vec<Individual> {
-    let mut best: Vec<Individual> = Vec::new();
+pub fn front<T: Clone>(people: &[Individual<T>]) -> Vec<Individual<T>> {
+    let mut best: Vec<Individual<T>> = Vec::new();
     for one in people.iter().filter(|one| one.judged.is_feasible()) {
         let dominated = people.iter().any(|other| other.judged.dominates(&one.judged));
         let known = best.iter().any(|other| other.judged.objectives == one.judged.objectives);
@@ -125,9 +127,9 @@ pub fn front(people: &[Individual]) -> Vec<Individual> {
     best
 }
 
-fn join(points: Vec<Vec<f64>>, judged: Vec<Judged>) -> Vec<Individual> {
+fn join<T>(points: Vec<Vec<f64>>, judged: Vec<(Judged, T)>) -> Vec<Individual<T>> {
     let pairs = points.into_iter().zip(judged);
-    pairs.map(|(shares, judged)| Individual { shares, judged }).collect()
+    pairs.map(|(shares, (judged, found))| Individual { shares, judged, found }).collect()
 }
 
 /// As many points as slices of every input, one in each (`McKay`, Beckman and Conover 1979).
@@ -153,7 +155,7 @@ struct Place {
 }
 
 /// The place of every point: the fast non-dominated sort, then crowding distances front by front.
-fn rank(people: &[Individual]) -> Vec<Place> {
+fn rank<T>(people: &[Individual<T>]) -> Vec<Place> {
     let count = people.len();
     let mut beats = vec![Vec::new(); count];
     let mut dominated_by = vec![0usize; count];
@@ -192,7 +194,7 @@ fn rank(people: &[Individual]) -> Vec<Place> {
 }
 
 /// For each member, the sides of the box between its neighbours, each over the whole width; infinite at the ends.
-fn crowding(people: &[Individual], members: &[usize]) -> Vec<f64> {
+fn crowding<T>(people: &[Individual<T>], members: &[usize]) -> Vec<f64> {
     let mut distance = vec![0.0; members.len()];
     let objectives = members.first().map_or(0, |at| people[*at].judged.objectives.len());
     for objective in 0..objectives {
@@ -223,7 +225,7 @@ fn is_better(one: &Place, other: &Place) -> bool {
 }
 
 /// The best n, the best first.
-fn survivors(people: Vec<Individual>, count: usize) -> Vec<Individual> {
+fn survivors<T>(people: Vec<Individual<T>>, count: usize) -> Vec<Individual<T>> {
     let places = rank(&people);
     let mut order: Vec<usize> = (0..people.len()).collect();
     order.sort_by(|a, b| {
@@ -231,7 +233,7 @@ fn survivors(people: Vec<Individual>, count: usize) -> Vec<Individual> {
         a.front.cmp(&b.front).then(b.crowding.total_cmp(&a.crowding))
     });
     order.truncate(count);
-    let mut people: Vec<Option<Individual>> = people.into_iter().map(Some).collect();
+    let mut people: Vec<Option<Individual<T>>> = people.into_iter().map(Some).collect();
     order.into_iter().filter_map(|at| people[at].take()).collect()
 }
 

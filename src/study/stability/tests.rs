@@ -15,7 +15,7 @@ fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
     let clock = Clock { now_s: &|| 0.0, until_s: -1.0, stop: &stop };
     let mut by_the_engine = Vec::new();
     for case in cases::CASES.iter() {
-        let row = examine(case, clock).unwrap().unwrap();
+        let row = examine(case, clock).unwrap();
         assert!(row.others.iter().all(|verdict| *verdict == Verdict::CutOff));
         match row.basis {
             Basis::Stored | Basis::Dop853 | Basis::Radau => {}

@@ -16,25 +16,26 @@ const INSIDE: f64 = 1e-9;
 const NONE: f64 = 1e3;
 
 #[derive(Clone, Debug)]
-pub(super) struct Trial {
+pub(super) struct Trial<T> {
     pub(super) judged: Judged,
+    pub(super) found: T,
     /// How far each constraint is from its bound; negative where it is broken.
     pub(super) margins: Vec<f64>,
 }
 
 /// A point as good or better, for a given number of constraints and with a given number of evaluations at most; `attempt` gives `None` once it is stopped.
-pub(super) fn polish(
-    start: Individual,
+pub(super) fn polish<T: Clone>(
+    start: Individual<T>,
     (constraints, evaluations): (usize, usize),
-    attempt: &mut dyn FnMut(&[f64]) -> Option<Trial>,
-) -> Individual {
+    attempt: &mut dyn FnMut(&[f64]) -> Option<Trial<T>>,
+) -> Individual<T> {
     let shares = start.shares.clone();
     let worst = NONE * (1.0 + start.judged.objectives[0].abs());
     let best = RefCell::new(start);
-    let last: RefCell<Option<(Vec<f64>, Trial)>> = RefCell::new(None);
+    let last: RefCell<Option<(Vec<f64>, Trial<T>)>> = RefCell::new(None);
     let attempt = RefCell::new(attempt);
     // Objective and constraints are requested one after the other: a point is run once for all of them.
-    let look = |x: &[f64]| -> Option<Trial> {
+    let look = |x: &[f64]| -> Option<Trial<T>> {
         let x: Vec<f64> = x.iter().map(|share| share.clamp(0.0, 1.0)).collect();
         if let Some((known, trial)) = last.borrow().as_ref()
             && *known == x
@@ -43,7 +44,8 @@ pub(super) fn polish(
         }
         let trial = (attempt.borrow_mut())(&x)?;
         if trial.judged.dominates(&best.borrow().judged) {
-            *best.borrow_mut() = Individual { shares: x.clone(), judged: trial.judged.clone() };
+            let Trial { judged, found, .. } = trial.clone();
+            *best.borrow_mut() = Individual { shares: x.clone(), judged, found };
         }
         *last.borrow_mut() = Some((x, trial.clone()));
         Some(trial)
@@ -91,12 +93,12 @@ mod tests {
             let violation =
                 margins.iter().map(|margin| if *margin < 0.0 { -margin } else { 0.0 }).sum();
             let objectives = vec![(x - 10.0).powi(3) + (y - 20.0).powi(3)];
-            Some(Trial { judged: Judged { objectives, violation }, margins })
+            Some(Trial { judged: Judged { objectives, violation }, found: (), margins })
         };
         let shares = vec![(14.5 - 13.0) / 87.0, 0.018];
         let judged = attempt(&shares).unwrap().judged;
         assert!(judged.is_feasible());
-        let found = polish(Individual { shares, judged }, (2, 600), &mut attempt);
+        let found = polish(Individual { shares, judged, found: () }, (2, 600), &mut attempt);
         let value = found.judged.objectives[0];
         assert!(found.judged.is_feasible() && (value + 6_961.813_88).abs() < 0.01, "{value}");
         assert!((13.0 + 87.0 * found.shares[0] - 14.095).abs() < 1e-4);
@@ -105,9 +107,10 @@ mod tests {
     #[test]
     fn a_worse_or_stopped_candidate_changes_nothing() {
         let judged = Judged { objectives: vec![1.0], violation: 0.0 };
-        let start = Individual { shares: vec![0.3], judged: judged.clone() };
+        let start = Individual { shares: vec![0.3], judged: judged.clone(), found: () };
         assert_eq!(polish(start.clone(), (0, 100), &mut |_| None), start);
-        let mut flat = |_: &[f64]| Some(Trial { judged: judged.clone(), margins: Vec::new() });
+        let mut flat =
+            |_: &[f64]| Some(Trial { judged: judged.clone(), found: (), margins: Vec::new() });
         assert_eq!(polish(start.clone(), (0, 100), &mut flat), start);
     }
 }

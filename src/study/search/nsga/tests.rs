@@ -9,17 +9,21 @@ const EFFORT: Effort = Effort { population: 100, generations: 250, seed: 1 };
 /// Where hypervolume is measured from.
 const CORNER: (f64, f64) = (1.1, 1.1);
 
-fn solve(inputs: usize, effort: Effort, f: impl Fn(&[f64]) -> (Vec<f64>, f64)) -> Vec<Individual> {
+fn solve(
+    inputs: usize,
+    effort: Effort,
+    f: impl Fn(&[f64]) -> (Vec<f64>, f64),
+) -> Vec<Individual<()>> {
     let judge = |x: &Vec<f64>| {
         let (objectives, violation) = f(x);
-        Judged { objectives, violation }
+        (Judged { objectives, violation }, ())
     };
-    let function: Function<'_> = &mut |points| Some(points.iter().map(judge).collect());
+    let function: Function<'_, ()> = &mut |points| Some(points.iter().map(judge).collect());
     front(&evolve(inputs, &[], effort, function, &mut |_, _| {}))
 }
 
-fn points(front: &[Individual]) -> Vec<(f64, f64)> {
-    let of = |one: &Individual| (one.judged.objectives[0], one.judged.objectives[1]);
+fn points(front: &[Individual<()>]) -> Vec<(f64, f64)> {
+    let of = |one: &Individual<()>| (one.judged.objectives[0], one.judged.objectives[1]);
     let mut points: Vec<(f64, f64)> = front.iter().map(of).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points
@@ -133,9 +137,9 @@ fn points_without_a_value_lose_and_a_stop_keeps_the_last_generation() {
     assert_eq!(holes.len(), 1);
     assert!((holes[0].shares[0] - 0.5).abs() < 1e-3 && holes[0].shares[1] < 1e-3);
     let mut calls = 0;
-    let function: Function<'_> = &mut |points| {
+    let function: Function<'_, ()> = &mut |points| {
         calls += 1;
-        let judge = |x: &Vec<f64>| Judged { objectives: vec![x[0]], violation: 0.0 };
+        let judge = |x: &Vec<f64>| (Judged { objectives: vec![x[0]], violation: 0.0 }, ());
         (calls < 4).then(|| points.iter().map(judge).collect())
     };
     let mut generations = 0;
