@@ -7,7 +7,6 @@
 //! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
 
 pub use cmra_engine::{model, numerics};
-pub(crate) use cmra_studies::enumeration;
 pub use cmra_studies::{report, study};
 
 pub mod cli;

@@ -3,13 +3,13 @@
 use std::process::ExitCode;
 
 use clap::{ArgMatches, Args, Command, CommandFactory as _};
+use cmra_studies::enumeration;
 
 use crate::cli::{
     Arguments, CliError, accuracy, compare, completions, design, explain, fit, help, install, join,
     libraries, limit, man, monte_carlo, optimise, paths, presets, report, reproduce, run, seek,
     sensitivity, stability, sweep, validate, variables,
 };
-use crate::enumeration;
 
 enumeration! {
     /// The groups of commands in `cmra --help`.

@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::{Map, Value, json};
 
+use crate::cli::table::choice;
 use crate::cli::text::labelled;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
@@ -16,32 +17,28 @@ use crate::report::run::of_variable;
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
     /// Show only this library
-    library: Option<LibraryWord>,
+    #[arg(value_parser = choice(&Library::ALL, Library::file, about))]
+    library: Option<Library>,
     /// Print one JSON object: library, name, values in SI units, status and source
     #[arg(long)]
     json: bool,
 }
 
-/// The libraries to choose from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum LibraryWord {
-    /// Projectiles and their velocities
-    Threats,
-    /// Densities, strengths and moduli of plates
-    Materials,
-    /// Springs and crushable absorbers, with their energy per mass
-    Absorbers,
+/// What a library has, for help.
+fn about(library: Library) -> &'static str {
+    match library {
+        Library::Threats => "Projectiles and their velocities",
+        Library::Materials => "Densities, strengths and moduli of plates",
+        Library::Absorbers => "Springs and crushable absorbers, with their energy per mass",
+    }
 }
 
 pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> {
-    let wanted = arguments.library.map(|word| match word {
-        LibraryWord::Threats => Library::Threats,
-        LibraryWord::Materials => Library::Materials,
-        LibraryWord::Absorbers => Library::Absorbers,
-    });
     let (entries, problems) = library::list(Paths::of_user().ok().as_ref());
     let of = |library| entries.iter().filter(move |entry| entry.library == library);
-    let shown = Library::ALL.into_iter().filter(|library| wanted.is_none_or(|one| one == *library));
+    let shown = Library::ALL
+        .into_iter()
+        .filter(|library| arguments.library.is_none_or(|one| one == *library));
     if arguments.json {
         let object: Map<String, Value> = shown
             .map(|library| (library.file().to_owned(), of(library).map(as_json).collect()))

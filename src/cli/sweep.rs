@@ -193,7 +193,9 @@ impl Job<'_> {
         let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
         let start = Instant::now();
         let summary = self.stream(&sheet, |piece| {
-            kept.iter_mut().for_each(|grid| grid.extend(&piece.rows));
+            if let Some(grid) = kept {
+                grid.extend(&piece.rows);
+            }
             Ok(())
         })?;
         let took_s = start.elapsed().as_secs_f64();
@@ -244,7 +246,9 @@ impl Job<'_> {
         write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |piece| {
-            kept.iter_mut().for_each(|grid| grid.extend(&piece.rows));
+            if let Some(grid) = kept {
+                grid.extend(&piece.rows);
+            }
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
                 write("", ",\n")?;
             }

@@ -9,7 +9,8 @@ use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use crate::enumeration;
+use cmra_studies::enumeration;
+
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;

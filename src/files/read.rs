@@ -26,15 +26,6 @@ pub const BYTES_MAX: u64 = 1 << 20;
 /// Maximum number of reported problems of one file: a file of another kind has one in each line.
 const PROBLEMS_MAX: usize = 20;
 
-/// Read the scene in a file.
-///
-/// # Errors
-/// [`FileError`] when the file cannot be read or is not a scene.
-pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
-    let text = text_file(path)?;
-    scene(&text, &path.display().to_string()).map_err(FileError::Scene)
-}
-
 /// The text of a file of reasonable size.
 ///
 /// # Errors

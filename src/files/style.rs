@@ -5,9 +5,9 @@
 
 use std::borrow::Cow;
 
+use cmra_studies::enumeration;
 use csv::{ReaderBuilder, Terminator, WriterBuilder};
 
-use crate::enumeration;
 use crate::files::error::FileError;
 
 enumeration! {

@@ -24,7 +24,6 @@ pub mod monte_carlo;
 mod search;
 
 pub use at_limit::Closures;
-pub(in crate::study) use at_limit::by_closure;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);

@@ -235,12 +235,14 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 /// The scene under the other closure, with the drag each is made with: Virostek's `C_d` = 0.5 for 2 Y, a hemisphere's 1 for
 /// cavity expansion.
 fn other(scene: &Scene) -> Option<Scene> {
-    let closure = match scene.target.closure {
-        Closure::Given => return None,
-        Closure::DoubleYield => Closure::Cavity,
-        Closure::Cavity => Closure::DoubleYield,
-    };
-    Some(limit::by_closure(scene, closure))
+    let mut own = scene.clone();
+    (own.target.closure, own.target.dishing, own.target.drag_coefficient) =
+        match scene.target.closure {
+            Closure::Given => return None,
+            Closure::DoubleYield => (Closure::Cavity, false, 1.0),
+            Closure::Cavity => (Closure::DoubleYield, true, 0.5),
+        };
+    Some(own)
 }
 
 fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {

@@ -11,7 +11,7 @@ use cmra::model::scene::{
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
-use crate::support::{files_in, in_repository, says};
+use crate::support::{files_in, in_repository, says, scene_file};
 
 #[test]
 fn invalid_scenes_are_refused_with_place_and_cure() {
@@ -23,8 +23,7 @@ fn invalid_scenes_are_refused_with_place_and_cure() {
         let expected: Vec<&str> =
             text.lines().filter_map(|line| line.strip_prefix("# expect: ")).collect();
         assert!(!expected.is_empty(), "{name} expects nothing");
-        let message =
-            read::scene_file(&path).expect_err(&format!("{name} is accepted")).to_string();
+        let message = scene_file(&path).expect_err(&format!("{name} is accepted")).to_string();
         for fragment in expected {
             assert!(message.contains(fragment), "{name}\n  expected: {fragment}\n  got: {message}");
         }
@@ -106,7 +105,7 @@ fn comments_order_and_formatting_survive_saving() {
     assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED);
     save_file(&path, &scene, Existing::Replace).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED_AND_CHANGED);
-    assert_eq!(read::scene_file(&path).unwrap(), scene);
+    assert_eq!(scene_file(&path).unwrap(), scene);
 }
 
 #[test]

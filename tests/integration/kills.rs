@@ -10,15 +10,15 @@ use std::time::Duration;
 use cmra::files::atomic::{Existing, Growing};
 use cmra::files::export::{Destination, Meta, RunTable};
 use cmra::files::paths::Paths;
+use cmra::files::preset;
 use cmra::files::session::{self, Known, Session};
 use cmra::files::style::Style;
-use cmra::files::{preset, read};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::report::run::Rows;
 
 use crate::random::Random;
-use crate::support::{run, scene};
+use crate::support::{run, scene, scene_file};
 
 /// Where the child writes.
 const PLACE: &str = "CMRA_TEST_PLACE";
@@ -146,7 +146,7 @@ fn nothing_is_torn_or_lost_when_a_program_is_killed_while_it_writes() {
         child.wait().unwrap();
         pair(place.path(), "run", &exported, &mut found);
         pair(place.path(), "sweep", &swept, &mut found);
-        match read::scene_file(&paths.preset_file("mine")) {
+        match scene_file(&paths.preset_file("mine")) {
             Ok(scene) => found.torn += usize::from(!scenes.contains(&scene)),
             Err(_) => found.lost += 1,
         }

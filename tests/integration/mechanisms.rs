@@ -7,7 +7,7 @@ use cmra::model::run::{Outcome, Run};
 use cmra::model::scene::{Scene, SpringKind};
 use cmra::model::variables;
 
-use crate::support::{assert_near, run, scene};
+use crate::support::{assert_near, run, scene, scene_file};
 
 /// Depth, time, plate displacement and velocity at the first arrest, and the greatest displacement.
 fn outcome(run: &Run) -> [f64; 5] {
@@ -299,7 +299,7 @@ fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
     let path = folder.join("scene.toml");
     let text = "format = 1\n[mechanism.spring]\nkind = \"table\"\ntable.file = \"curve.csv\"\n";
     std::fs::write(&path, text).unwrap();
-    let own = read::scene_file(&path).unwrap();
+    let own = scene_file(&path).unwrap();
     assert_eq!(
         own.mechanism.spring.table.points.as_ref(),
         [[0.0, 0.0], [0.002, 900.0], [0.01, 1500.0]]
@@ -307,7 +307,7 @@ fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
     let written = cmra::files::write::fresh(&own);
     assert_eq!(read::scene(&written, "elsewhere.toml").unwrap(), own, "{written}");
     std::fs::write(folder.join("curve.csv"), "x_m,force_n\n0,0\n0.002;900\n").unwrap();
-    let told = read::scene_file(&path).unwrap_err().to_string();
+    let told = scene_file(&path).unwrap_err().to_string();
     for word in ["curve.csv", "line 3", "0.002;900", "0.01,1000"] {
         assert!(told.contains(word), "{told}");
     }

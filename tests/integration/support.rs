@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assert_cmd::Command;
+use cmra::files::error::FileError;
+use cmra::files::preset;
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -46,6 +48,11 @@ pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, 
     let (out, error) = (text(output.stdout), text(output.stderr));
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
     (out, error)
+}
+
+/// The scene of a file.
+pub(crate) fn scene_file(path: &Path) -> Result<Scene, FileError> {
+    preset::from_file(path).map(|preset| preset.scene)
 }
 
 /// A path in the repository.

@@ -92,7 +92,7 @@ impl Demand {
 }
 
 /// The mass of an element's springs for a demand, kg; `None` where it is not known.
-pub(super) fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f64> {
+fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f64> {
     hardware
         .spring_kg
         .or_else(|| Inertia::of(element).spring_mass_kg)
@@ -105,7 +105,7 @@ pub(super) fn is_own(scene: &Scene) -> bool {
 }
 
 /// The failure of an element when a spring of this capacity, J, meets the demand.
-pub(super) fn failure(
+fn failure(
     hardware: &Hardware,
     element: &Scene,
     demand: &Demand,
@@ -124,7 +124,7 @@ pub(super) fn failure(
 }
 
 /// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes.
-pub(super) fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
+fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
     if hardware.spring_kg.is_none() && element.mechanism.spring.kind.is_beam() {
         return f64::INFINITY;
     }
@@ -143,16 +143,17 @@ pub(super) struct Built {
 impl Built {
     /// Size the springs of a scene for a run.
     pub(super) fn of(scene: &Scene, hardware: &Hardware, run: &Run) -> Self {
+        Self::for_demands(scene, hardware, &Demand::of_run(run, &elements(scene)))
+    }
+
+    /// Size the springs of a scene for the demands of its elements.
+    pub(super) fn for_demands(scene: &Scene, hardware: &Hardware, demands: &[Demand]) -> Self {
         let elements = elements(scene);
-        let demands = Demand::of_run(run, &elements);
-        let pairs = || elements.iter().zip(&demands);
+        let pairs = elements.iter().zip(demands);
         let springs_kg: Vec<Option<f64>> =
-            pairs().map(|(element, demand)| spring_kg(hardware, element, demand)).collect();
-        let capacities_j = elements
-            .iter()
-            .zip(&springs_kg)
-            .map(|(element, kg)| capacity_j(hardware, element, *kg))
-            .collect();
+            pairs.map(|(element, demand)| spring_kg(hardware, element, demand)).collect();
+        let pairs = elements.iter().zip(&springs_kg);
+        let capacities_j = pairs.map(|(element, kg)| capacity_j(hardware, element, *kg)).collect();
         Self { hardware: *hardware, elements, springs_kg, capacities_j }
     }
 
@@ -166,8 +167,12 @@ impl Built {
     }
 
     pub(super) fn failure(&self, run: &Run) -> Option<Failure> {
-        let demands = Demand::of_run(run, &self.elements);
-        let mut each = self.elements.iter().zip(&demands).zip(&self.capacities_j);
+        self.failure_under(&Demand::of_run(run, &self.elements))
+    }
+
+    /// The failure of the elements under these demands.
+    pub(super) fn failure_under(&self, demands: &[Demand]) -> Option<Failure> {
+        let mut each = self.elements.iter().zip(demands).zip(&self.capacities_j);
         each.find_map(|((element, demand), capacity_j)| {
             failure(&self.hardware, element, demand, *capacity_j)
         })
@@ -175,11 +180,7 @@ impl Built {
 }
 
 /// Areal mass of a scene with springs of these masses, kg, by element, kg/m².
-pub(super) fn areal_kg_m2(
-    scene: &Scene,
-    hardware: &Hardware,
-    springs_kg: &[Option<f64>],
-) -> Option<f64> {
+fn areal_kg_m2(scene: &Scene, hardware: &Hardware, springs_kg: &[Option<f64>]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, spring_kg) in elements(scene).iter().zip(springs_kg) {
         let plate = element.target.density_kg_m3 * element.target.thickness_m;

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
-use crate::study::compare::hardware::Built;
-use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
+use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
 use crate::study::compare::{elements, outcome};
 use crate::study::plain_run;
@@ -90,17 +89,11 @@ pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Si
     let solid_m = thickness_of_limit_m(scene, velocity_m_s).ok_or(Absence::NoSolid)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
-    let mut springs_kg = Vec::new();
-    for (element, demand) in elements(&own).iter().zip(&shot.demands) {
-        let spring_kg = hardware::spring_kg(hardware, element, demand);
-        let capacity_j = hardware::capacity_j(hardware, element, spring_kg);
-        if let Some(failure) = hardware::failure(hardware, element, demand, capacity_j) {
-            return Err(Absence::Fails(failure));
-        }
-        springs_kg.push(spring_kg);
+    let built = Built::for_demands(&own, hardware, &shot.demands);
+    if let Some(failure) = built.failure_under(&shot.demands) {
+        return Err(Absence::Fails(failure));
     }
-    let areal = hardware::areal_kg_m2(&own, hardware, &springs_kg);
-    let known = areal.zip(springs_kg.iter().copied().sum::<Option<f64>>());
+    let known = built.areal_kg_m2(&own).zip(built.spring_kg());
     let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NoSpringMass)?;
     let solid_areal_kg_m2 = solid_m * scene.target.density_kg_m3;
     Ok(Sized { scene: Arc::new(own), factor, spring_kg, areal_kg_m2, solid_areal_kg_m2 })

@@ -224,29 +224,31 @@ impl Range<'_, '_, '_> {
         undecided_m_s: f64,
         through_m_s: Option<f64>,
     ) -> Option<Limit> {
-        let (mut stopped, mut above) = (stopped_m_s, undecided_m_s);
-        let mut undecided = 0;
-        while above - stopped > WIDTH * stopped && undecided < UNDECIDED_MAX {
-            let middle = 0.5 * (stopped + above);
-            let verdict = self.verdict(middle)?;
-            undecided += usize::from(verdict == Verdict::Undecided);
-            if verdict == Verdict::Stopped { stopped = middle } else { above = middle }
-        }
-        let (mut below, mut through, mut undecided) = (undecided_m_s, through_m_s, 0);
-        while let Some(perforated) = through.filter(|it| it - below > WIDTH * below)
-            && undecided < UNDECIDED_MAX
-        {
-            let middle = 0.5 * (below + perforated);
-            let verdict = self.verdict(middle)?;
-            undecided += usize::from(verdict == Verdict::Undecided);
-            if verdict == Verdict::Perforated { through = Some(middle) } else { below = middle }
-        }
+        let stopped = self.edge(stopped_m_s, undecided_m_s, Verdict::Stopped)?;
+        let through = match through_m_s {
+            Some(through_m_s) => {
+                Some(self.edge(through_m_s, undecided_m_s, Verdict::Perforated)?)
+            }
+            None => None,
+        };
         if let Some(through) = through.filter(|through| through - stopped <= ONE_POINT * stopped) {
             let (velocity_m_s, basis) = (0.5 * (stopped + through), Basis::Outcome);
             return Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s: None });
         }
         let stopped_m_s = (stopped > RANGE_M_S.0).then_some(stopped);
         Some(Limit::Between { stopped_m_s, perforated_m_s: through })
+    }
+
+    /// From a velocity with this verdict as close to an undecided one as shots are decided.
+    fn edge(&mut self, known_m_s: f64, undecided_m_s: f64, verdict: Verdict) -> Option<f64> {
+        let (mut known, mut beyond, mut undecided) = (known_m_s, undecided_m_s, 0);
+        while (beyond - known).abs() > WIDTH * smaller(known, beyond) && undecided < UNDECIDED_MAX {
+            let middle = 0.5 * (known + beyond);
+            let found = self.verdict(middle)?;
+            undecided += usize::from(found == Verdict::Undecided);
+            if found == verdict { known = middle } else { beyond = middle }
+        }
+        Some(known)
     }
 
     pub(super) fn search(&mut self, scan: Scan) -> Option<Limit> {

@@ -42,112 +42,102 @@ enum Get {
     Several(fn(&Runs<'_>, Method, &Scene) -> Value),
 }
 
-const fn quantity(name: &'static str, unit: &'static str, get: Get) -> Own {
-    Own { name, unit, get }
+const fn of_run(name: &'static str, unit: &'static str, get: fn(&Run) -> Option<f64>) -> Own {
+    Own { name, unit, get: Get::Run(get) }
+}
+
+const fn of_words(name: &'static str, get: fn(&Run) -> &'static str) -> Own {
+    Own { name, unit: "-", get: Get::Word(get) }
+}
+
+const fn of_series(name: &'static str, unit: &'static str, get: fn(&Run) -> Value) -> Own {
+    Own { name, unit, get: Get::Series(get) }
+}
+
+const fn of_scene(name: &'static str, unit: &'static str, get: fn(&Scene, f64) -> f64) -> Own {
+    Own { name, unit, get: Get::Scene(get) }
+}
+
+const fn of_several(
+    name: &'static str,
+    unit: &'static str,
+    get: fn(&Runs<'_>, Method, &Scene) -> Value,
+) -> Own {
+    Own { name, unit, get: Get::Several(get) }
 }
 
 /// The quantities of this study; SI units but for `percent` and `travel`.
 static OWN: &[Own] = &[
     // Depth at the first arrest; infinite for a perforation.
-    quantity(
-        "depth",
-        "m",
-        Get::Several(|runs, method, scene| Value::Number(runs.depth_m(method, scene))),
-    ),
+    of_several("depth", "m", |runs, method, scene| Value::Number(runs.depth_m(method, scene))),
     // The same over that of the shot on a rigid mount.
-    quantity(
-        "percent",
-        "%",
-        Get::Several(|runs, method, scene| Value::Number(runs.percent(method, scene))),
-    ),
+    of_several("percent", "%", |runs, method, scene| Value::Number(runs.percent(method, scene))),
     // The plate's greatest displacement, mm; infinite where nothing stops the plate.
-    quantity(
-        "travel",
-        "mm",
-        Get::Run(|run| Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))),
-    ),
+    of_run("travel", "mm", |run| {
+        Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))
+    }),
     // When the projectile is at rest: with the plate at its greatest displacement, or where nothing moves at the arrest.
-    quantity(
-        "rest_time",
-        "s",
-        Get::Run(|run| {
-            let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
-            turn.map(|it| it.t_s).or_else(|| run.first_arrest.map(|it| it.t_s))
-        }),
-    ),
-    quantity("outcome", "-", Get::Word(|run| run.outcome.word())),
-    quantity("end_reason", "-", Get::Word(|run| run.end.words())),
+    of_run("rest_time", "s", |run| {
+        let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
+        turn.map(|it| it.t_s).or_else(|| run.first_arrest.map(|it| it.t_s))
+    }),
+    of_words("outcome", |run| run.outcome.word()),
+    of_words("end_reason", |run| run.end.words()),
     // Velocities behind the plates of a stack.
-    quantity(
-        "arriving",
-        "m/s",
-        Get::Series(|run| {
-            let behind = run.stack.iter().flat_map(|stack| &stack.behind);
-            Value::numbers(behind.map(|run| run.scene.projectile.velocity_m_s))
-        }),
-    ),
-    quantity(
-        "start_velocity",
-        "m/s",
-        Get::Series(|run| Value::optional(run.series.first().map(|row| row.plate_velocity_m_s))),
-    ),
+    of_series("arriving", "m/s", |run| {
+        let behind = run.stack.iter().flat_map(|stack| &stack.behind);
+        Value::numbers(behind.map(|run| run.scene.projectile.velocity_m_s))
+    }),
+    of_series("start_velocity", "m/s", |run| {
+        Value::optional(run.series.first().map(|row| row.plate_velocity_m_s))
+    }),
     // Millimetres; not of a plate that is perforated.
-    quantity("displacement_at_end", "mm", Get::Series(series::displacement_at_end_mm)),
-    quantity("last_force", "N", Get::Series(series::last_force)),
-    quantity(
-        "greatest_spring_force",
-        "N",
-        Get::Series(|run| {
-            Value::Number(run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger))
-        }),
-    ),
+    of_series("displacement_at_end", "mm", series::displacement_at_end_mm),
+    of_series("last_force", "N", series::last_force),
+    of_series("greatest_spring_force", "N", |run| {
+        Value::Number(run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger))
+    }),
     // What the projectile loses, and its force summed over time, N s.
-    quantity("momentum", "N s", Get::Series(series::momentum)),
-    quantity("impulse", "N s", Get::Series(series::impulse)),
+    of_series("momentum", "N s", series::momentum),
+    of_series("impulse", "N s", series::impulse),
     // m dv/dt over the force, early in the contact.
-    quantity("acceleration_ratio", "-", Get::Series(series::acceleration_ratio)),
+    of_series("acceleration_ratio", "-", series::acceleration_ratio),
     // The greatest distance of the force history from a half-sine of its peak and duration, over the peak.
-    quantity("off_half_sine", "-", Get::Series(series::off_half_sine)),
-    quantity("velocities_after_contact", "m/s", Get::Series(series::velocities_after_contact)),
-    quantity("velocity_at_neutral", "m/s", Get::Series(series::velocity_at_neutral)),
+    of_series("off_half_sine", "-", series::off_half_sine),
+    of_series("velocities_after_contact", "m/s", series::velocities_after_contact),
+    of_series("velocity_at_neutral", "m/s", series::velocity_at_neutral),
     // Of projectile and plate, N s.
-    quantity("momentum_at_arrest", "N s", Get::Series(series::momentum_at_arrest)),
-    quantity("jump_after_contact", "m", Get::Series(series::jump_after_contact)),
-    quantity("turns_in_contact", "-", Get::Series(series::turns_in_contact)),
-    quantity("speed_in_contact", "m/s", Get::Series(series::speed_in_contact)),
+    of_series("momentum_at_arrest", "N s", series::momentum_at_arrest),
+    of_series("jump_after_contact", "m", series::jump_after_contact),
+    of_series("turns_in_contact", "-", series::turns_in_contact),
+    of_series("speed_in_contact", "m/s", series::speed_in_contact),
     // Energy when the plate comes back through neutral, over that at the first turn.
-    quantity("energy_after_return", "-", Get::Series(series::energy_after_return)),
+    of_series("energy_after_return", "-", series::energy_after_return),
     // The ballistic limit in closed form, of a fixed plate or of a free one.
-    quantity("limit", "m/s", Get::Scene(|scene, _| limit::closed_form(scene).unwrap_or(f64::NAN))),
-    quantity("flow_strength", "Pa", Get::Scene(|scene, _| scene.flow_strength_pa())),
-    quantity(
-        "nose_pressure",
-        "Pa",
-        Get::Scene(|scene, _| {
-            let v = scene.projectile.velocity_m_s;
-            scene.flow_strength_pa() + scene.drag_kg_m3() * v * v
-        }),
-    ),
-    quantity("spring_force", "N", Get::Scene(|scene, x| spring(scene).force(x))),
-    quantity("spring_tangent", "N/m", Get::Scene(|scene, x| spring(scene).tangent(x))),
-    quantity("spring_energy", "J", Get::Scene(|scene, x| spring(scene).energy(x))),
-    quantity(
-        "yield_displacement",
-        "m",
-        Get::Scene(|scene, _| yields_at_m(&scene.mechanism.spring).unwrap_or(f64::NAN)),
-    ),
+    of_scene("limit", "m/s", |scene, _| limit::closed_form(scene).unwrap_or(f64::NAN)),
+    of_scene("flow_strength", "Pa", |scene, _| scene.flow_strength_pa()),
+    of_scene("nose_pressure", "Pa", |scene, _| {
+        let v = scene.projectile.velocity_m_s;
+        scene.flow_strength_pa() + scene.drag_kg_m3() * v * v
+    }),
+    of_scene("spring_force", "N", |scene, x| spring(scene).force(x)),
+    of_scene("spring_tangent", "N/m", |scene, x| spring(scene).tangent(x)),
+    of_scene("spring_energy", "J", |scene, x| spring(scene).energy(x)),
+    of_scene("yield_displacement", "m", |scene, _| {
+        yields_at_m(&scene.mechanism.spring).unwrap_or(f64::NAN)
+    }),
     // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
-    quantity("against_solid", "-", Get::Several(|_, _, scene| against_solid(scene))),
+    of_several("against_solid", "-", |_, _, scene| against_solid(scene)),
     // Energy drawn into the spring for a fifth less depth than uncocked.
-    quantity("energy_for_a_fifth", "J", Get::Several(energy_for_a_fifth_j)),
+    of_several("energy_for_a_fifth", "J", energy_for_a_fifth_j),
     // The power law nearest to a spring's force up to where its plate goes: greatest distance over greatest force.
-    quantity("distance_from_power_law", "-", Get::Several(distance_from_power_law)),
+    of_several("distance_from_power_law", "-", distance_from_power_law),
     // The strength below which the plate is perforated.
-    quantity("least_strength", "Pa", Get::Several(least_strength_pa)),
+    of_several("least_strength", "Pa", least_strength_pa),
     // The greatest percentage of the baseline over a grid of Table 9.2.
-    quantity("greatest_percent_of_table_9_2", "%", Get::Several(greatest_percent)),
+    of_several("greatest_percent_of_table_9_2", "%", greatest_percent),
     // The relative velocity with which the listing ends the contact.
-    quantity("listing_overshoot", "m/s", Get::Several(|_, _, scene| listing_overshoot(scene))),
+    of_several("listing_overshoot", "m/s", |_, _, scene| listing_overshoot(scene)),
 ];
 
 impl Quantity {
