@@ -102,7 +102,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         }
     }
     if let Some(word) = &config.colours {
-        match DEPTHS.into_iter().find(|depth| depth.word() == word) {
+        match ColourDepth::named(word) {
             Some(depth) => app.theme.depth = depth,
             None => app.say(
                 Severity::Warning,
@@ -111,10 +111,6 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         }
     }
 }
-
-/// The depths of colour that can be chosen.
-const DEPTHS: [ColourDepth; 4] =
-    [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb];
 
 /// Back up the last session where another start would lose something of it: pins, or an edited scene. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
@@ -242,7 +238,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     {
         app.theme.glyphs = set;
     }
-    if let Some(depth) = DEPTHS.into_iter().find(|depth| word(COLOURS) == Some(depth.word())) {
+    if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
         app.theme.depth = depth;
     }
     if word(WINDOW) == Some("whole") {

@@ -140,7 +140,8 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     let left_out = left_out(chart);
     let inner = frame_of(chart).inner(area);
     let room = usize::from(area.width.saturating_sub(8));
-    let legend = legend_line(chart, theme);
+    let entries = legend(chart, theme);
+    let legend = line(entries.clone());
     let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
 
     let full = layout(chart, inner, false);
@@ -155,9 +156,9 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     let room = room.saturating_sub(Span::raw(&title).width());
     let (right, legend) = if layout.legend.is_some() {
         // The row begins a blank from the frame.
-        (axis, whole(legend, usize::from(inner.width.saturating_sub(1))))
+        (axis, whole(entries, usize::from(inner.width.saturating_sub(1))))
     } else if legend.width() > 0 {
-        (shortened(legend, room), Line::default())
+        (shortened(entries, room), Line::default())
     } else {
         (axis, legend)
     };
@@ -190,28 +191,28 @@ fn title_text(chart: &Chart<'_>, layout: &Layout, left_out: usize) -> String {
     }
 }
 
-fn legend_line<'a>(chart: &'a Chart<'_>, theme: Theme) -> Line<'a> {
-    let mut spans = Vec::new();
-    if chart.legend == Legend::Hidden {
-        return Line::default();
-    }
-    for curve in chart.curves.iter().filter(|curve| !curve.label.is_empty()) {
-        if !spans.is_empty() {
-            spans.push(Span::raw("  "));
+/// The marker and the words of each curve that has a label.
+fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
+    let entry = |curve: &Curve<'_>| {
+        let old = if curve.emphasis == Emphasis::Stale { " (old)" } else { "" };
+        let side = if curve.side == Side::Right { " (right)" } else { "" };
+        let marker = Span::styled(cell_marker(curve).to_string(), theme.style(role(curve)));
+        [marker, Span::raw(format!(" {}{old}{side}", curve.label))]
+    };
+    let is_shown = |curve: &&Curve<'_>| chart.legend != Legend::Hidden && !curve.label.is_empty();
+    chart.curves.iter().filter(is_shown).map(entry).collect()
+}
+
+/// Entries of a legend, two blanks between them.
+fn line<'a>(entries: impl IntoIterator<Item = [Span<'a>; 2]>) -> Line<'a> {
+    let mut line = Line::default();
+    for entry in entries {
+        if !line.spans.is_empty() {
+            line.push_span("  ");
         }
-        let style = theme.style(role(curve));
-        spans.push(Span::styled(cell_marker(curve).to_string(), style));
-        let old = match curve.emphasis {
-            Emphasis::Stale => " (old)",
-            Emphasis::Normal | Emphasis::Selected => "",
-        };
-        let side = match curve.side {
-            Side::Left => "",
-            Side::Right => " (right)",
-        };
-        spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
+        line.spans.extend(entry);
     }
-    Line::from(spans)
+    line
 }
 
 fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
@@ -225,46 +226,30 @@ fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
 }
 
 /// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
-fn whole(legend: Line<'_>, room: usize) -> Line<'_> {
-    if legend.width() <= room {
-        return legend;
+fn whole(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
+    let all = line(entries.clone());
+    if all.width() <= room {
+        return all;
     }
-    let mut entries: Vec<Vec<Span<'_>>> = vec![Vec::new()];
-    for span in legend.spans {
-        // Blanks stand between two entries.
-        if span.content.trim().is_empty() {
-            entries.push(Vec::new());
-        } else if let Some(entry) = entries.last_mut() {
-            entry.push(span);
-        }
-    }
-    let mut short: Vec<Span<'_>> = Vec::new();
     let mut used = 0;
-    for entry in entries {
-        let width = entry.iter().map(Span::width).sum::<usize>() + 2;
-        if used + width + 2 > room {
-            break;
-        }
-        used += width;
-        short.extend(entry);
-        short.push(Span::raw("  "));
+    let kept = entries.into_iter().take_while(|entry| {
+        used += entry.iter().map(Span::width).sum::<usize>() + 2;
+        used + 2 <= room
+    });
+    let mut short = line(kept);
+    if !short.spans.is_empty() {
+        short.push_span("  ");
     }
-    short.push(Span::raw(".."));
-    Line::from(short)
+    short.push_span("..");
+    short
 }
 
 /// The whole legend where it fits, else its markers, as many as there is room for.
-fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
-    if legend.width() <= room {
-        return legend;
+fn shortened(entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
+    let all = line(entries.clone());
+    if all.width() <= room {
+        return all;
     }
-    let markers = legend.spans.iter().filter(|span| span.width() == 1);
-    let mut short: Vec<Span<'_>> = Vec::new();
-    for marker in markers {
-        if short.len() + 2 > room {
-            break;
-        }
-        short.push(marker.clone());
-    }
-    Line::from(short)
+    let markers = entries.into_iter().map(|[marker, _]| marker);
+    markers.take(room.saturating_sub(1)).collect()
 }

@@ -19,6 +19,11 @@ fn picture(chart: &Chart<'_>) -> Vec<String> {
     chart.to_lines(29, 9, Theme::PLAIN)
 }
 
+/// The rows of the plot of one curve.
+fn plot(points: &[(f64, f64)]) -> Vec<String> {
+    picture(&small(vec![Curve::new('*', "now", points)]))[1..6].to_vec()
+}
+
 const RISING: [(f64, f64); 2] = [(0.0, 0.0), (20.0, 4.0)];
 const FALLING: [(f64, f64); 2] = [(0.0, 4.0), (20.0, 0.0)];
 
@@ -53,9 +58,8 @@ fn a_value_that_is_missing_is_a_gap() {
         (16.0, 3.0),
         (17.0, f64::NEG_INFINITY),
     ];
-    let lines = picture(&small(vec![Curve::new('*', "now", &points)]));
     assert_eq!(
-        lines[1..6],
+        plot(&points),
         [
             "|  4+                       |",
             "|   |                *      |",
@@ -73,9 +77,8 @@ fn one_spike_among_a_hundred_thousand_points_is_drawn() {
         (f64::from(index) * 20.0 / 1e5, y)
     };
     let points: Vec<(f64, f64)> = (0..=100_000).map(spike).collect();
-    let lines = picture(&small(vec![Curve::new('*', "now", &points)]));
     assert_eq!(
-        lines[1..6],
+        plot(&points),
         [
             "|  4+          *            |",
             "|   |          *            |",
@@ -89,9 +92,8 @@ fn one_spike_among_a_hundred_thousand_points_is_drawn() {
 #[test]
 fn a_jump_is_a_vertical_line() {
     let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (20.0, 4.0)];
-    let lines = picture(&small(vec![Curve::new('*', "now", &points)]));
     assert_eq!(
-        lines[1..6],
+        plot(&points),
         [
             "|  4+          ***********  |",
             "|   |          *            |",

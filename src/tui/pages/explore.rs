@@ -100,7 +100,9 @@ impl Page for ExploreTab {
                 let count = sweep_of(&app.scene).outputs.len();
                 app.pages.explore.output = wrap(app.pages.explore.output, 1, count);
             }
-            Action::LogY => app.pages.explore.log_values = !app.pages.explore.log_values,
+            Action::LogY => {
+                app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
+            }
             Action::LogX => setup::toggle_spacing(app),
             Action::ZoomIn | Action::ZoomOut | Action::PanLeft | Action::PanRight
                 if app.picture() == Picture::Surface =>

@@ -118,8 +118,8 @@ impl Page for SearchTab {
             {
                 app.tell("no scale to choose here: goal seek and the Pareto front have one");
             }
-            Action::LogX => app.pages.search.log.0 = !app.pages.search.log.0,
-            Action::LogY => app.pages.search.log.1 = !app.pages.search.log.1,
+            Action::LogX => app.pages.search.scales.0 = app.pages.search.scales.0.toggled(),
+            Action::LogY => app.pages.search.scales.1 = app.pages.search.scales.1.toggled(),
             _ => match along(action, FAR) {
                 Some(by) => move_by(app, by.into()),
                 None => return false,

@@ -52,6 +52,13 @@ impl ColourDepth {
         }
     }
 
+    /// The depth with this word.
+    pub fn named(word: &str) -> Option<Self> {
+        [Self::None, Self::Sixteen, Self::Ansi256, Self::Rgb]
+            .into_iter()
+            .find(|it| it.word() == word)
+    }
+
     pub fn word(self) -> &'static str {
         match self {
             Self::None => "none",

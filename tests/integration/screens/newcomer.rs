@@ -6,6 +6,7 @@ use super::pointer::{click, find};
 use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
 use cmra::study::screening::WEIGHTS_PERCENT;
+use cmra::tui::chart::Scale;
 use cmra::tui::message::{Effect, Message, Target};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::state::{Picture, Spread};
@@ -148,7 +149,7 @@ fn the_keys_row_omits_keys_without_effect() {
     assert!(!keys(&bench).contains("Enter"), "{}", keys(&bench));
     bench.press("X");
     assert!(bench.message().contains("only the chart of the Pareto front"));
-    assert_eq!(bench.app.pages.search.log, (false, false));
+    assert_eq!(bench.app.pages.search.scales, (Scale::Linear, Scale::Linear));
 }
 
 #[test]

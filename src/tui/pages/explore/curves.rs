@@ -57,11 +57,6 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
-/// The scale of values on the screen.
-pub(crate) fn value_scale(app: &App) -> Scale {
-    if app.pages.explore.log_values { Scale::Log10 } else { Scale::Linear }
-}
-
 fn curves(
     app: &App,
     found: &Found,
@@ -75,7 +70,7 @@ fn curves(
     let old = app.sweep_is_old(Picture::Line) && app.jobs.running::<PictureSweep>().is_none();
     let axes = grid.plan().axes();
     let (along, repeats) = grid.counts();
-    let scale = value_scale(app);
+    let scale = app.pages.explore.value_scale;
     let line = |y: usize| -> Vec<(f64, f64)> {
         let point = |x: usize| (grid.coordinate((x, y), 0), number(grid.cell(x, y, output)));
         if grid.is_full() {
@@ -225,7 +220,7 @@ impl<'a> ChartView<'a> {
         };
         let points: Vec<grid::Cell> = points.map(seen).collect();
         // Residuals of a fit are positive and negative.
-        let scale = if residuals { Scale::Linear } else { value_scale(app) };
+        let scale = if residuals { Scale::Linear } else { app.pages.explore.value_scale };
         let empty = || {
             let unit = Unit::with_prefix(1.0, column.unit());
             chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
@@ -334,7 +329,8 @@ impl<'a> ChartView<'a> {
     fn scale(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
-        let hint = if app.pages.explore.log_values { "Y linear" } else { "Y log" };
+        let is_log = app.pages.explore.value_scale == Scale::Log10;
+        let hint = if is_log { "Y linear" } else { "Y log" };
         let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
         let mut row = 0;
         if let Some(levels) = &self.levels {

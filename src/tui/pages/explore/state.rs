@@ -15,7 +15,7 @@ use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, PointOutcome, USUAL_OUTPUTS};
 use crate::tui::app::App;
-use crate::tui::chart::ViewRange;
+use crate::tui::chart::{Scale, ViewRange};
 
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
@@ -104,7 +104,7 @@ pub struct Sweeping {
     /// The part of the variable along that is in view, by picture; `None`: all of it.
     pub zoomed: Option<ViewRange>,
     pub output: usize,
-    pub log_values: bool,
+    pub value_scale: Scale,
     /// No contour runs through the point under the cursor: all designs as good as this one.
     pub hides_contour: bool,
     /// The surface shows what a fitted quadratic leaves over.

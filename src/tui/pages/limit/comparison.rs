@@ -53,12 +53,9 @@ impl Study for EqualMass {
         let report = compare::compare(scene, Hardware::default(), context)?;
         let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
             .map(|(name, count)| map::usual_axis(scene, name, count).ok());
-        let [Some(x), Some(y)] = axes else {
+        let [Some(x), Some(y)] = axes.map(|axis| axis.filter(|_| report.is_complete)) else {
             return Ok(Finding::new(Comparison { report, map: None }));
         };
-        if !report.is_complete {
-            return Ok(Finding::new(Comparison { report, map: None }));
-        }
         let part = || Some(Finding::new(Comparison { report: report.clone(), map: None }));
         let done = whole - points;
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);

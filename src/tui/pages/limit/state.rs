@@ -13,7 +13,7 @@ use crate::report::limit::{remarks, velocity};
 use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
-use crate::tui::app::layout::CHART_ROWS;
+use crate::tui::app::layout::{CHART_ROWS, split_bottom, split_left, split_top};
 use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::{Emphasis, Layout, Scale, ViewRange};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
@@ -275,7 +275,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
     canvas.put(area, (1, 0), &head, role);
-    let body = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
+    let (_, body) = split_top(area, 1);
     let lines = app.limit_lines(area.width);
     if lines.is_empty() {
         return chart(app, body, canvas);
@@ -287,16 +287,13 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return;
     }
     if area.width >= BESIDE {
-        let width = body.width - FACTS;
-        chart(app, Rect { width, ..body }, canvas);
-        let side = Rect { x: body.x + width, width: FACTS, ..body };
-        write(&lines, "", side, canvas);
-        return;
+        let (left, side) = split_left(body, body.width - FACTS);
+        chart(app, left, canvas);
+        return write(&lines, "", side, canvas);
     }
     let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
-    let height = height.min(body.height);
-    chart(app, Rect { height: body.height - height, ..body }, canvas);
-    let below = Rect { y: body.y + body.height - height, height, ..body };
+    let (above, below) = split_bottom(body, height);
+    chart(app, above, canvas);
     write(&lines, "", below, canvas);
 }
 

@@ -5,6 +5,7 @@ pub(crate) mod draw;
 use std::ops::Range;
 
 use crate::model::run::Run;
+use crate::numerics::{larger, smaller};
 use crate::report::series::{Quantity, thinned};
 use crate::tui::app::App;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
@@ -89,7 +90,7 @@ impl App {
             .iter()
             .map(|view| of(view.run))
             .filter(|end| end.is_finite() && *end > 0.0)
-            .fold(0.0f64, |most, end| if end > most { end } else { most });
+            .fold(0.0, larger);
         (0.0, if end > 0.0 { end } else { 1e-3 })
     }
 
@@ -170,17 +171,12 @@ impl App {
     pub fn value_range(&self, curves: &[Curve<'_>], scale: Scale) -> (f64, f64) {
         let (from, to) = self.time_range_s();
         let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &(t, value) in curves.iter().flat_map(|curve| &curve.points) {
-            if seen(t) && value.is_finite() && (scale == Scale::Linear || value > 0.0) {
-                if value < low {
-                    low = value;
-                }
-                if value > high {
-                    high = value;
-                }
-            }
-        }
+        let points = curves.iter().flat_map(|curve| &curve.points);
+        let (low, high) = points
+            .filter(|(t, value)| seen(*t) && scale.shows(*value))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
+                (smaller(low, *value), larger(high, *value))
+            });
         match (low < high, low.is_finite(), scale) {
             (true, _, _) => (low, high),
             (false, true, Scale::Linear) if low == 0.0 => (0.0, 1.0),
@@ -261,15 +257,10 @@ impl App {
 
     /// From first contact to the end of the longest visible run (or of the window, where that is later), s.
     fn whole_s(&self) -> (f64, f64) {
-        let (begin, mut end) = self.window_s();
-        for view in self.visible_runs() {
-            if let Some(last) = view.run.series.last()
-                && last.t_s > end
-            {
-                end = last.t_s;
-            }
-        }
-        (begin, end)
+        let (begin, end) = self.window_s();
+        let runs = self.visible_runs().into_iter();
+        let ends = runs.filter_map(|view| Some(view.run.series.last()?.t_s));
+        (begin, ends.fold(end, larger))
     }
 }
 

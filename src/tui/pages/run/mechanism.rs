@@ -2,6 +2,7 @@
 
 use crate::model::run::Run;
 use crate::model::scene::Mount;
+use crate::numerics::{larger, smaller};
 use crate::report::series::Quantity;
 use crate::tui::pages::log::{energy_lines, event_lines};
 use crate::tui::pages::run::CHARTS;
@@ -69,10 +70,9 @@ fn share(app: &App, run: &Run, plate_m: f64) -> f64 {
     let end_m = Quantity::PlateDisplacement.at(run, to_s);
     let end_m = end_m.or_else(|| run.series.last().map(|last| last.plate_displacement_m));
     let cocked_m = -run.scene.plate.cocking_m;
-    let known = [Some(0.0), Some(cocked_m), end_m, Some(plate_m)];
+    let known = [Some(cocked_m), end_m, Some(plate_m)];
     let known = || known.iter().flatten().copied();
-    let least = known().fold(0.0_f64, |a, b| if b < a { b } else { a });
-    let most = known().fold(0.0_f64, |a, b| if b > a { b } else { a });
+    let (least, most) = (known().fold(0.0, smaller), known().fold(0.0, larger));
     if most > least { (plate_m - least) / (most - least) } else { 0.0 }
 }
 

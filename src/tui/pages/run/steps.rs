@@ -32,11 +32,7 @@ pub enum Size {
 
 impl Size {
     pub fn factor(self) -> f64 {
-        match self {
-            Self::Fine => 0.1,
-            Self::Plain => 1.0,
-            Self::Coarse => 10.0,
-        }
+        10f64.powi(self.decade())
     }
 
     fn decade(self) -> i32 {

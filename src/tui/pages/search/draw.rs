@@ -6,11 +6,11 @@ use crate::report::monte_carlo::{perforation, table};
 use crate::report::sensitivity::{indices, tornado};
 use crate::report::table::Cells;
 use crate::report::{self, Remark};
-use crate::study::quantities::Quantity;
-use crate::study::search::front::{Candidate, Design, Front, Task};
+use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::seek;
 use crate::study::sweep::{self, PointOutcome};
 use crate::study::{monte_carlo, sensitivity};
+use crate::tui::app::layout::{split_bottom, split_top};
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::pages::search::setup::brief;
@@ -36,7 +36,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
         lines_below(app, &lines, results, canvas);
         return;
     }
-    let top = Rect { height: results.height - below, ..results };
+    let (top, rest) = split_bottom(results, below);
     let focused = below == 0 && app.has_focus(RESULTS);
     match &*found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
@@ -47,7 +47,6 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     if below == 0 {
         turn(app, top, canvas);
     } else {
-        let rest = Rect { y: results.y + top.height, height: below, ..results };
         lines_below(app, &lines, rest, canvas);
     }
 }
@@ -98,8 +97,7 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
     if let Some((_, text)) = head.first() {
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
-    let top = u16::try_from(head.len()).unwrap_or(0);
-    let inner = Rect { y: inner.y + top, height: inner.height.saturating_sub(top), ..inner };
+    let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
     for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = text_role(*severity);
         let text = clip(text, usize::from(inner.width));
@@ -110,22 +108,12 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
     }
 }
 
-/// An axis of a measure over values.
-fn measure_axis(
-    column: &Quantity,
-    values: impl Iterator<Item = f64> + Clone,
-    log: bool,
-    label: String,
-) -> Option<Axis<'static>> {
-    let scale = if log { Scale::Log10 } else { Scale::Linear };
-    Axis::fitted(label, column.unit(), scale, values)
-}
-
 fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
     let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
-    let y = measure_axis(report.measure, values, app.pages.search.log.1, String::new());
+    let (_, scale) = app.pages.search.scales;
+    let y = Axis::fitted("", report.measure.unit(), scale, values);
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
         return lines_below(
             app,
@@ -177,7 +165,7 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let value = |design: &&Design| design.measures.get(at).copied().flatten();
             let measure = task.measures()[at];
             let values: Vec<f64> = designs.iter().filter_map(value).collect();
-            let x = measure_axis(measure, values.into_iter(), tab.log.0, brief(measure))?;
+            let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
             Some((x, designs.get(tab.selected()).and_then(value)))
         }
         _ => None,
@@ -192,12 +180,9 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let measures = task.measures();
     let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
     let designs = tab.designs();
-    let all = |at: usize| {
-        let own = designs.iter().filter_map(move |design| value(&design.measures, at));
-        own.collect::<Vec<f64>>()
-    };
     let x = self::across(tab).map(|(x, _)| x);
-    let y = measure_axis(measures[up], all(up).into_iter(), tab.log.1, String::new());
+    let ups: Vec<f64> = designs.iter().filter_map(|it| value(&it.measures, up)).collect();
+    let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
     let Some((x, y)) = x.zip(y) else {
         let text = "no design satisfies every constraint".to_owned();
         return lines_below(app, &[(Severity::Warning, text)], area, canvas);
@@ -213,12 +198,10 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
     for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
-        let candidate: &Candidate = candidate;
         let letter = letter.to_string();
         mark(place(&candidate.measures), &letter, Role::Curve(3), &layout, canvas);
     }
     if let Some(design) = designs.get(tab.selected()) {
-        let design: &Design = design;
         mark(place(&design.measures), "X", Role::Crosshair, &layout, canvas);
     }
     canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
@@ -252,7 +235,8 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     // Room above for the tags.
     let highest = steps.iter().map(|step| 1.3 * step.1);
     let label = summary.measure.title();
-    let x = measure_axis(summary.measure, sorted.iter().copied(), false, label);
+    let values = sorted.iter().copied();
+    let x = Axis::fitted(label, summary.measure.unit(), Scale::Linear, values);
     let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
     let Some((x, y)) = x.zip(y) else { return };
     let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

@@ -16,7 +16,7 @@ use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::ViewRange;
+use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::{Progress, StatusPart, part};
@@ -77,8 +77,8 @@ pub struct Searching {
     pub problem: Option<String>,
     /// The selected design or solution, page by page.
     pub cursor: [Option<usize>; 4],
-    /// Logarithmic axes across and up.
-    pub log: (bool, bool),
+    /// How values are spread across and up.
+    pub scales: (Scale, Scale),
     /// The part of the axis across that is in view; `None`: all of it.
     pub zoomed: Option<ViewRange>,
     /// The column of the front that its table is sorted by: an objective by its place; `None`: the one across.

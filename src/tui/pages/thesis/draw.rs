@@ -4,6 +4,7 @@ use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
+use crate::tui::app::layout::{split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
 use crate::tui::prelude::*;
@@ -27,13 +28,9 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// The list and the detail, beside or below each other.
 fn split(area: Rect, below: u16) -> (Rect, Rect) {
     if area.width >= BESIDE {
-        let left = area.width * 11 / 20;
-        let detail = Rect { x: area.x + left, width: area.width - left, ..area };
-        return (Rect { width: left, ..area }, detail);
+        return split_left(area, area.width * 11 / 20);
     }
-    let below = below.min(area.height / 2);
-    let top = area.height - below;
-    (Rect { height: top, ..area }, Rect { y: area.y + top, height: below, ..area })
+    split_bottom(area, below.min(area.height / 2))
 }
 
 fn role(verdict: Verdict) -> Role {
