@@ -11,7 +11,7 @@ use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
-use crate::model::run::{Mode, ModelNote};
+use crate::model::run::{Mode, Warning};
 use crate::model::scene::{ContactModel as Kind, Scene};
 
 mod flow_strength;
@@ -60,8 +60,8 @@ pub(super) trait ContactModel: Debug + Send + Sync {
         None
     }
 
-    /// Notes on a run with this first common velocity, s.
-    fn note(&self, _first_arrest_s: Option<f64>) -> Option<ModelNote> {
+    /// What it does not contain of a run with this first common velocity, s.
+    fn note(&self, _first_arrest_s: Option<f64>) -> Option<Warning> {
         None
     }
 }

@@ -13,8 +13,6 @@ pub(super) enum EventId {
     HoleBottom,
     /// Common velocity.
     SlipZero,
-    /// The slip would go the other way at once: what had moved the interface is gone.
-    SlipHeld,
     /// A projectile that had left touches again.
     Recontact,
     ContactLost,

@@ -12,13 +12,11 @@ use crate::model::scene::Scene;
 use crate::model::worded::worded;
 
 pub mod envelope;
-mod model_note;
 mod stack;
 mod warning;
 
-pub use model_note::ModelNote;
 pub use stack::StackRun;
-pub use warning::Warning;
+pub use warning::{NotModelled, Warning};
 
 /// The output that a run delivers besides its results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,7 +12,7 @@ use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
-    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, ModelNote, Observer, Outcome,
+    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, NotModelled, Observer, Outcome,
     Run, Sample, Settings, Warning,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
@@ -323,11 +323,11 @@ impl Work<'_> {
         let parts = self.listing.afterwards != Reading::Printed;
         let joined = sprung && self.run.outcome == Outcome::Perforated && !parts;
         let notes = [
-            plastic.then_some(ModelNote::NoPlasticLaw),
-            stopped.then_some(ModelNote::NoStop),
-            joined.then_some(ModelNote::JoinedThroughHole),
+            plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
+            stopped.then_some(Warning::NotModelled(NotModelled::Stop)),
+            joined.then_some(Warning::NotModelled(NotModelled::PartingBehindHole)),
         ];
-        self.run.warnings.extend(notes.into_iter().flatten().map(Warning::Model));
+        self.run.warnings.extend(notes.into_iter().flatten());
         self.run
     }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use super::{ContactModel, Hole, Scales, Values};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, Pulse};
-use crate::model::run::{Mode, ModelNote};
+use crate::model::run::{Mode, Warning};
 use crate::model::scene::Scene;
 
 /// A projectile that arrives at common velocity within this part of the end of the history has not been overrun.
@@ -80,9 +80,9 @@ impl ContactModel for HalfSine {
         Some(self.travel_m)
     }
 
-    fn note(&self, first_arrest_s: Option<f64>) -> Option<ModelNote> {
+    fn note(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
         let duration_s = self.pulse.duration_s;
         let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
-        early.map(|t_s| ModelNote::Overruns { t_s, duration_s })
+        early.map(|t_s| Warning::Overruns { t_s, duration_s })
     }
 }

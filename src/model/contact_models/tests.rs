@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::Values;
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{EndReason, EventKind, ModelNote, Outcome, Run, Sample, Warning};
+use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
 use crate::model::scene::{Listing, Scene, SpringKind};
 use crate::model::simulate::{self, Settings};
 use crate::model::variables::scene_with;
@@ -68,7 +68,7 @@ fn valid_a_free_plate_under_the_half_sine_is_overrun_at_half_time_when_both_weig
     assert!(close(depth_mm(&run), 100.0 * 200e-3 / PI / TRAVEL_PER_DEPTH, 1e-8));
     assert!(close(run.series.last().unwrap().plate_velocity_m_s, 50.0, 1e-8));
     assert!(run.max_plate_displacement_m.is_none());
-    let overrun = |warning: &Warning| matches!(warning, Warning::Model(ModelNote::Overruns { .. }));
+    let overrun = |warning: &Warning| matches!(warning, Warning::Overruns { .. });
     assert!(run.warnings.iter().any(overrun));
 }
 
@@ -274,7 +274,7 @@ fn a_perforation_leaves_the_bodies_joined_as_printed_and_parts_them_when_correct
     let through = |reading: &str| run(&format!("model=appendix h=0.003 v_i=300 after={reading}"));
     let (printed, corrected) = (through("printed"), through("corrected"));
     assert_eq!(printed.outcome, Outcome::Perforated);
-    assert!(printed.warnings.contains(&Warning::Model(ModelNote::JoinedThroughHole)));
+    assert!(printed.warnings.contains(&Warning::NotModelled(NotModelled::PartingBehindHole)));
     let ratio =
         printed.max_plate_displacement_m.unwrap() / corrected.max_plate_displacement_m.unwrap();
     // The same speed on the same spring with twice the mass goes about sqrt(2) as far.
@@ -288,7 +288,7 @@ fn ignored_jumps_end_in_no_number_and_a_stop_is_noted_as_missing() {
     let run = listing("mount=rigid jumps=ignored");
     assert_eq!(run.end, EndReason::NonFinite);
     assert!(!run.series.is_empty() && run.final_penetration_m.is_none());
-    assert!(listing("x_stop=0.001").warnings.contains(&Warning::Model(ModelNote::NoStop)));
+    assert!(listing("x_stop=0.001").warnings.contains(&Warning::NotModelled(NotModelled::Stop)));
 }
 
 #[test]

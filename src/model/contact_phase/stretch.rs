@@ -5,6 +5,7 @@
 //! method.
 
 use super::{Ending, Phase, Refusal};
+use crate::model::mechanism::stop::{self, Hit};
 use crate::model::scene::{Stop as StopOfScene, StopKind};
 use crate::numerics::explicit::{Boundary, Reached, Stop, System};
 use crate::numerics::smaller;
@@ -23,42 +24,40 @@ const BOUNDARIES: usize = 8;
 /// A boundary that is never met.
 const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
 
-/// A rebound slower than this part of the impact velocity comes to rest on the stop.
-const REBOUND_MIN: f64 = 1e-9;
-/// So does one whose height drowns in the rounding of the displacement.
-const UNSEEN: f64 = 16.0 * f64::EPSILON;
+/// How many times the rounding that the rule of the rigid stop allows for is allowed for here.
+const ROUNDINGS: f64 = 4.0;
+const UNSEEN: f64 = ROUNDINGS * stop::HEIGHT_ROUNDING;
 
-/// A stop in scaled units.
+/// A stop, with stiffness and damping in scaled units, and its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wall {
     x: f64,
-    law: WallLaw,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum WallLaw {
-    Rigid { restitution: f64 },
-    Elastic { stiffness: f64, damping: f64 },
+    stop: StopOfScene,
 }
 
 impl Wall {
     /// The stop of a scene whose units of length, velocity and force are given; nothing without one.
     pub(super) fn of(stop: &StopOfScene, r: f64, v: f64, unit_n: f64) -> Option<Self> {
-        let law = match stop.kind {
-            StopKind::Rigid => WallLaw::Rigid { restitution: stop.restitution },
-            StopKind::Elastic => WallLaw::Elastic {
-                stiffness: stop.stiffness_n_m * r / unit_n,
-                damping: stop.damping_n_s_m * v / unit_n,
-            },
+        let scaled = StopOfScene {
+            stiffness_n_m: stop.stiffness_n_m * r / unit_n,
+            damping_n_s_m: stop.damping_n_s_m * v / unit_n,
+            ..*stop
         };
-        stop.position_m.map(|x| Self { x: x / r, law })
+        stop.position_m.map(|x| Self { x: x / r, stop: scaled })
+    }
+
+    fn is_elastic(&self) -> bool {
+        self.stop.kind == StopKind::Elastic
     }
 
     /// The force of an elastic stop (or, times -1, the force missing until it pushes again); 0 for a rigid one.
     fn force(&self, sign: f64) -> Boundary<4> {
-        let WallLaw::Elastic { stiffness, damping } = self.law else { return NEVER };
-        let slope = [0.0, 0.0, sign * stiffness, sign * damping];
-        Boundary { offset: -sign * stiffness * self.x, slope }
+        if !self.is_elastic() {
+            return NEVER;
+        }
+        let StopOfScene { stiffness_n_m, damping_n_s_m, .. } = self.stop;
+        let slope = [0.0, 0.0, sign * stiffness_n_m, sign * damping_n_s_m];
+        Boundary { offset: -sign * stiffness_n_m * self.x, slope }
     }
 }
 
@@ -69,8 +68,8 @@ enum Behind {
     Room,
     /// A rigid stop it rests on, with this engaged area at the beginning of the stretch.
     Held(f64),
-    /// An elastic stop, with this stiffness and damping, at this place.
-    Elastic([f64; 3]),
+    /// An elastic stop it presses on.
+    Pressed,
 }
 
 pub(super) struct Stretch<'a> {
@@ -146,12 +145,12 @@ impl<'a> Stretch<'a> {
 
     /// The plate rests on a rigid stop, or presses on an elastic one, from a travel on.
     fn lean_on(&mut self, wall: Wall, q: f64) {
-        (self.behind, self.boundaries[STOP]) = match wall.law {
-            WallLaw::Rigid { .. } => (Behind::Held(self.phase.faces.area(q, self.piece)), NEVER),
-            // It is left where its force has come down to zero.
-            WallLaw::Elastic { stiffness, damping } => {
-                (Behind::Elastic([stiffness, damping, wall.x]), wall.force(1.0))
-            }
+        // An elastic one is left where its force has come down to zero.
+        self.boundaries[STOP] = wall.force(1.0);
+        self.behind = if wall.is_elastic() {
+            Behind::Pressed
+        } else {
+            Behind::Held(self.phase.faces.area(q, self.piece))
         };
         self.boundaries[PRESSED] = NEVER;
     }
@@ -212,22 +211,20 @@ impl<'a> Stretch<'a> {
             self.behind = Behind::Room;
             self.watch_stop();
             self.watch_turn();
-            if let WallLaw::Elastic { .. } = wall.law {
-                // A plate that turns before it is clear of the stop is pressed again.
-                self.boundaries[PRESSED] = wall.force(-1.0);
-            }
+            // A plate that turns before it is clear of an elastic stop is pressed again.
+            self.boundaries[PRESSED] = wall.force(-1.0);
             return;
         }
-        if let WallLaw::Rigid { restitution } = wall.law {
+        if !wall.is_elastic() {
             reached.y[2] = wall.x;
             let before = reached.y[3];
             let push = self.rate(&[reached.y[0], reached.y[1], wall.x, 0.0])[3];
-            let mut after = -restitution * before;
-            let height = 0.5 * after * after / push;
-            if after.abs() <= REBOUND_MIN || (push > 0.0 && height <= UNSEEN * (1.0 + wall.x.abs()))
-            {
-                after = 0.0;
-            }
+            let after = wall.stop.rebound(&Hit {
+                velocity: before,
+                acceleration: push,
+                velocity_scale: 1.0,
+                length_scale: ROUNDINGS * (1.0 + wall.x.abs()),
+            });
             // The stop takes the plate's velocity, not the projectile's.
             reached.y[3] = after;
             reached.y[1] += (before - after) * self.phase.faces.cos;
@@ -288,10 +285,8 @@ impl<'a> Stretch<'a> {
 
     /// Stiffness, damping and place of an elastic stop that is pressed; zeros without.
     pub(super) fn pressed(&self) -> [f64; 3] {
-        match self.behind {
-            Behind::Elastic(stop) => stop,
-            Behind::Room | Behind::Held(_) => [0.0; 3],
-        }
+        let wall = self.phase.wall.filter(|_| self.behind == Behind::Pressed);
+        wall.map_or([0.0; 3], |Wall { x, stop }| [stop.stiffness_n_m, stop.damping_n_s_m, x])
     }
 
     pub(super) fn is_still(&self) -> bool {

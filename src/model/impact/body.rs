@@ -5,7 +5,7 @@ use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Setting;
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
-use crate::model::motion::{Expansion, Motion, State, StopForce};
+use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::Mode;
 
 mod active_events;
@@ -253,7 +253,7 @@ impl<'a> Body<'a> {
                 self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
             }
             EventId::HoleBottom => self.state.travel_m = self.deepest_m,
-            EventId::SlipZero | EventId::SlipHeld => self.state.slip_m_s = 0.0,
+            EventId::SlipZero => self.state.slip_m_s = 0.0,
             EventId::Recontact | EventId::DentLeft => {
                 self.state.travel_m = self.problem.contact.slack_m(self.deepest_m);
             }
@@ -276,28 +276,16 @@ impl<'a> Body<'a> {
             self.yields_since_deeper += 1;
         }
     }
-
-    /// Whether a slip that is to begin would go the wrong way: the force that made the interface yield has changed its sign in
-    /// the same moment.
-    pub(super) fn slip_is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
-        let way = match self.mode {
-            Mode::Penetrating | Mode::Closing if self.problem.flows() => 1.0,
-            Mode::Withdrawing if self.problem.flows() => -1.0,
-            _ => return false,
-        };
-        let first = e.slip[1..].iter().find(|c| **c != 0.0);
-        e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)
-    }
 }
 
 /// The stretch of the spring's curve into which the plate starts to move.
 fn first_region(problem: &Problem, pull_n: f64) -> usize {
-    let Some(curve) = problem.mechanism.spring.curve() else {
-        return 0;
-    };
-    let above = curve.region(problem.start_m);
-    let at_knot = curve.ends(above).0 >= problem.start_m;
-    if at_knot && pull_n < 0.0 { above - 1 } else { above }
+    let x = problem.start_m;
+    problem
+        .mechanism
+        .spring
+        .curve()
+        .map_or(0, |curve| if pull_n < 0.0 { curve.region_below(x) } else { curve.region(x) })
 }
 
 /// The side of zero of a number, or `other` for zero itself.

@@ -63,11 +63,7 @@ impl Simulation<'_> {
         (_, self.record.work.crush_j) = self.spring_energies();
         self.body.problem = self.body.problem.crushed(crushed_m);
         let spring = &self.body.problem.mechanism.spring;
-        // At a knot: on its near side.
-        self.body.region = spring.curve().map_or(0, |curve| {
-            let above = curve.region(x);
-            if curve.ends(above).0 >= x { above - 1 } else { above }
-        });
+        self.body.region = spring.curve().map_or(0, |curve| curve.region_below(x));
     }
 
     /// Energy that the springs give back from here, and that crushing has taken so far, J.

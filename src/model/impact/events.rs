@@ -21,10 +21,6 @@ impl Simulation<'_> {
             EventId::PieceStart => self.piece_start(),
             EventId::HoleBottom => self.deepen(),
             EventId::SlipZero => self.common_velocity(),
-            EventId::SlipHeld => {
-                self.record.event(self.body.state.t_s, EventKind::Arrest);
-                self.body.mode = Mode::Fused;
-            }
             EventId::Recontact | EventId::ContactAgain => {
                 self.record.event(self.body.state.t_s, EventKind::Recontact);
                 self.body.mode =
@@ -356,9 +352,8 @@ mod tests {
 
     /// Scene, mode, event and state (q, u, x, w), and the mode and the note after it.
     #[rustfmt::skip]
-    const TRANSITIONS: [Transition; 14] = [
+    const TRANSITIONS: [Transition; 13] = [
         ("k=1e5", Mode::Penetrating, EventId::SlipZero, [5e-3, 0.0, 0.0, 20.0], Mode::Fused, EventKind::FirstArrest),
-        ("k=1e5", Mode::Penetrating, EventId::SlipHeld, [5e-3, 0.0, 0.0, 20.0], Mode::Fused, EventKind::Arrest),
         ("k=1e5", Mode::Closing, EventId::HoleBottom, [5e-3, 9.0, 0.0, 1.0], Mode::Penetrating, EventKind::Resumption),
         ("k=1e5", Mode::Withdrawing, EventId::PieceStart, [0.0, -9.0, 0.0, 1.0], Mode::FreeFlight, EventKind::Separation),
         ("k=1e5", Mode::FreeFlight, EventId::Recontact, [0.0, 9.0, 0.0, 1.0], Mode::Closing, EventKind::Recontact),

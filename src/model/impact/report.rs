@@ -8,7 +8,7 @@ use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, ModelNote, Outcome, Run,
+    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled, Outcome, Run,
     STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::InterfaceLaw;
@@ -43,7 +43,7 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
     let max_displacement = max_displacement_m(&simulation);
     let mut warnings =
         warnings(problem, &simulation, end, &ledger, max_displacement.unwrap_or(so_far_m));
-    warnings.extend(notes(problem, &simulation, final_penetration_m).map(Warning::Model));
+    warnings.extend(notes(problem, &simulation, final_penetration_m));
     let at_least = AtLeast {
         penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
         plate_displacement_m: (max_displacement.is_none()
@@ -197,13 +197,13 @@ fn notes(
     problem: &Problem,
     simulation: &Simulation<'_>,
     depth_m: Option<f64>,
-) -> impl Iterator<Item = ModelNote> {
+) -> impl Iterator<Item = Warning> {
     let scene = &problem.scene;
     let through = depth_m.is_some_and(|depth_m| depth_m > problem.geometry.thickness_m);
     let plastic = scene.interface.law == InterfaceLaw::Plastic;
     let notes = [
-        (through && !problem.flows()).then_some(ModelNote::DeeperThanPlate),
-        (plastic && !problem.flows()).then_some(ModelNote::NoPlasticLaw),
+        (through && !problem.flows()).then_some(Warning::NotModelled(NotModelled::RearFace)),
+        (plastic && !problem.flows()).then_some(Warning::NotModelled(NotModelled::PlasticLaw)),
         problem.contact.note(simulation.record.first_arrest.map(|arrest| arrest.t_s)),
     ];
     notes.into_iter().flatten()

@@ -62,9 +62,6 @@ impl Simulation<'_> {
             }
             return ControlFlow::Continue(None);
         }
-        if self.body.slip_is_held(&e) {
-            return ControlFlow::Continue(Some(EventId::SlipHeld));
-        }
         let left = (self.until_s() - self.body.state.t_s) / h;
         let mut reach = self.checked(&motion, &e, smaller(left, trusted));
         let (span, detected) = loop {

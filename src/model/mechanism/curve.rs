@@ -81,6 +81,11 @@ impl Curve {
         self.segments.knots_m.partition_point(|knot| *knot <= x)
     }
 
+    /// The same, but a knot belongs to the stretch below it.
+    pub fn region_below(&self, x: f64) -> usize {
+        self.segments.knots_m.partition_point(|knot| *knot < x)
+    }
+
     /// The ends of a stretch, m; infinite at either end of the law.
     pub fn ends(&self, region: usize) -> (f64, f64) {
         let knots = &self.segments.knots_m;

@@ -3,8 +3,9 @@
 use std::fmt;
 
 use crate::model::mechanism::load::Limit;
-use crate::model::run::{AtLeast, EndReason, EnergyLedger, ModelNote, Outcome};
+use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
 use crate::model::units::{self, Engineering};
+use crate::model::worded::worded;
 
 /// A warning about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,9 +21,22 @@ pub enum Warning {
     HorizonNotReached { reason: EndReason, t_s: f64, horizon_s: f64 },
     SeriesThinned { rows: usize, steps: usize },
     NoBaseline,
-    Model(ModelNote),
+    Overruns { t_s: f64, duration_s: f64 },
+    NotModelled(NotModelled),
     Limit(Limit),
     PlateMeetsNext { plate: usize, travel_m: f64, gap_m: f64 },
+}
+
+worded! {
+    /// What a contact model does not contain, although the scene has it or the run comes to it.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum NotModelled: words {
+        RearFace = "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated",
+        PlasticLaw = "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield",
+        Stop = "the stop is ignored: the listing of Appendix A has none",
+        PartingBehindHole = "as printed, projectile and plate move on as one body although the plate is perforated; \
+                             contact.appendix.afterwards = corrected parts them",
+    }
 }
 
 /// An energy residual above this earns a warning.
@@ -65,6 +79,15 @@ fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> String {
         time(horizon_s),
         time(t_s),
         reason.words()
+    )
+}
+
+fn overruns(t_s: f64, duration_s: f64) -> String {
+    format!(
+        "the half-sine history is that of a fixed plate: here both bodies have the same velocity at {:.4} us, and the \
+         force goes on to t_d = {:.4} us",
+        t_s * 1e6,
+        duration_s * 1e6
     )
 }
 
@@ -115,7 +138,8 @@ impl fmt::Display for Warning {
                 "the series has {rows} rows for {steps} steps: its beginning in full, then first, last, least and greatest values of \
                  short intervals"
             ),
-            Self::Model(note) => f.write_str(&note.words()),
+            Self::Overruns { t_s, duration_s } => f.write_str(&overruns(*t_s, *duration_s)),
+            Self::NotModelled(what) => f.write_str(what.words()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(
                 f,
                 "plate {} travels {} m, farther than the gap of {} m behind it: plates that meet are not in the model",
