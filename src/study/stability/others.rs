@@ -76,6 +76,14 @@ impl Verdict {
         }
     }
 
+    /// Words for screens.
+    pub fn words(self) -> String {
+        match self {
+            Self::BlownUp => "diverged".to_owned(),
+            _ => self.word().replace('-', " "),
+        }
+    }
+
     /// One word for files.
     pub fn word(self) -> &'static str {
         match self {

@@ -171,9 +171,8 @@ impl App {
                 // The codes of the cells in words.
                 let failed = Other::ALL.into_iter().zip(row.others);
                 let failed = failed.filter(|(_, verdict)| verdict.error().is_none());
-                let words = failed.map(|(other, verdict)| {
-                    format!("; {}: {}", other.heading(), verdict.word().replace('-', " "))
-                });
+                let words = failed
+                    .map(|(other, verdict)| format!("; {}: {}", other.heading(), verdict.words()));
                 let words: String = words.collect();
                 (Severity::Note, format!("{}: {}{words}", row.case.name, row.case.why))
             }
