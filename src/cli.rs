@@ -31,10 +31,10 @@ mod monte_carlo;
 mod optimise;
 mod outlook;
 mod output;
-mod pace;
 mod paths;
 mod pictures;
 mod presets;
+mod progress;
 mod report;
 mod reproduce;
 mod run;
@@ -93,7 +93,7 @@ pub(crate) enum Glyphs {
 /// # Errors
 /// [`CliError`], which knows its exit code; [`fail`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
-    pace::survive_large_files();
+    progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
     let matches = match help::command().try_get_matches_from(&written) {
         Ok(matches) => matches,

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
@@ -49,10 +49,10 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
         presets.push(preset);
     }
     let mut reports: Vec<Named> = Vec::new();
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let scenes = presets.clone();
     for preset in presets {
-        let report = pace.study(1, "points", |context| {
+        let report = line.study(1, "points", |context| {
             compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, context)
         })?;
         let whole = report.is_complete;
@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     for failure in &failures {
         output::note(failure);
     }
-    Ok(pace.exit_code(failures.is_empty()))
+    Ok(line.exit_code(failures.is_empty()))
 }
 
 /// Where `auto` gave no answer, in words: the step or tolerance, and why.

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::axes::range;
@@ -92,15 +92,15 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
-    let mut pace = Pace::begin();
-    let report = pace.study(1, "candidates", |context| compare(&scene, hardware, context))?;
+    let mut line = ProgressLine::begin();
+    let report = line.study(1, "candidates", |context| compare(&scene, hardware, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || tables::json(name, &report);
     let warnings = validity::of_scene(&scene);
     let table = arguments.table.of(&arguments.scene, &scene);
     table.deliver_warned(&warnings, page, object, tables::table(name, &report))?;
-    Ok(pace.exit_code(true))
+    Ok(line.exit_code(true))
 }
 
 impl CompareArguments {
@@ -122,8 +122,8 @@ impl CompareArguments {
         axes: &[Axis; 2],
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
-        let mut pace = Pace::begin();
-        let map = pace.study(all_threads(), "points", |context| {
+        let mut line = ProgressLine::begin();
+        let map = line.study(all_threads(), "points", |context| {
             Map::compute(&preset.scene, axes, hardware, context)
         })?;
         let name = preset.name.as_str();
@@ -135,7 +135,7 @@ impl CompareArguments {
         }
         let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;
-        Ok(pace.exit_code(map.is_complete()))
+        Ok(line.exit_code(map.is_complete()))
     }
 }
 

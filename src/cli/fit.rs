@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
@@ -48,11 +48,11 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     }
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let report = fit(table.shots).map_err(|error| CliError::Option(format!("{name}: {error}")))?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let mut found = None;
     if is_calibrated {
         let preset = arguments.scene.load()?;
-        let calibration = pace.study(1, "shots to calibrate the strength", |context| {
+        let calibration = line.study(1, "shots to calibrate the strength", |context| {
             calibrate(&preset.scene, &report.logistic, &report.shots, context)
         })?;
         found = Some((preset, calibration));
@@ -66,5 +66,5 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
         None => arguments.table.alone(),
     };
     table.deliver_report(page, object, &tables::table(&report))?;
-    Ok(pace.exit_code(calibration.is_none_or(|it| it.from_limit_pa.is_some())))
+    Ok(line.exit_code(calibration.is_none_or(|it| it.from_limit_pa.is_some())))
 }

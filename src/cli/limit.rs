@@ -8,8 +8,8 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::draw;
-use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, all_threads};
 use crate::cli::table::TableArguments;
@@ -103,10 +103,10 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.pictures.check(&arguments.table)?;
     let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling()? };
     let preset = arguments.scene.load()?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let scene = Arc::new(preset.scene);
     let report =
-        pace.study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
+        line.study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);
     let object = || limit::json(name, &report);
@@ -122,7 +122,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     }
     let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
     arguments.pictures.write(&arguments.table, chart)?;
-    Ok(pace.exit_code(true))
+    Ok(line.exit_code(true))
 }
 
 const WIDTH: u16 = 80;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::outlook::say_if_long;
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads};
 use crate::cli::table::TableArguments;
@@ -83,10 +83,10 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space(&preset.scene, &task)?, (task.samples as u64, "runs"), threads);
-    let report = pace.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
+    let report = line.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);
     let object = || monte_carlo::json(name, &report);
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
         output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
     }
     let good = report.outcomes.failed == 0;
-    Ok(pace.exit_code(good))
+    Ok(line.exit_code(good))
 }
 
 fn page(name: &str, report: &Report) -> String {

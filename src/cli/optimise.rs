@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::CliError;
 use crate::cli::outlook::say_if_long;
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
@@ -143,10 +143,10 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space, (task.runs() as u64, "runs"), threads);
-    let fronts = pace.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
+    let fronts = line.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {
@@ -159,5 +159,5 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let table = arguments.table.of(&arguments.scene, &preset.scene);
     table.deliver_warned(&warnings, page, object, rows)?;
     let found = fronts.iter().all(|front| !front.designs.is_empty());
-    Ok(pace.exit_code(found))
+    Ok(line.exit_code(found))
 }

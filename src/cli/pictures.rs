@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::cli::pace::was_interrupted;
+use crate::cli::progress::was_interrupted;
 use crate::cli::table::{TableArguments, Target, exists};
 use crate::cli::{CliError, output};
 use crate::files::atomic;

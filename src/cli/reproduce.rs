@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::pace::{Pace, was_interrupted};
+use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
@@ -27,9 +27,9 @@ pub(super) struct ReproduceArguments {
 /// Check every claim; exit status 1 when a verdict differs from the stored one.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let mut check = |claims: &[&'static Claim]| {
-        pace.study(all_threads(), "rows", |context| thesis::check_all(claims, context))
+        line.study(all_threads(), "rows", |context| thesis::check_all(claims, context))
     };
     let all: Vec<&Claim> = thesis::claims().iter().collect();
     let shown = match &arguments.only {
@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }
-    Ok(pace.exit_code(differences.is_empty()))
+    Ok(line.exit_code(differences.is_empty()))
 }
 
 /// The rows with this text in them; all are computed only where it may be a verdict's. No row at all is refused.

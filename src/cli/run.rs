@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::models;
-use crate::cli::pace::{Pace, was_interrupted};
 use crate::cli::pictures::PictureArguments;
+use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, choice, exists};
@@ -119,22 +119,22 @@ fn time_step(text: &str) -> Result<f64, CliError> {
 fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
     let settings = Settings { series: true, estimate: true };
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let mut steps = 0_u64;
     let mut observer = |t_s: f64| {
         steps += 1;
         if !steps.is_multiple_of(LOOK) {
             return ControlFlow::Continue(());
         }
-        pace.watch(|gone_s| {
+        line.update(|elapsed_s| {
             let at = Engineering { value: t_s, unit: "s", digits: 4 };
-            format!("t = {at} after {}, {steps} steps", duration(gone_s))
+            format!("t = {at} after {}, {steps} steps", duration(elapsed_s))
         })
     };
     let start = Instant::now();
     let run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
     let took = start.elapsed();
-    pace.clear();
+    line.clear();
     Ok(Computed { preset, run: Arc::new(run), took })
 }
 

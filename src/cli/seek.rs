@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::outlook::say_if_long;
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Threads, be_cautious};
 use crate::cli::sweep::axes::range;
@@ -67,10 +67,10 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
     let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space, (goal.axis.count(), "runs"), threads);
-    let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
+    let report = line.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);
     let object = || seek::json(name, &report);
@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         seek::table(name, &report),
     )?;
     let found = report.solutions().next().is_some();
-    Ok(pace.exit_code(found))
+    Ok(line.exit_code(found))
 }
 
 fn page(name: &str, report: &Report) -> String {

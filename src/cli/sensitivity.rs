@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::outlook::say_if_long;
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
@@ -68,12 +68,12 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let effort = arguments.effort()?;
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
         say_if_long(&space, (effort.runs(axes.len()) as u64, "runs"), threads);
     }
-    let report = pace.study(threads, "runs", |context| {
+    let report = line.study(threads, "runs", |context| {
         study(&preset.scene, axes, &arguments.output, effort, context)
     })?;
     let name = preset.name.as_str();
@@ -86,5 +86,5 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         object,
         sensitivity::table(name, &report),
     )?;
-    Ok(pace.exit_code(true))
+    Ok(line.exit_code(true))
 }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::pace::Pace;
+use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::table::{TableArguments, choice};
@@ -51,11 +51,11 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
         ));
     }
     let cases = stability::battery(arguments.quick);
-    let mut pace = Pace::begin();
+    let mut line = ProgressLine::begin();
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
     let rows =
-        pace.study(all_threads(), "scenes", |context| stability::run(&cases, &now_s, context))?;
+        line.study(all_threads(), "scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let page = || table::battery(&rows, took_s, text::width());
     let object = || tables::json(&rows);
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
             ));
         }
     }
-    Ok(pace.exit_code(good))
+    Ok(line.exit_code(good))
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
@@ -80,13 +80,13 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let preset = arguments.scene.load()?;
     map::accepts(&preset.scene)?;
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
-    let mut pace = Pace::begin();
-    let map = pace.study(1, "rows", |context| {
+    let mut line = ProgressLine::begin();
+    let map = line.study(1, "rows", |context| {
         map::map(&preset.scene, (arguments.method, axis), cells, context)
     });
     let name = preset.name.as_str();
     let (page, object) = (|| table::map(&map, name), || tables::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);
     table.deliver_report(page, object, &tables::map_table(name, &map))?;
-    Ok(pace.exit_code(true))
+    Ok(line.exit_code(true))
 }

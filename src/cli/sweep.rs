@@ -13,8 +13,8 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::cli::outlook::say_if_long;
-use crate::cli::pace::{Pace, interruptible};
 use crate::cli::pictures::PictureArguments;
+use crate::cli::progress::{ProgressLine, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
@@ -282,7 +282,7 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut pace = Pace::stopped_by(self.stop.clone());
+        let mut line = ProgressLine::stopped_by(self.stop.clone());
         let all = self.points();
         let (first, count) = (all.start, all.end - all.start);
         let worker = || {
@@ -292,7 +292,7 @@ impl Job<'_> {
             }
         };
         let watch = &mut |Progress { done, .. }, _: Option<&()>| {
-            pace.watch(|gone_s| so_far(done as u64, count, gone_s))
+            line.update(|elapsed_s| so_far(done as u64, count, elapsed_s))
         };
         let work = Work { count, at_once: PIECE };
         Context::new(self.threads, watch).each(work, worker, |context, piece, found| {
@@ -303,15 +303,15 @@ impl Job<'_> {
             // A piece by the contact kernel is done before it looks whether it should stop.
             context.goes_on() && is_whole && problem.is_none()
         });
-        pace.clear();
+        line.clear();
         problem.map_or(Ok(summary), Err)
     }
 }
 
 /// The progress of a sweep, and the remaining time at this rate.
-fn so_far(done: u64, total: u64, gone_s: f64) -> String {
+fn so_far(done: u64, total: u64, elapsed_s: f64) -> String {
     let percent = 100.0 * done as f64 / total as f64;
-    let left_s = gone_s * (total - done) as f64 / done.max(1) as f64;
+    let left_s = elapsed_s * (total - done) as f64 / done.max(1) as f64;
     let left = page::duration(left_s);
     format!("{percent:.0} %: {done} of {total} points, {left} left")
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use crate::cli::pace::was_interrupted;
+use crate::cli::progress::was_interrupted;
 use crate::cli::scene::{Changes, SceneArguments};
 use crate::cli::{CliError, again, output, text};
 use crate::files::atomic::Existing;

@@ -37,8 +37,6 @@ mod optimise;
 #[cfg(test)]
 mod oracle;
 #[cfg(test)]
-mod pace;
-#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod pictures;
@@ -46,6 +44,8 @@ mod pictures;
 mod plans;
 #[cfg(test)]
 mod presets;
+#[cfg(test)]
+mod progress;
 #[cfg(test)]
 mod pty;
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::tui::app::Base;
-use crate::tui::pages::explore::state::Visits;
+use crate::tui::pages::explore::state::SamplingPlan;
 use crate::tui::pages::run::runs::Pin;
 use crate::tui::pages::search::setup::Setup;
 
@@ -30,7 +30,7 @@ const ROWS_MAX: usize = 100_000;
 pub enum Setting {
     Search(Box<Setup>),
     /// The points that the Sweep and Surface tabs visit.
-    Visits(Visits),
+    SamplingPlan(SamplingPlan),
     /// The weights of the screening matrix, percent.
     Weights([f64; 7]),
 }

@@ -59,7 +59,7 @@ pub struct Jobs {
     /// Tasks that have been running for so long that leaving asks first.
     pub long: Vec<u64>,
     /// The person was asked whether to leave while a long task runs.
-    pub asked_to_quit: bool,
+    pub quit_confirmation_shown: bool,
     /// Why the last run gave no result.
     pub failure: Option<String>,
 }

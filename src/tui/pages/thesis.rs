@@ -19,7 +19,7 @@ use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::pages::explore::state::{Picture, Spread};
+use crate::tui::pages::explore::state::{Picture, Sampling};
 use crate::tui::pages::run::{self, step_of};
 use crate::tui::pages::{
     self, About, Page, Progress, Rows, StatusPart, Table, explore, note, progress,
@@ -278,9 +278,9 @@ pub(crate) fn show(app: &mut App, base: Base) {
     app.pages.explore.cursor = [None; 2];
     app.pages.explore.zoomed = None;
     // The sweep as the preset has it, whatever was looked at before.
-    let visits = &mut app.pages.explore.visits;
-    visits.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
-    visits.spreads = [Spread::Grid; 2];
+    let plan = &mut app.pages.explore.plan;
+    plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
+    plan.samplings = [Sampling::Grid; 2];
     pages::of(Tab::Explore).enter(app);
     app.tell(format!("{name} loaded, here is its sweep (u undoes)"));
 }

@@ -11,7 +11,7 @@ use crate::tui::update::{self, edit, zoom};
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
     if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
-        app.jobs.asked_to_quit = false;
+        app.jobs.quit_confirmation_shown = false;
     }
     if !steps(app, action) {
         app.history.commit();
@@ -234,8 +234,8 @@ fn leave(app: &mut App, action: Action) {
     } else {
         None
     };
-    if let Some(question) = question.filter(|_| !app.jobs.asked_to_quit) {
-        app.jobs.asked_to_quit = true;
+    if let Some(question) = question.filter(|_| !app.jobs.quit_confirmation_shown) {
+        app.jobs.quit_confirmation_shown = true;
         return app.say(Severity::Warning, question);
     }
     app.request(Effect::SaveSession);

@@ -137,8 +137,8 @@ fn set_up(app: &mut App, setting: Setting) {
             app.pages.search.setup = *setup;
             app.pages.search.problem = None;
         }
-        Setting::Visits(visits) => {
-            app.pages.explore.visits = visits;
+        Setting::SamplingPlan(plan) => {
+            app.pages.explore.plan = plan;
             explore::after_edit(app);
         }
         Setting::Weights(weights) => app.pages.thesis.weights = weights,

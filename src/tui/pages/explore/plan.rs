@@ -65,17 +65,12 @@ impl App {
             Picture::Line if has_family(scene) => {
                 let second = axis(1)?;
                 let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(
-                    name,
-                    ends,
-                    self.pages.explore.visits.curves,
-                    second.spacing(),
-                )?);
+                axes.push(Axis::new(name, ends, self.pages.explore.plan.curves, second.spacing())?);
             }
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),
         }
-        let design = self.pages.explore.spread(picture).design(axes[0].count());
+        let design = self.pages.explore.sampling(picture).design(axes[0].count());
         let plan = Plan::new(scene, axes, design, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)
     }

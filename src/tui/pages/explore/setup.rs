@@ -10,7 +10,7 @@ use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::Setting;
 use crate::tui::dialogs::{around, wrap};
-use crate::tui::pages::explore::state::{Picture, Spread, Sweeping, has_family, sweep_of};
+use crate::tui::pages::explore::state::{Picture, Sampling, Sweeping, has_family, sweep_of};
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{explore, run};
@@ -45,7 +45,7 @@ impl App {
         use SetupRow as R;
         let is_map = self.picture() == Picture::Surface;
         let has_two = is_map || has_family(&self.scene);
-        let is_grid = self.pages.explore.spread(self.picture()) == Spread::Grid;
+        let is_grid = self.pages.explore.sampling(self.picture()) == Sampling::Grid;
         let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
         let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
         rows.extend(along.map(|part| R::Axis(0, part)));
@@ -104,12 +104,12 @@ impl App {
                 )
             }
             SetupRow::Design => {
-                let word = self.pages.explore.spread(self.picture()).word();
+                let word = self.pages.explore.sampling(self.picture()).word();
                 Line::word("design", word).means(
                     "every combination; or a Latin hypercube or Sobol's sequence of so many points",
                 )
             }
-            SetupRow::Curves => Line::typed("curves", self.pages.explore.visits.curves.to_string())
+            SetupRow::Curves => Line::typed("curves", self.pages.explore.plan.curves.to_string())
                 .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
                 Line::quantity(&sweep.outputs[self.pages.explore.output_of(&sweep)])
@@ -183,7 +183,7 @@ pub(crate) fn take(app: &mut App, row: SetupRow, text: &str) -> Result<(), Strin
         }
         SetupRow::Curves => {
             let curves = whole(text, &CURVES)?;
-            tried(app, app.picture(), |sweeping| sweeping.visits.curves = curves)?;
+            tried(app, app.picture(), |sweeping| sweeping.plan.curves = curves)?;
         }
         SetupRow::Output => choose_output(app, sweep, quantity_called(text)?.name),
         SetupRow::Held(index) => edit::type_value(app, index, text)?,
@@ -216,16 +216,16 @@ pub(crate) fn step(app: &mut App, row: SetupRow, press: Press) -> Result<(), Str
         }
         SetupRow::Picture => {
             let next = around(&[Picture::Line, Picture::Surface], picture, by);
-            tried(app, next, |sweeping| sweeping.visits.picture = next)?;
+            tried(app, next, |sweeping| sweeping.plan.picture = next)?;
         }
         SetupRow::Design => {
-            let next = around(&Spread::ALL, app.pages.explore.spread(picture), by);
-            tried(app, picture, |sweeping| sweeping.visits.spreads[picture as usize] = next)?;
+            let next = around(&Sampling::ALL, app.pages.explore.sampling(picture), by);
+            tried(app, picture, |sweeping| sweeping.plan.samplings[picture as usize] = next)?;
         }
         SetupRow::Curves => {
-            let curves = app.pages.explore.visits.curves.saturating_add_signed(by as i64);
+            let curves = app.pages.explore.plan.curves.saturating_add_signed(by as i64);
             let next = curves.clamp(*CURVES.start(), *CURVES.end());
-            tried(app, picture, |sweeping| sweeping.visits.curves = next)?;
+            tried(app, picture, |sweeping| sweeping.plan.curves = next)?;
         }
         SetupRow::Output => {
             let next = quantity_beside(&sweep.outputs[app.pages.explore.output_of(&sweep)], by);
@@ -266,19 +266,19 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     checked(app, sweep, at)
 }
 
-/// Change what a picture visits, unless the picture cannot be made then.
+/// Change the sampling of a picture, unless the picture cannot be made then.
 fn tried(
     app: &mut App,
     picture: Picture,
     change: impl FnOnce(&mut Sweeping),
 ) -> Result<(), String> {
-    let (before, old) = (app.pages.explore.visits, app.pages.explore.spread(picture));
+    let (before, old) = (app.pages.explore.plan, app.pages.explore.sampling(picture));
     change(&mut app.pages.explore);
     if let Err(error) = app.sweep_plan(picture) {
-        app.pages.explore.visits = before;
+        app.pages.explore.plan = before;
         return Err(error.to_string());
     }
-    let (after, new) = (app.pages.explore.visits, app.pages.explore.spread(picture));
+    let (after, new) = (app.pages.explore.plan, app.pages.explore.sampling(picture));
     if after == before {
         return Ok(());
     }
@@ -290,7 +290,7 @@ fn tried(
     } else {
         format!("design {} -> {}", old.word(), new.word())
     };
-    let setting = (Setting::Visits(before), Setting::Visits(after));
+    let setting = (Setting::SamplingPlan(before), Setting::SamplingPlan(after));
     edit::note_setting(app, setting, label, None);
     explore::after_edit(app);
     Ok(())

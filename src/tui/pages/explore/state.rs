@@ -43,9 +43,9 @@ pub struct Found {
     pub took: Option<Duration>,
 }
 
-/// Which points a picture visits.
+/// Which points a picture computes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spread {
+pub enum Sampling {
     /// Every combination: curves.
     #[default]
     Grid,
@@ -55,7 +55,7 @@ pub enum Spread {
     Sobol,
 }
 
-impl Spread {
+impl Sampling {
     pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
 
     pub fn word(self) -> &'static str {
@@ -75,18 +75,18 @@ impl Spread {
     }
 }
 
-/// How a sweep is shown, how many points it visits, and which.
+/// How a sweep is shown, how many points it has, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Visits {
+pub struct SamplingPlan {
     pub curves: u64,
-    /// Which points each picture visits: curves, map.
-    pub spreads: [Spread; 2],
+    /// Which points each picture computes: curves, map.
+    pub samplings: [Sampling; 2],
     pub picture: Picture,
 }
 
-impl Default for Visits {
+impl Default for SamplingPlan {
     fn default() -> Self {
-        Self { curves: CURVES, spreads: [Spread::Grid; 2], picture: Picture::Line }
+        Self { curves: CURVES, samplings: [Sampling::Grid; 2], picture: Picture::Line }
     }
 }
 
@@ -110,7 +110,7 @@ pub struct Sweeping {
     /// The surface shows what a fitted quadratic leaves over.
     pub residuals: bool,
     /// Curves of a family, and which points are visited.
-    pub visits: Visits,
+    pub plan: SamplingPlan,
 }
 
 impl Sweeping {
@@ -118,9 +118,9 @@ impl Sweeping {
         self.found[picture as usize].as_ref()
     }
 
-    /// Which points a picture visits.
-    pub fn spread(&self, picture: Picture) -> Spread {
-        self.visits.spreads[picture as usize]
+    /// Which points a picture computes.
+    pub fn sampling(&self, picture: Picture) -> Sampling {
+        self.plan.samplings[picture as usize]
     }
 
     /// The place of the output shown among those of a sweep.
@@ -201,7 +201,7 @@ pub fn has_family(scene: &Scene) -> bool {
 impl App {
     /// The display of Explore: curves or a map.
     pub fn picture(&self) -> Picture {
-        self.pages.explore.visits.picture
+        self.pages.explore.plan.picture
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.

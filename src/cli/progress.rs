@@ -20,18 +20,18 @@ use crate::study::context::{Context, Progress, Stop};
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// Time before the progress of a computation is shown first, and between updates.
-const PATIENCE: Duration = Duration::from_millis(500);
-const EVERY: Duration = Duration::from_millis(200);
+const SHOWN_AFTER: Duration = Duration::from_millis(500);
+const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
-pub(super) struct Pace {
+pub(super) struct ProgressLine {
     start: Instant,
-    told: Instant,
+    last_shown: Instant,
     shown: bool,
     wanted: bool,
     stop: Stop,
 }
 
-impl Pace {
+impl ProgressLine {
     /// Starts now.
     pub(super) fn begin() -> Self {
         Self::stopped_by(interruptible())
@@ -42,13 +42,16 @@ impl Pace {
         let now = Instant::now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
-        Self { start: now, told: now, shown: false, wanted, stop }
+        Self { start: now, last_shown: now, shown: false, wanted, stop }
     }
 
     /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
-    pub(super) fn watch(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
-        if self.wanted && self.start.elapsed() > PATIENCE && self.told.elapsed() > EVERY {
-            self.told = Instant::now();
+    pub(super) fn update(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
+        if self.wanted
+            && self.start.elapsed() > SHOWN_AFTER
+            && self.last_shown.elapsed() > UPDATED_EVERY
+        {
+            self.last_shown = Instant::now();
             self.shown = true;
             output::progress(&text(self.start.elapsed().as_secs_f64()));
         }
@@ -63,7 +66,7 @@ impl Pace {
         study: impl FnOnce(&mut Context<'_, P>) -> T,
     ) -> T {
         let watch = &mut |progress: Progress, _: Option<&P>| {
-            self.watch(|_| format!("{} of {} {what}", progress.done, progress.total))
+            self.update(|_| format!("{} of {} {what}", progress.done, progress.total))
         };
         let found = study(&mut Context::new(threads, watch));
         self.clear();
