@@ -71,11 +71,11 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene);
     let mut page = format!("{}: by formulas alone\n\n", preset.name);
-    for (name, value, unit, last_shown) in &found {
+    for (name, value, unit, meaning) in &found {
         // A prefix before `kg` reads badly.
         let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
         let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
-        let _ = writeln!(page, "{name:<34}{shown:>14}  {last_shown}");
+        let _ = writeln!(page, "{name:<34}{shown:>14}  {meaning}");
     }
     let rows = Table::of(&found)
         .with("name", "name", "", |it| it.0)

@@ -40,9 +40,9 @@ pub(super) fn page(name: &str, found: &Comparison) -> String {
     for (name, reason) in &found.refused {
         labelled(&mut page, "refused", &format!("{name}: {reason}"));
     }
-    let last_shown: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
+    let with_values: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
     if found.what == What::Models {
-        for row in last_shown {
+        for row in with_values {
             let _ = writeln!(page, "{}: {}", row.name, row.with);
         }
         page.push('\n');
