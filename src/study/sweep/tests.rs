@@ -64,7 +64,8 @@ fn a_bad_plan_is_refused_before_anything_runs() {
             plan(&behind, vec![axis("x_stop", -0.1, 0.1, 3)], full, &[]),
             &["x_stop=-0.1", "behind the plate's start"],
         ),
-        (plan(&base, vec![gamma()], full, &["depth"]), &["output depth", "the usual ones are"]),
+        (plan(&base, vec![gamma()], full, &["depth"]), &["output depth", "`final_penetration_m`"]),
+        (plan(&base, vec![gamma()], full, &["zzz"]), &["output zzz", "the usual ones are"]),
         (
             plan(&base, vec![gamma()], full, &["percent_of_baselin"]),
             &["did you mean `percent_of_baseline`?"],
