@@ -13,14 +13,14 @@ pub(crate) struct FirstContact {
     pub(crate) t_s: f64,
     /// Depth then, m.
     pub(crate) depth_m: f64,
-    /// What found it: `lean` for the contact kernel, `full` for the simulation.
+    /// What found it: `kernel` for the contact kernel, `full` for the simulation.
     pub(crate) kernel: &'static str,
 }
 
 /// The first contact of a scene, to its own tolerance; `None` when neither arrest nor perforation is found.
 pub(crate) fn first_contact(scene: &Arc<Scene>) -> Option<FirstContact> {
     if let Some(end) = contact_end(scene, scene.run.tolerance) {
-        return Some(FirstContact { t_s: end.t_s, depth_m: end.penetration_m, kernel: "lean" });
+        return Some(FirstContact { t_s: end.t_s, depth_m: end.penetration_m, kernel: "kernel" });
     }
     let settings = Settings { series: false, estimate: false };
     let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).ok()?;

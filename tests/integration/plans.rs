@@ -40,7 +40,7 @@ fn ordinary(scene: &Arc<Scene>) -> Option<Measure> {
     of_run(&simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap())
 }
 
-fn lean(scene: &Scene) -> Option<Measure> {
+fn by_kernel(scene: &Scene) -> Option<Measure> {
     let end = Contact::of(scene).run(TOLERANCE)?;
     Some((end.arrested, if end.arrested { end.penetration_m } else { end.t_s }))
 }
@@ -56,7 +56,8 @@ fn every_plan_agrees_with_the_general_path() {
         scene.run.tolerance = TOLERANCE;
         let scene = Arc::new(scene);
         let Some(truth) = general(&scene) else { continue };
-        for (plan, found) in [("ordinary", ordinary(&scene)), ("lean", lean(&scene))] {
+        for (plan, found) in [("ordinary", ordinary(&scene)), ("contact kernel", by_kernel(&scene))]
+        {
             let Some(found) = found else { continue };
             *compared.entry(plan).or_default() += 1;
             let difference = (found.1 / truth.1 - 1.0).abs();
