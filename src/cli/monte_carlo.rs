@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let task = arguments.task(&preset.scene)?;
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space(&preset.scene, &task)?, (task.samples as u64, "runs"), threads);
+    say_if_long(&space(&preset.scene, &task)?, task.samples as u64, "runs", threads);
     let report = line.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);

@@ -145,7 +145,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space, (task.runs() as u64, "runs"), threads);
+    say_if_long(&space, task.runs() as u64, "runs", threads);
     let fronts = line.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();

@@ -22,8 +22,8 @@ const GROWTH: u64 = 4;
 type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
 /// Announces the time that runs of this number of designs within the bounds will take, if it is long.
-pub(super) fn say_if_long(space: &DesignSpace, (runs, what): (u64, &str), threads: usize) {
-    by_batches((runs, what), |tried, go_on| {
+pub(super) fn say_if_long(space: &DesignSpace, runs: u64, what: &str, threads: usize) {
+    by_batches(runs, what, |tried, go_on| {
         // Shares that do not fall on one line through the box.
         let share =
             |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
@@ -39,7 +39,7 @@ pub(super) fn say_if_long(space: &DesignSpace, (runs, what): (u64, &str), thread
 
 /// Try batches of a given number of runs, the way and on the threads all of them will take. `attempt` makes the runs of these numbers, and
 /// gives how many it finished.
-fn by_batches((runs, what): (u64, &str), mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64) {
+fn by_batches(runs: u64, what: &str, mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64) {
     let start = Instant::now();
     let is_time = || start.elapsed() < TRYING;
     let go_on = &mut || if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
@@ -75,13 +75,13 @@ mod tests {
     #[test]
     fn batches_grow_and_end_at_a_quarter() {
         let mut seen = Vec::new();
-        by_batches((100, "runs"), |numbers, _| {
+        by_batches(100, "runs", |numbers, _| {
             seen.push(numbers.clone());
             numbers.end - numbers.start
         });
         assert_eq!(seen, [0..8, 8..25]);
         seen.clear();
-        by_batches((3, "runs"), |numbers, _| {
+        by_batches(3, "runs", |numbers, _| {
             seen.push(numbers);
             1
         });

@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
-    say_if_long(&space, (goal.axis.count(), "runs"), threads);
+    say_if_long(&space, goal.axis.count(), "runs", threads);
     let report = line.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     let page = || page(name, &report);

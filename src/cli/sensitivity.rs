@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
-        say_if_long(&space, (effort.runs(axes.len()) as u64, "runs"), threads);
+        say_if_long(&space, effort.runs(axes.len()) as u64, "runs", threads);
     }
     let report = line.study(threads, "runs", |context| {
         study(&preset.scene, axes, &arguments.output, effort, context)

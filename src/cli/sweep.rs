@@ -186,8 +186,7 @@ impl Job<'_> {
     }
 
     fn page(&self, kept: &mut Option<Grid>) -> Result<Page, CliError> {
-        let count = self.points().end - self.points().start;
-        say_if_long(&DesignSpace::of(self.plan.clone()), (count, "points"), self.threads);
+        self.say_if_long();
         let name = &self.preset.name;
         let (columns, texts) = (Columns::Chosen, Texts::default());
         let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
@@ -216,8 +215,7 @@ impl Job<'_> {
             Target::File(to) => Some(to.begin().map_err(exists)?),
             Target::None | Target::Stdout => None,
         };
-        let count = self.points().end - self.points().start;
-        say_if_long(&DesignSpace::of(self.plan.clone()), (count, "points"), self.threads);
+        self.say_if_long();
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
@@ -272,6 +270,13 @@ impl Job<'_> {
             output::note_written(&written.map_err(exists)?);
         }
         Ok(summary)
+    }
+
+    /// Reports that the points will take long, if so.
+    fn say_if_long(&self) {
+        let points = self.points();
+        let space = DesignSpace::of(self.plan.clone());
+        say_if_long(&space, points.end - points.start, "points", self.threads);
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -421,4 +421,15 @@ mod tests {
         assert_eq!(session.recent[0], Path::new("5.toml"));
         assert_eq!(session.recent[1], Path::new("11.toml"));
     }
+
+    #[test]
+    fn a_saved_session_is_loaded_unchanged() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("state/session.toml");
+        assert_eq!(load(&path), Loaded::default());
+        save(&path, &example(), &mut Known::default()).unwrap();
+        let loaded = load(&path);
+        assert_eq!(loaded.notice, None);
+        assert_eq!(loaded.session, Some(example()));
+    }
 }

@@ -497,4 +497,14 @@ mod tests {
         assert_eq!(text, format!("copied; also written to {}", path.display()));
         assert_eq!(fs::read_to_string(path).unwrap(), "depth 7 mm");
     }
+
+    #[test]
+    fn the_newest_session_is_saved_on_quitting() {
+        let (_place, paths, io_thread, _inbox) = start();
+        io_thread.session_changed(session_of(2.0));
+        io_thread.session_changed(session_of(3.0));
+        io_thread.finish(PATIENCE).unwrap();
+        let kept = session::load(&paths.session_file()).session;
+        assert_eq!(kept, Some(session_of(3.0)));
+    }
 }

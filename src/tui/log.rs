@@ -133,4 +133,15 @@ mod tests {
         let now = UNIX_EPOCH + std::time::Duration::from_millis(1_002_003);
         assert_eq!(line(now, &record, "careful"), "1002.003 WARN  cmra::worker careful\n");
     }
+
+    #[test]
+    fn a_log_that_cannot_be_opened_is_not_an_error() {
+        let place = tempfile::tempdir().unwrap();
+        let in_the_way = place.path().join("file");
+        fs::write(&in_the_way, "").unwrap();
+        let (inbox, _) = std::sync::mpsc::channel();
+        let sink = Sink { path: Some(in_the_way.join("cmra.log")), file: OnceLock::new(), inbox };
+        sink.write("lost\n");
+        assert!(matches!(sink.file.get(), Some(None)));
+    }
 }

@@ -310,3 +310,46 @@ fn a_study_of_another_type_waits_in_its_lane_and_passes_in_another() {
     let ends = [next_last(&reports).id, next_last(&reports).id];
     assert_eq!(ends, [1, 2]);
 }
+
+#[test]
+fn a_cancelled_study_keeps_its_reported_part() {
+    let (worker, reports) = start();
+    worker.submit(study::<1>(7, Lane::Studies, true));
+    let mut shown = None;
+    while shown.is_none_or(|shown| shown < 2) {
+        shown = count(&next(&reports).body).or(shown);
+    }
+    worker.cancel(7);
+    assert!(count(&next_last(&reports).body) >= shown);
+}
+
+#[test]
+fn an_invalid_scene_is_refused_with_the_reason() {
+    let (worker, receive) = start_with(simulation());
+    let mut wrong = Scene::default();
+    wrong.projectile.mass_kg = -1.0;
+    let refused = crate::model::variables::validate(&wrong);
+    let expected = refused.expect_err("a negative mass is refused").to_string();
+    worker.submit(run_of(1, Slot::Current, wrong));
+    let report = next(&receive);
+    assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
+}
+
+/// A study that cannot be made.
+#[derive(Debug)]
+struct Refused;
+
+impl Study for Refused {
+    fn make(&self, _: &Arc<Scene>, _: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        Err("no study of this".into())
+    }
+}
+
+#[test]
+fn a_refused_study_gives_the_reason() {
+    let (worker, reports) = start();
+    let work = Work::Study(Arc::new(Scene::default()), Arc::new(Refused));
+    worker.submit(Task { id: 1, threads: 2, work });
+    let report = next(&reports);
+    assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
+}

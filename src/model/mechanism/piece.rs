@@ -291,4 +291,15 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn force_is_the_slope_of_the_energy_and_tangent_that_of_the_force() {
+        for (piece, x) in pieces() {
+            let h = 1e-5;
+            let slope = |f: &dyn Fn(f64) -> f64| (f(x + h) - f(x - h)) / (2.0 * h);
+            let (force, tangent) = (slope(&|x| piece.energy(x)), slope(&|x| piece.force(x)));
+            assert!((force - piece.force(x)).abs() < 1e-6 * (1.0 + force.abs()), "{piece:?}");
+            assert!((tangent / piece.tangent(x) - 1.0).abs() < 1e-6, "{piece:?}");
+        }
+    }
 }

@@ -14,7 +14,7 @@ use crate::study::sweep::{self, PointOutcome};
 pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {
     match grid.plan().axes() {
         [x] => curve(grid, x, output).map(Picture::Chart),
-        [x, y] => map(grid, (x, y), output).map(Picture::Map),
+        [x, y] => map(grid, x, y, output).map(Picture::Map),
         _ => None,
     }
 }
@@ -36,7 +36,7 @@ fn curve(grid: &Grid, axis: &sweep::Axis, output: usize) -> Option<Chart<'static
     Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
 
-fn map(grid: &Grid, (x, y): (&sweep::Axis, &sweep::Axis), output: usize) -> Option<Map<'static>> {
+fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<Map<'static>> {
     let column = grid.plan().outputs()[output];
     let at = |at_x: usize, at_y: usize| cell(grid.cell(at_x, at_y, output), Scale::Linear);
     let marks = marks(column, points(grid, output), Scale::Linear);

@@ -221,3 +221,48 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
     assert!(!cut.is_complete() && cut.cells.len() == 32, "pieces of 16 points");
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }
+
+#[test]
+fn valid_depths_and_limits_of_the_model_page() {
+    let found = plain("");
+    let (rigid, free) = (found.of(Candidate::Rigid).unwrap(), found.of(Candidate::Free).unwrap());
+    assert!((rigid.depth_m.unwrap() - 7.113_055e-3).abs() < 5e-10);
+    assert!(close(free.depth_m.unwrap(), 4.568_088_344_392e-3, 1e-12));
+    assert!((rigid.limit_m_s.unwrap() - 232.295_378).abs() < 5e-7);
+    assert!((free.limit_m_s.unwrap() - 347.708_052).abs() < 5e-7);
+    // Momentum: a rigid mount takes all of it; nothing holds a free plate.
+    assert!(close(rigid.load.impulse_n_s.unwrap(), 2.95, 1e-15));
+    let load = free.load;
+    assert!(load.impulse_n_s.is_none() && load.mount_force_n.is_none() && load.stroke_m.is_none());
+    assert!(rigid.is_held && !free.is_held && found.is_complete);
+}
+
+/// A plate of next to no mass, held by next to nothing: its limit as a free plate would be 1e18 m/s and more.
+#[test]
+fn there_is_no_limit_beyond_the_range() {
+    for pairs in ["gamma=0.05", "gamma=0.00056 n=1 interface=plastic"] {
+        let found = plain(pairs);
+        for entry in &found.entries {
+            assert!(entry.limit_m_s.is_none_or(|limit| limit <= 3000.0), "{pairs} {entry:?}");
+            let loads = [entry.load, entry.limit_load];
+            let loads = loads.map(|load| {
+                [load.stroke_m, load.stored_j, load.mount_force_n, load.impulse_n_s, load.preload_j]
+            });
+            let own = [
+                entry.mass_efficiency(),
+                entry.as_built,
+                entry.areal_kg_m2,
+                entry.spring_kg,
+                entry.perforation.velocity_m_s(),
+                entry.equivalent_m,
+                entry.residual_m_s,
+                entry.depth_m,
+            ];
+            for value in own.into_iter().chain(loads.into_iter().flatten()).flatten() {
+                assert!(value.is_finite() && value.abs() < 1e12, "{pairs} {value:?}");
+            }
+        }
+        let solid = found.of(Candidate::Solid).unwrap();
+        assert!(solid.is_beyond() && solid.no_limit().unwrap().contains("beyond 3000 m/s"));
+    }
+}

@@ -181,3 +181,16 @@ fn no_limit_is_given_beyond_the_range() {
     assert_eq!((found.limit, found.margin()), (Limit::Never, None));
     assert!(found.limit.absence().unwrap().contains("beyond 3000 m/s"));
 }
+
+#[test]
+fn a_scene_without_a_limit_gives_the_reason() {
+    let always = found("S_y=0");
+    assert_eq!((always.limit, always.margin()), (Limit::Always, None));
+    assert!(always.limit.absence().unwrap().contains("everything"));
+    let always = found("S_y=0 k=1e5");
+    assert_eq!(always.limit, Limit::Always);
+    let never = found("h=5 k=1e5");
+    assert_eq!(never.limit, Limit::Never);
+    assert!(never.limit.absence().unwrap().contains("nothing"));
+    assert!(never.shots.iter().all(|shot| shot.residual_m_s.is_none()));
+}

@@ -149,3 +149,15 @@ fn tolerances_are_read_as_people_write_them() {
     let mut told = |task: &Task| sample(&scene, task, &mut context).unwrap_err().to_string();
     assert!(told(&task(Vec::new(), &["stroke_m"], 100)).contains("nothing scatters"));
 }
+
+/// A rigid plate's limit is 232.295378 m/s (model page): of velocities uniform over 182.295378 to 282.295378 half perforate.
+#[test]
+fn valid_probability_of_perforation() {
+    let limit = 232.295_378;
+    let (low, high) = (limit - 50.0, limit + 50.0);
+    let velocity = Tolerance::new("v_i", Distribution::Uniform { low, high }).unwrap();
+    let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
+    let (part, (low, high)) = report.perforated.unwrap();
+    assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
+    assert_eq!(report.outcomes.perforated + report.summaries[0].sorted.len() as u64, 4000);
+}

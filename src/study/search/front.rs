@@ -243,8 +243,7 @@ impl Search<'_> {
                 let (judged, margins) = (self.judge(&found.values), self.margins(&found.values));
                 Some(Trial { judged, found, margins })
             };
-            best =
-                vec![polish(start.clone(), (self.task.constraints.len(), POLISHED), &mut attempt)];
+            best = vec![polish(start.clone(), self.task.constraints.len(), POLISHED, &mut attempt)];
         }
         state.borrow_mut().front.designs = self.designs(best);
         let whole = state.borrow().front.is_complete;
@@ -374,9 +373,8 @@ impl Search<'_> {
     /// Look from a candidate that nothing beats yet for a design that does: the first objective as good as can be, no other worse.
     /// Results join the front.
     fn challenge(&self, candidate: &Candidate, state: &RefCell<State<'_, '_>>) {
-        let Some(shares) = candidate.scene.as_ref().and_then(|scene| self.shares_of(scene)) else {
-            return;
-        };
+        let shares = candidate.scene.as_ref().and_then(|scene| self.shares_of(scene));
+        let Some((shares, outcome)) = shares.zip(candidate.outcome) else { return };
         let judged = self.judge(&candidate.measures);
         if self.standing(&state.borrow().front.designs, candidate) != Standing::OnFront {
             return;
@@ -393,9 +391,9 @@ impl Search<'_> {
             Some(Trial { judged, found, margins })
         };
         let others = held.len() - 1 + self.task.constraints.len();
-        let found = Found { outcome: PointOutcome::Moving, values: candidate.measures.clone() };
+        let found = Found { outcome, values: candidate.measures.clone() };
         let start = Individual { shares, judged: judged.clone(), found };
-        let better = polish(start, (others, CHALLENGED), &mut attempt);
+        let better = polish(start, others, CHALLENGED, &mut attempt);
         if !better.judged.dominates(&judged) {
             return;
         }

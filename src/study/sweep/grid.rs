@@ -1,8 +1,8 @@
 //! A full grid of one or two axes, or the points of another design in a row, kept in memory and filled coarse first, for the
 //! screen.
 //!
-//! Every pass visits the points of a stride that none before it has; whatever is required of a point that is not there yet is
-//! answered by the nearest coarser one. The finished grid does not depend on the passes.
+//! Each pass computes the points of a smaller step between points. Until a point is computed, the nearest computed one stands for
+//! it. The finished grid does not depend on the passes.
 
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;

@@ -79,7 +79,6 @@ impl Value {
         }
     }
 
-    /// Whether it is a list of curves or of lists.
     /// One of a list, counted from 0.
     pub(super) fn item(self, at: usize) -> Result<Self, String> {
         match self {
@@ -90,6 +89,7 @@ impl Value {
         }
     }
 
+    /// Whether it is a list of curves or of lists.
     pub(super) fn is_nested(&self) -> bool {
         let is_series = |it: &Self| matches!(it, Self::Curve(_) | Self::List(_));
         matches!(self, Self::List(list) if list.iter().any(is_series))

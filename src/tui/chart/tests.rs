@@ -387,3 +387,40 @@ proptest! {
         prop_assert!(labels >= 2 || width < 45, "{}", lines[7]);
     }
 }
+
+#[test]
+fn a_second_vertical_axis_has_its_own_ticks() {
+    let right = [(0.0, 0.0), (20.0, 400.0)];
+    let mut chart =
+        small(vec![Curve::new('*', "p", &FALLING), Curve::new('o', "x", &right).side(Side::Right)]);
+    chart.legend = Legend::Shown;
+    chart.right = Some(Axis::new("x", ViewRange::new(0.0, 400.0)).unit(Unit::new("mm")));
+    // 3 columns more than the margin of 2 for axis, labels and a blank.
+    let lines = chart.to_lines(32, 9, Theme::PLAIN);
+    assert!(lines[0].starts_with("+- y [m], right: x [mm]"), "{}", lines[0]);
+    assert_eq!(
+        lines[1..8],
+        [
+            "|  4+***               ooo+400 |",
+            "|   |   *****     ooooo   |    |",
+            "|  2+        ooooo        +200 |",
+            "|   |   ooooo     *****   |    |",
+            "|  0+ooo               ***+0   |",
+            "|   ++----+----+----+----++    |",
+            "|    0    5   10   15   20     |",
+        ]
+    );
+}
+
+#[test]
+fn several_curves_in_colour_carry_their_markers() {
+    let flat = [(0.0, 3.0), (20.0, 3.0)];
+    let curves = || vec![Curve::new('*', "now", &flat), Curve::new('o', "A", &FALLING).colour(1)];
+    for glyphs in [GlyphSet::Block, GlyphSet::Braille] {
+        let theme = Theme { glyphs, depth: ColourDepth::Sixteen };
+        let text = small(curves()).to_lines(29, 9, theme).concat();
+        assert!(text.contains('*') && text.contains('o'), "{text}");
+        let alone = small(curves().split_off(1)).to_lines(29, 9, theme).concat();
+        assert!(!alone.contains('o'), "{alone}");
+    }
+}

@@ -265,4 +265,10 @@ mod tests {
         // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves on; CUP without a column is column 1.
         assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
     }
+
+    #[test]
+    fn an_unchanged_frame_takes_no_byte() {
+        let buffer = Buffer::with_lines(["same", "same"]);
+        assert_eq!(shown(&[buffer.clone(), buffer]).1, 0);
+    }
 }

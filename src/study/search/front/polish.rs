@@ -26,7 +26,8 @@ pub(super) struct Trial<T> {
 /// A point as good or better, for a given number of constraints and with a given number of evaluations at most; `attempt` gives `None` once it is stopped.
 pub(super) fn polish<T: Clone>(
     start: Individual<T>,
-    (constraints, evaluations): (usize, usize),
+    constraints: usize,
+    evaluations: usize,
     attempt: &mut dyn FnMut(&[f64]) -> Option<Trial<T>>,
 ) -> Individual<T> {
     let shares = start.shares.clone();
@@ -98,7 +99,7 @@ mod tests {
         let shares = vec![(14.5 - 13.0) / 87.0, 0.018];
         let judged = attempt(&shares).unwrap().judged;
         assert!(judged.is_feasible());
-        let found = polish(Individual { shares, judged, found: () }, (2, 600), &mut attempt);
+        let found = polish(Individual { shares, judged, found: () }, 2, 600, &mut attempt);
         let value = found.judged.objectives[0];
         assert!(found.judged.is_feasible() && (value + 6_961.813_88).abs() < 0.01, "{value}");
         assert!((13.0 + 87.0 * found.shares[0] - 14.095).abs() < 1e-4);
@@ -108,9 +109,9 @@ mod tests {
     fn a_worse_or_stopped_candidate_changes_nothing() {
         let judged = Judged { objectives: vec![1.0], violation: 0.0 };
         let start = Individual { shares: vec![0.3], judged: judged.clone(), found: () };
-        assert_eq!(polish(start.clone(), (0, 100), &mut |_| None), start);
+        assert_eq!(polish(start.clone(), 0, 100, &mut |_| None), start);
         let mut flat =
             |_: &[f64]| Some(Trial { judged: judged.clone(), found: (), margins: Vec::new() });
-        assert_eq!(polish(start.clone(), (0, 100), &mut flat), start);
+        assert_eq!(polish(start.clone(), 0, 100, &mut flat), start);
     }
 }

@@ -105,3 +105,17 @@ fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
     assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
     assert!(front.runs > 200 && front.runs < 420);
 }
+
+/// The heaviest free plate that keeps a depth of 4.568088344392 mm weighs as much as the projectile (model page, section 2).
+#[test]
+fn valid_greatest_mass_under_a_constraint() {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    let mut heavy = task(&[("gamma", 0.3, 7.0)], &[]);
+    heavy.objectives = objectives(&[] as &[&str], &["plate_mass_kg"]).unwrap();
+    heavy.constraints = vec![at_most("final_penetration_m", 4.568_088_344_392e-3)];
+    let found = solve(&scene, &heavy);
+    let design = &found[0].designs[0];
+    assert!((design.values[0] - 1.0).abs() < 1e-7, "{design:?}");
+    assert!(design.measures[1].unwrap() <= 4.568_088_344_392e-3);
+}

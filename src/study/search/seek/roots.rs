@@ -235,7 +235,7 @@ impl<'f> RootScan<'f> {
             let inside = (secant - a.at) * (secant - b.at) < 0.0;
             let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.at + b.at) };
             let Some(point) = self.look(share)? else {
-                return self.around((a, b), share);
+                return self.around(a, b, share);
             };
             let f = off(point, self.target);
             if f == 0.0 {
@@ -258,7 +258,7 @@ impl<'f> RootScan<'f> {
     }
 
     /// A bracket with a place without a value inside: each side may still cross before the hole.
-    fn around(&mut self, (a, b): (Place, Place), hole: f64) -> Result<(), Stopped> {
+    fn around(&mut self, a: Place, b: Place, hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
             let edge = self.edge(known, hole)?;
             if let Some(edge) =

@@ -87,3 +87,14 @@ fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
     let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
     assert!(!stopped.is_complete && stopped.solutions().next().is_none());
 }
+
+#[test]
+fn an_unreachable_goal_gives_the_nearest_value() {
+    let scene = Scene::default();
+    let report = found(&scene, &goal("k", (0.0, 7.5e6), "percent_of_baseline", 10.0));
+    assert!(report.solutions().next().is_none());
+    // Softest is best without cocking, so the nearest is no spring at all: the free plate's 64.22 %.
+    let nearest = report.of(Kind::Nearest).next().unwrap().place;
+    assert!(nearest.at.abs() < 1.0, "{nearest:?}");
+    close(nearest.value, 100.0 * 4.568_088_344_392 / 7.113_055, 1e-6);
+}
