@@ -6,8 +6,32 @@ use crate::report::table::{Table, pretty};
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
 
+/// The lines of a page, by their keys.
+const LINES: [&str; 20] = [
+    "candidate",
+    "mass_efficiency",
+    "limit_velocity_m_s",
+    "outcome",
+    "areal_mass_kg_m2",
+    "mass_efficiency_as_built",
+    "perforation_velocity_m_s",
+    "equivalent_thickness_m",
+    "stroke_m",
+    "stroke_at_limit_m",
+    "stored_energy_j",
+    "stored_energy_at_limit_j",
+    "peak_mount_force_n",
+    "peak_mount_force_at_limit_n",
+    "mount_impulse_n_s",
+    "preload_energy_j",
+    "max_plate_displacement_m",
+    "thickness_m",
+    "residual_velocity_m_s",
+    "penetration_m",
+];
+
 /// The figures of some candidates.
-pub fn figures(entries: &[Entry]) -> Table<'_, &Entry> {
+fn figures(entries: &[Entry]) -> Table<'_, &Entry> {
     add_figures(Table::of(entries))
 }
 
@@ -20,6 +44,17 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .shown(|it, _| Some(format!("{}{}", it.outcome.word(), if it.is_held { "" } else { "*" })))
         .with("governed_by", "governed by", "", |it| governed_by(it));
     add_figures(words)
+}
+
+/// The candidates beside each other, a figure on each line, as on a page of this width.
+pub fn beside(report: &Report, width: usize) -> String {
+    let mut page = table("", report).turned(&LINES, width);
+    if report.entries.iter().any(|entry| !entry.is_held) {
+        page.push_str(
+            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
+        );
+    }
+    page
 }
 
 fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {

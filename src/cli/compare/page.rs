@@ -3,44 +3,20 @@
 use std::fmt::Write as _;
 
 use crate::cli::draw;
-use crate::cli::text::width;
+use crate::cli::text::{hanging, width};
 use crate::model::units::{fixed_significant, significant};
-use crate::report::compare::table;
+use crate::report::compare::beside;
 use crate::report::figures::efficiency;
 use crate::study::compare::map::Map;
-use crate::study::compare::summary::sentences;
+use crate::study::compare::summary;
 use crate::study::compare::{Candidate, Report};
-use crate::tui::app::status::wrap;
 use crate::tui::theme::Theme;
 
-const INDENT: &str = "  ";
+/// Columns by which the further lines of a sentence are indented.
+const INDENT: usize = 2;
 const MAP: draw::Size = (78, 30);
 /// Rows of the table of the line of 1.
 const LINE_ROWS: u64 = 11;
-
-/// The lines of the table, by their keys.
-const LINES: [&str; 20] = [
-    "candidate",
-    "outcome",
-    "mass_efficiency",
-    "mass_efficiency_as_built",
-    "areal_mass_kg_m2",
-    "limit_velocity_m_s",
-    "perforation_velocity_m_s",
-    "equivalent_thickness_m",
-    "stroke_m",
-    "stroke_at_limit_m",
-    "stored_energy_j",
-    "stored_energy_at_limit_j",
-    "peak_mount_force_n",
-    "peak_mount_force_at_limit_n",
-    "mount_impulse_n_s",
-    "preload_energy_j",
-    "max_plate_displacement_m",
-    "thickness_m",
-    "residual_velocity_m_s",
-    "penetration_m",
-];
 
 pub(super) fn text(name: &str, report: &Report) -> String {
     let projectile = &report.scene.projectile;
@@ -49,18 +25,16 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         fixed_significant(1e3 * projectile.mass_kg, 4),
         fixed_significant(projectile.velocity_m_s, 4)
     );
-    for sentence in sentences(report) {
-        for (line, text) in wrap(&sentence, width() - INDENT.len()).into_iter().enumerate() {
-            let indent = if line == 0 { "" } else { INDENT };
-            let _ = writeln!(page, "{indent}{text}");
-        }
+    let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
+    say(&mut page, &summary::verdict(report));
+    if let Some(caution) = report.caution() {
+        say(&mut page, &format!("caution: {caution}"));
     }
     page.push('\n');
-    page += &table(name, report).turned(&LINES, width());
-    if report.entries.iter().any(|entry| !entry.is_held) {
-        page.push_str(
-            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
-        );
+    page += &beside(report, width());
+    page.push('\n');
+    for reason in summary::reasons(report) {
+        say(&mut page, &reason);
     }
     page.push('\n');
     masses(&mut page, report);

@@ -3,22 +3,26 @@
 use crate::model::units::{fixed_significant, significant};
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
-/// The sentences, the verdict first.
-pub fn sentences(report: &Report) -> Vec<String> {
-    let mut lines = Vec::new();
+/// Whether the mechanism pays, and by how much.
+pub fn verdict(report: &Report) -> String {
     let design = velocity(report.scene.projectile.velocity_m_s);
     let Some(own) = report.of(Candidate::Scene) else {
-        return vec!["cancelled before the scene itself was computed".to_owned()];
+        return "cancelled before the scene itself was computed".to_owned();
     };
     let verdict = report.verdict();
     match (verdict, own.mass_efficiency()) {
         (Verdict::Pays | Verdict::DoesNotPay, Some(efficiency)) => {
             let efficiency = fixed_significant(efficiency, 4);
-            lines.push(format!("mass efficiency {efficiency} at {design}: {}", verdict.words()));
+            format!("mass efficiency {efficiency} at {design}: {}", verdict.words())
         }
-        (_, _) => lines.push(format!("{} ({design})", verdict.words())),
+        (_, _) => format!("{} ({design})", verdict.words()),
     }
-    lines.push(sized(own, verdict));
+}
+
+/// What the verdict rests on, a sentence each.
+pub fn reasons(report: &Report) -> Vec<String> {
+    let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
+    let mut lines = vec![sized(own, report.verdict())];
     lines.extend(as_built(own));
     if let Some(closed) = report.closed_form() {
         lines.push(format!(
@@ -37,7 +41,6 @@ pub fn sentences(report: &Report) -> Vec<String> {
             100.0 * (ratio - 1.0)
         ));
     }
-    lines.extend(report.caution().map(|caution| format!("caution: {caution}")));
     lines
 }
 

@@ -94,7 +94,7 @@ fn a_merely_free_plate_never_meets_the_criterion() {
     let free = plain("k=0 b=0 v_i=10");
     assert_eq!(free.verdict(), Verdict::NothingStops);
     assert!(!free.verdict().words().starts_with("met"));
-    assert!(summary::sentences(&free).iter().any(|line| line.contains("nothing stops")));
+    assert!(summary::reasons(&free).iter().any(|line| line.contains("nothing stops")));
 }
 
 #[test]

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use crate::model::library::{Entry, Library};
 use crate::model::scene::Scene;
-use crate::model::units::{Engineering, significant};
+use crate::model::units::significant;
 use crate::report;
 use crate::report::figures::{column_of, efficiency};
 use crate::study::compare::map::{self, Map};
-use crate::study::compare::summary::sentences;
+use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware};
 use crate::study::context::{Context, Progress};
 use crate::study::sweep::Axis;
@@ -65,10 +65,6 @@ impl Study for EqualMass {
     }
 }
 
-fn note(text: String) -> Line {
-    (Severity::Note, text)
-}
-
 impl App {
     /// The absorbers of the library that the comparison can be made with.
     pub fn absorbers(&self) -> Vec<&Entry> {
@@ -105,7 +101,7 @@ impl App {
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<Line> {
-        self.comparison().map_or_else(Vec::new, |found| compared(&found.report, width))
+        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, width))
     }
 
     /// With which absorber the comparison is made.
@@ -162,82 +158,27 @@ impl App {
     }
 }
 
-/// The verdict in sentences, then the figures of the candidates beside each other, as many as fit.
-pub(crate) fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
-    let narrow = width < LABEL + 4 * WIDE_CELL;
-    let cell = if narrow { CELL } else { WIDE_CELL };
-    let beside = (width.saturating_sub(LABEL) / cell).max(1);
-    let sentences = sentences(report).into_iter().map(|text| {
-        let is_caution = text.starts_with("caution");
-        (if is_caution { Severity::Warning } else { Severity::Note }, text)
-    });
-    let mut lines: Vec<Line> = Vec::new();
-    for (severity, text) in sentences {
-        let parts = wrap(&text, width.saturating_sub(GOES_ON.len()));
-        lines.extend(
-            parts.into_iter().enumerate().map(|(at, part)| {
-                (severity, if at == 0 { part } else { format!("{GOES_ON}{part}") })
-            }),
-        );
+/// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
+fn lines(report: &compare::Report, width: usize) -> Vec<Line> {
+    let sentence = |severity: Severity, text: &str| -> Vec<Line> {
+        let parts = wrap(text, width.saturating_sub(GOES_ON.len())).into_iter().enumerate();
+        parts
+            .map(|(at, part)| (severity, if at == 0 { part } else { format!("{GOES_ON}{part}") }))
+            .collect()
+    };
+    let mut lines = sentence(Severity::Note, &summary::verdict(report));
+    if let Some(caution) = report.caution() {
+        lines.extend(sentence(Severity::Warning, &format!("caution: {caution}")));
     }
-    for entries in report.entries.chunks(beside) {
-        lines.push(note(String::new()));
-        lines.extend(figures(entries, cell));
-    }
+    let table = report::compare::beside(report, width);
+    lines.extend(table.lines().map(|line| (Severity::Note, line.to_owned())));
+    lines.push((Severity::Note, String::new()));
+    lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Severity::Note, text)));
     lines
 }
 
 /// The indentation of the further lines of a sentence.
-pub(crate) const GOES_ON: &str = "  ";
-/// Columns of a label and of a value, narrow and wide.
-const LABEL: usize = 13;
-const CELL: usize = 9;
-const WIDE_CELL: usize = 13;
-
-/// The figures of some candidates beside each other.
-fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
-    // Of `rigid mount` the first word says it.
-    let narrow = cell < WIDE_CELL;
-    let head = |word: &'static str| word.split(' ').next().filter(|_| narrow).unwrap_or(word);
-    let row = |label: &str, cells: Vec<String>| {
-        let cells =
-            cells.iter().fold(String::new(), |line, text| line + &format!(" {text:>0$}", cell - 1));
-        note(format!("{label:LABEL$}{cells}"))
-    };
-    let heads = entries.iter().map(|entry| head(entry.candidate.word()).to_owned());
-    let mut lines = vec![row("", heads.collect())];
-    let outcomes = entries.iter().map(|entry| entry.outcome.to_string()).collect();
-    lines.push(row("outcome", outcomes));
-    let figures: [(&str, &str, &str); 12] = [
-        ("mass_efficiency", "efficiency", ""),
-        ("mass_efficiency_as_built", "as built", ""),
-        ("areal_mass_kg_m2", "areal mass", "kg/m2"),
-        ("limit_velocity_m_s", "limit", "m/s"),
-        ("perforation_velocity_m_s", "perforation", "m/s"),
-        ("stroke_m", "stroke", "m"),
-        ("stroke_at_limit_m", "at limit", "m"),
-        ("stored_energy_j", "energy", "J"),
-        ("peak_mount_force_n", "mount force", "N"),
-        ("peak_mount_force_at_limit_n", "at limit", "N"),
-        ("mount_impulse_n_s", "impulse", "N s"),
-        ("penetration_m", "depth", "m"),
-    ];
-    let table = report::compare::figures(entries);
-    for (name, label, unit) in figures {
-        let figure = table.columns.iter().find(|figure| figure.key == name);
-        let show = |value: Option<f64>| match (value, unit) {
-            (None, _) => "-".to_owned(),
-            (Some(value), "" | "kg/m2") => significant(value, 4),
-            // Without a prefix: velocities next to each other are to be compared.
-            (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
-            (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
-        };
-        let cells =
-            entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(&entry).as_f64())));
-        lines.push(row(label, cells.collect()));
-    }
-    lines
-}
+const GOES_ON: &str = "  ";
 
 /// The verdict first, then the figures beside each other; scrolled by j and k.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
