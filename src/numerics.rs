@@ -2,7 +2,7 @@
 //!
 //! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; `taylor` chooses the step such an expansion is good for; `implicit` is an
-//! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
+//! L-stable collocation method for what is too stiff for that; [`stepper`] are the Runge-Kutta methods everything is compared
 //! with; `graded` starts where non-integer powers are singular; `arc` is an accepted step of any of them but the Taylor steps, and
 //! `event` locates what happens on it; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
 //! [`random`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
@@ -13,7 +13,6 @@ pub(crate) mod arc;
 pub(crate) mod crossing;
 pub mod double_double;
 pub(crate) mod event;
-pub mod explicit;
 pub(crate) mod exponential;
 pub(crate) mod graded;
 pub(crate) mod implicit;
@@ -27,6 +26,7 @@ pub mod random;
 pub mod root;
 pub(crate) mod series;
 pub mod statistics;
+pub mod stepper;
 pub(crate) mod taylor;
 pub(crate) mod wide;
 

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use cmra::model::contact_phase::{Ending, Phase, Scheme, exact};
+use cmra::model::contact_phase::{Ending, Phase, exact};
 use cmra::model::scene::{Mount, Scene};
 use cmra::model::units::Bare;
 use cmra::model::variables::set_by_name;
+use cmra::numerics::stepper::dop853::Dop853;
 
 /// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. A prime marks a scene that replaces one of an earlier
 /// comparison, whose parameters were not recorded.
@@ -62,13 +63,13 @@ impl Reference {
             plate: cmra::model::scene::Plate { mount: Mount::Rigid, ..scene.plate },
             ..scene.clone()
         };
-        let tight = Scheme::Dop853 { tolerance: TIGHT };
+        let tight = Dop853 { tolerance: TIGHT };
         let (answer, source) = if let Ok(answer) = exact::solve(scene) {
             (Ok(answer), "closed form")
         } else if greatest_give(scene) < IMMOBILE {
             (exact::solve(&rigid), "closed form: immobile")
         } else {
-            (Phase::of(scene).solve(tight, 2_000_000), "DOP853 at 1e-14")
+            (Phase::of(scene).solve(&tight, 2_000_000), "DOP853 at 1e-14")
         };
         let answer = answer.expect("a reference for each scene");
         Self { ending: answer.ending, end: (answer.t_s, answer.depth_m), source }

@@ -14,14 +14,13 @@
 use crate::model::mechanism::{self, Mechanism, PowerLaw, damper_law_of, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 use crate::model::worded::worded;
-use crate::numerics::explicit::rk4::Crossing;
-use crate::numerics::explicit::{Count, Start, dop853, rk4};
+use crate::numerics::stepper::{Count, Start, Stepper};
 use section::Faces;
 use stretch::{Stretch, Wall};
 
 pub mod exact;
 pub mod fine;
-mod implicit;
+pub mod radau;
 pub mod section;
 mod stretch;
 
@@ -84,26 +83,7 @@ worded! {
 }
 
 /// A method for the phase.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Scheme {
-    /// Classical Runge-Kutta with this step, s.
-    Rk4 {
-        /// Step, s, > 0.
-        dt_s: f64,
-        /// Whether events are located and joints restarted at.
-        crossing: Crossing,
-    },
-    /// DOP853 with events located and restarts at the joints.
-    Dop853 {
-        /// Tolerance of the scaled components, relative and absolute.
-        tolerance: f64,
-    },
-    /// Radau IIA of order 5 with events located and restarts at the joints.
-    Radau {
-        /// Tolerance of the scaled components.
-        tolerance: f64,
-    },
-}
+pub type Method = dyn for<'a> Stepper<4, Stretch<'a>>;
 
 /// The spring in scaled units: a power law whose coefficient is scaled, or a curve in m and N.
 #[derive(Clone, Debug)]
@@ -188,31 +168,21 @@ impl Phase {
         }
     }
 
-    /// Integrate by a method with at most `steps_max` steps.
+    /// A time, s, in the problem's own unit.
+    pub fn scaled_time(&self, t_s: f64) -> f64 {
+        t_s / self.unit_s
+    }
+
+    /// Integrate by a method with at most `steps_max` steps. Errors and fixed steps are in scaled units.
     ///
     /// # Errors
     /// A [`Refusal`] when the phase cannot be followed to its end.
-    pub fn solve(&self, scheme: Scheme, steps_max: usize) -> Result<Answer, Refusal> {
-        let located = match scheme {
-            Scheme::Rk4 { crossing, .. } => crossing == Crossing::Locate,
-            Scheme::Dop853 { .. } | Scheme::Radau { .. } => true,
-        };
-        let mut stretch = Stretch::first(self, located);
+    pub fn solve(&self, method: &Method, steps_max: usize) -> Result<Answer, Refusal> {
+        let mut stretch = Stretch::first(self, method.lands());
         let mut count = Count::up_to(steps_max);
         let mut start = Start { t: 0.0, y: [0.0, 1.0, self.start_x, 0.0], step: None };
         for _ in 0..STRETCHES_MAX {
-            let mut reached = match scheme {
-                Scheme::Rk4 { dt_s, crossing } => {
-                    let h = dt_s / self.unit_s;
-                    rk4::integrate(&stretch, start, h, crossing, &mut count)
-                }
-                Scheme::Dop853 { tolerance } => {
-                    dop853::integrate(&stretch, start, tolerance, &mut count)
-                }
-                Scheme::Radau { tolerance } => {
-                    implicit::integrate(&stretch, start, tolerance, &mut count)
-                }
-            };
+            let mut reached = method.integrate(&stretch, start, &mut count);
             if let Some(ending) = stretch.follow(&mut reached)? {
                 return Ok(Answer {
                     ending,
@@ -233,8 +203,10 @@ impl Phase {
 pub(super) mod tests {
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
+    use crate::numerics::stepper::dop853::Dop853;
+    use crate::numerics::stepper::rk4::{Crossing, Rk4};
 
-    pub(super) fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: Scheme) -> (f64, f64) {
+    pub(super) fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: &Method) -> (f64, f64) {
         let answer = Phase::of(&scene(pairs)).solve(method, 1_000_000).unwrap();
         ((answer.t_s / t_s - 1.0).abs(), (answer.depth_m / depth_m - 1.0).abs())
     }
@@ -254,11 +226,11 @@ pub(super) mod tests {
     #[test]
     fn valid_every_stored_scene_but_the_stiffest_by_dop853() {
         for (pairs, exact) in STORED {
-            let (time, depth) = errors(pairs, exact, Scheme::Dop853 { tolerance: 1e-13 });
+            let (time, depth) = errors(pairs, exact, &Dop853 { tolerance: 1e-13 });
             assert!(time < 2e-12 && depth < 2e-12, "{pairs}: {time:e} {depth:e}");
         }
         let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
-        let answer = thin.solve(Scheme::Dop853 { tolerance: 1e-13 }, 100_000).unwrap();
+        let answer = thin.solve(&Dop853 { tolerance: 1e-13 }, 100_000).unwrap();
         assert_eq!(answer.ending, Ending::Perforation);
         assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-13);
         assert!((answer.depth_m / 0.009_35 - 1.0).abs() < 1e-14);
@@ -267,7 +239,9 @@ pub(super) mod tests {
     #[test]
     fn located_events_keep_the_order_that_unlocated_ones_lose() {
         let (pairs, exact) = STORED[5];
-        let error = |dt_s: f64, crossing| errors(pairs, exact, Scheme::Rk4 { dt_s, crossing }).0;
+        let unit_s = 1.0 / Phase::of(&scene(pairs)).scaled_time(1.0);
+        let error =
+            |dt_s: f64, crossing| errors(pairs, exact, &Rk4 { step: dt_s / unit_s, crossing }).0;
         let order = |crossing| (error(2e-6, crossing) / error(1.25e-7, crossing)).log2() / 4.0;
         let (with, without) = (order(Crossing::Locate), order(Crossing::Notice));
         assert!((with - 4.0).abs() < 0.4, "{with}");
@@ -276,8 +250,8 @@ pub(super) mod tests {
 
     #[test]
     fn a_scene_that_cannot_be_computed_is_refused_with_the_reason() {
-        let dop853 = Scheme::Dop853 { tolerance: 1e-8 };
-        let solve = |pairs: &str| Phase::of(&scene(pairs)).solve(dop853, 20_000);
+        let dop853 = Dop853 { tolerance: 1e-8 };
+        let solve = |pairs: &str| Phase::of(&scene(pairs)).solve(&dop853, 20_000);
         assert_eq!(solve("k=1e6 n=0.1"), Err(Refusal::StepBudget));
         // Drag alone dies away, and a spring that is compressed takes the plate off its stop.
         assert_eq!(solve("S_y=0 k=1e7 x_stop=1e-5 h=1"), Err(Refusal::LeavesStop));

@@ -5,13 +5,14 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Ending, Scheme};
+use crate::model::contact_phase::Ending;
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Outcome, Run, STILL_WITHIN_CONTACT, Sample};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::larger;
+use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::reference::stored;
 use crate::study::context::{Context, Stop};
 use cases::Case;
@@ -226,12 +227,14 @@ fn reference(
 
 /// The contact by DOP853 or, where that cannot follow, by Radau IIA at two tolerances that agree.
 fn second_form(scene: &Scene) -> Option<(Contact, Basis)> {
-    let by = |scheme| Contact::by(scene, scheme, REFERENCE_STEPS_MAX).ok();
-    if let Some(contact) = by(Scheme::Dop853 { tolerance: REFERENCE_TOLERANCE }) {
+    let by = |method, tolerance| {
+        Contact::by(method, Knob::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
+    };
+    if let Some(contact) = by(Method::Dop853, REFERENCE_TOLERANCE) {
         return Some((contact, Basis::Dop853));
     }
     let [fine, coarse] =
-        [REFERENCE_TOLERANCE, SECOND_LOOK].map(|tolerance| by(Scheme::Radau { tolerance }));
+        [REFERENCE_TOLERANCE, SECOND_LOOK].map(|tolerance| by(Method::Radau, tolerance));
     let (fine, coarse) = fine.zip(coarse)?;
     let agree =
         fine.ending == coarse.ending && (coarse.value / fine.value - 1.0).abs() < 0.1 * ERROR_MAX;

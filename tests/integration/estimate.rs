@@ -8,11 +8,12 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_phase::{Ending, Phase, Scheme, exact, fine};
+use cmra::model::contact_phase::{Ending, Phase, exact, fine};
 use cmra::model::estimate::QuantityError;
 use cmra::model::run::{EstimateBasis, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::numerics::stepper::dop853::Dop853;
 use cmra::study::quantities;
 
 use crate::random::{Random, scene, typed};
@@ -60,7 +61,7 @@ fn truth(scene: &Scene) -> Option<(Ending, f64, f64)> {
     if let Ok(answer) = exact::solve(scene) {
         return Some((answer.ending, measure(answer.ending, answer.t_s, answer.depth_m), 1e-13));
     }
-    let by = |tolerance| Phase::of(scene).solve(Scheme::Dop853 { tolerance }, JUDGE_STEPS_MAX);
+    let by = |tolerance| Phase::of(scene).solve(&Dop853 { tolerance }, JUDGE_STEPS_MAX);
     let (tight, tighter) = (by(1e-13).ok()?, by(1e-14).ok()?);
     let of = |answer: &cmra::model::contact_phase::Answer| {
         measure(answer.ending, answer.t_s, answer.depth_m)

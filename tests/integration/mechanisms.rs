@@ -351,7 +351,8 @@ fn a_measured_curve_is_taken_from_the_command_line() {
 /// cocked, weighed, combined, and oblique.
 #[test]
 fn valid_a_second_kernel_agrees_on_every_kind() {
-    use cmra::model::contact_phase::{Phase, Scheme};
+    use cmra::model::contact_phase::Phase;
+    use cmra::numerics::stepper::dop853::Dop853;
     let more = [
         "spring=helix N_spring=3 gamma=3",
         "spring=normalised F_ref=2000 x_ref=0.002 n=2",
@@ -364,7 +365,7 @@ fn valid_a_second_kernel_agrees_on_every_kind() {
     let kinds = SpringKind::ALL.map(|kind| format!("spring={} gamma=0.9", kind.word()));
     for pairs in kinds.iter().map(String::as_str).chain(more) {
         let own = scene(pairs);
-        let second = Phase::of(&own).solve(Scheme::Dop853 { tolerance: 1e-13 }, 100_000);
+        let second = Phase::of(&own).solve(&Dop853 { tolerance: 1e-13 }, 100_000);
         let second = second.unwrap_or_else(|refusal| panic!("{pairs}: {}", refusal.words()));
         let first = run(own).first_arrest.unwrap();
         assert_near(first.penetration_m, second.depth_m, 1e-11);

@@ -36,8 +36,9 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::contact_phase::{Phase, Scheme};
+    use crate::model::contact_phase::Phase;
     use crate::model::variables::scene_without_spring as scene;
+    use crate::numerics::stepper::dop853::Dop853;
 
     #[test]
     fn the_closed_form_and_dop853_agree_from_thin_to_thick_and_from_normal_to_oblique() {
@@ -45,8 +46,8 @@ mod tests {
             for mount in Mount::WORDS {
                 let scene = scene(&format!("mount={mount} {pairs}"));
                 let exact = solve(&scene).unwrap();
-                let method = Scheme::Dop853 { tolerance: 1e-12 };
-                let other = Phase::of(&scene).solve(method, 100_000).unwrap();
+                let method = Dop853 { tolerance: 1e-12 };
+                let other = Phase::of(&scene).solve(&method, 100_000).unwrap();
                 assert_eq!(exact.ending, other.ending);
                 let (time, depth) =
                     (exact.t_s / other.t_s - 1.0, exact.depth_m / other.depth_m - 1.0);

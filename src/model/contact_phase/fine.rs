@@ -499,7 +499,8 @@ mod tests {
 
     #[test]
     fn a_plate_that_oscillates_through_a_singular_zero_agrees_with_dop853() {
-        use crate::model::contact_phase::{Phase, Scheme};
+        use crate::model::contact_phase::Phase;
+        use crate::numerics::stepper::dop853::Dop853;
         for pairs in [
             "d=0.001 k=1e6 n=0.5",
             "d=4e-5 k=4e8 n=2",
@@ -510,8 +511,8 @@ mod tests {
             "n=0.49478 m=2.8504 k=1.9174e7 b=1078.3 gamma=77.067 v_i=330.54 h=0.07212 S_y=4.4379e8 C_d=0.16306",
         ] {
             let own = solve(&scene(pairs)).expect(pairs);
-            let tight = Scheme::Dop853 { tolerance: 1e-14 };
-            let other = Phase::of(&scene(pairs)).solve(tight, 1_000_000).unwrap();
+            let tight = Dop853 { tolerance: 1e-14 };
+            let other = Phase::of(&scene(pairs)).solve(&tight, 1_000_000).unwrap();
             let answer = own.answer();
             assert_eq!(answer.ending, other.ending);
             let (time, depth) =

@@ -7,8 +7,8 @@
 use super::{Ending, Phase, Refusal};
 use crate::model::mechanism::stop::{self, Hit};
 use crate::model::scene::{Stop as StopOfScene, StopKind};
-use crate::numerics::explicit::{Boundary, Reached, Stop, System};
 use crate::numerics::smaller;
+use crate::numerics::stepper::{Boundary, Reached, Stop, System};
 
 /// The meaning of the boundary with this index.
 const ARREST: usize = 0;
@@ -72,7 +72,8 @@ enum Behind {
     Pressed,
 }
 
-pub(super) struct Stretch<'a> {
+/// A stretch of the phase.
+pub struct Stretch<'a> {
     pub(super) phase: &'a Phase,
     /// Whether events are located, and formulas kept to up to them.
     located: bool,
@@ -313,15 +314,16 @@ fn plane(offset: f64, component: usize, weight: f64) -> Boundary<4> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Answer, Phase, Scheme, exact};
+    use super::super::radau::Radau;
+    use super::super::{Answer, Method, Phase, exact};
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
+    use crate::numerics::stepper::dop853::Dop853;
 
-    const SCHEMES: [Scheme; 2] =
-        [Scheme::Dop853 { tolerance: 1e-12 }, Scheme::Radau { tolerance: 1e-11 }];
+    const METHODS: [&Method; 2] = [&Dop853 { tolerance: 1e-12 }, &Radau { tolerance: 1e-11 }];
 
-    fn solve(pairs: &str, scheme: Scheme) -> Result<Answer, Refusal> {
-        Phase::of(&scene(pairs)).solve(scheme, 100_000)
+    fn solve(pairs: &str, method: &Method) -> Result<Answer, Refusal> {
+        Phase::of(&scene(pairs)).solve(method, 100_000)
     }
 
     #[test]
@@ -329,21 +331,21 @@ mod tests {
         let mut rigid = scene("");
         rigid.plate.mount = crate::model::scene::Mount::Rigid;
         let closed = exact::solve(&rigid).unwrap();
-        for scheme in SCHEMES {
+        for method in METHODS {
             for pairs in ["k=1e5 x_stop=0", "x_stop=0 e=1"] {
-                let held = solve(pairs, scheme).unwrap();
-                assert!((held.depth_m / closed.depth_m - 1.0).abs() < 1e-9, "{pairs} {scheme:?}");
-                assert!((held.t_s / closed.t_s - 1.0).abs() < 1e-9, "{pairs} {scheme:?}");
+                let held = solve(pairs, method).unwrap();
+                assert!((held.depth_m / closed.depth_m - 1.0).abs() < 1e-9, "{pairs}");
+                assert!((held.t_s / closed.t_s - 1.0).abs() < 1e-9, "{pairs}");
             }
         }
     }
 
     #[test]
     fn valid_an_elastic_stop_tends_to_a_rigid_one_that_gives_all_speed_back() {
-        let rigid = solve("k=1e5 x_stop=0.001 e=1", SCHEMES[0]).unwrap();
+        let rigid = solve("k=1e5 x_stop=0.001 e=1", METHODS[0]).unwrap();
         let away = |stiffness: &str| {
             let pairs = format!("k=1e5 x_stop=0.001 stop_kind=elastic k_stop={stiffness}");
-            let elastic = solve(&pairs, SCHEMES[0]).unwrap();
+            let elastic = solve(&pairs, METHODS[0]).unwrap();
             (elastic.depth_m / rigid.depth_m - 1.0).abs()
         };
         let (soft, hard) = (away("1e10"), away("1e14"));
@@ -351,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn both_schemes_agree_on_every_kind_of_stop() {
+    fn both_methods_agree_on_every_kind_of_stop() {
         for pairs in [
             "k=1e5 x_stop=0.001",
             "k=1e5 x_stop=0.001 e=0.5",
@@ -363,7 +365,7 @@ mod tests {
             // It lets go of the plate, and presses it again before it is clear.
             "k=1e4 x_stop=0.000169 stop_kind=elastic k_stop=1.28e8 b_stop=342 v_i=300 h=0.05",
         ] {
-            let [explicit, implicit] = SCHEMES.map(|scheme| solve(pairs, scheme).unwrap());
+            let [explicit, implicit] = METHODS.map(|method| solve(pairs, method).unwrap());
             assert_eq!(explicit.ending, implicit.ending, "{pairs}");
             let depth = (explicit.depth_m / implicit.depth_m - 1.0).abs();
             let time = (explicit.t_s / implicit.t_s - 1.0).abs();

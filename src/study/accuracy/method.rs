@@ -6,12 +6,14 @@ use std::sync::Arc;
 
 use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
-use crate::model::contact_phase::{Answer, Ending, Phase, Refusal, Scheme, exact};
+use crate::model::contact_phase::radau::Radau;
+use crate::model::contact_phase::{self, Answer, Ending, Phase, Refusal, exact};
 use crate::model::impact::forced::{Forced, simulate_by};
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Reading, Scene};
 use crate::model::simulate::{Settings, simulate};
-use crate::numerics::explicit::rk4::Crossing;
+use crate::numerics::stepper::dop853::Dop853;
+use crate::numerics::stepper::rk4::{Crossing, Rk4};
 
 /// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.
 const BEYOND_CONTACT: f64 = 1.01;
@@ -65,8 +67,10 @@ pub enum Ladder {
     Quick,
 }
 
-#[derive(Clone, Copy)]
-enum Range {
+/// The values of a parameter that are tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// It has none.
     None,
     /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
     Steps(f64, i32),
@@ -74,108 +78,89 @@ enum Range {
     Tolerances(i32, i32),
 }
 
-struct About {
-    letter: char,
-    name: &'static str,
-    /// It has its areas and equations in common with the engine.
-    is_of_engine: bool,
-    /// The values of its parameter on the full ladder and on the quick one.
-    ranges: [Range; 2],
-    run: fn(&Job) -> Result<Answer, Refusal>,
-}
-
-/// Whether a method is of the engine.
-const ENGINE: bool = true;
-const OTHER: bool = false;
-
 /// The knobs of those who choose their steps.
 const TIGHT: [Range; 2] = [Range::Tolerances(13, 1), Range::Tolerances(11, 2)];
 
-macro_rules! methods {
-    ($($(#[$doc:meta])* $method:ident:
-        $letter:literal, $name:literal, $is_of_engine:expr, $ranges:expr, $run:expr;)*) => {
-        /// A way to compute the contact phase.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Method {
-            $($(#[$doc])* $method,)*
-        }
-
-        impl Method {
-            /// All of them, in the order of tables.
-            pub const ALL: [Self; [$(Self::$method),*].len()] = [$(Self::$method),*];
-
-            fn about(self) -> &'static About {
-                match self {
-                    $(Self::$method => &const {
-                        About {
-                            letter: $letter,
-                            name: $name,
-                            is_of_engine: $is_of_engine,
-                            ranges: $ranges,
-                            run: $run,
-                        }
-                    },)*
-                }
-            }
-        }
-    };
-}
-
-methods! {
+enumeration! {
+    /// A way to compute the contact phase.
+    pub enum Method in MethodRow {
+        /// The letter on charts.
+        letter: char,
+        /// The name in tables and files.
+        name: &'static str,
+        /// Whether it is one of the engine's own, which have their areas and equations in common.
+        is_of_engine: bool,
+        /// The values of its parameter on the full ladder and on the quick one.
+        ranges: [Range; 2],
+        /// The function that runs it.
+        run: fn(&Job) -> Result<Answer, Refusal>,
+    }
     /// Appendix A as printed.
-    ThesisPrinted: 'T', "thesis as printed", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
-        |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max);
+    ThesisPrinted {
+        letter: 'T', name: "thesis as printed", is_of_engine: false,
+        ranges: [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        run: |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max)
+    }
     /// Appendix A with its coupling and damper corrected.
-    ThesisCorrected: 'M', "thesis, corrected", OTHER, [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
-        |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max);
+    ThesisCorrected {
+        letter: 'M', name: "thesis, corrected", is_of_engine: false,
+        ranges: [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        run: |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max)
+    }
     /// Classical Runge-Kutta, fixed step, events only noticed.
-    Rk4: 'R', "RK4, no events", OTHER, [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
-        |job| job.phase(Scheme::Rk4 { dt_s: job.value(), crossing: Crossing::Notice });
+    Rk4 {
+        letter: 'R', name: "RK4, no events", is_of_engine: false,
+        ranges: [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
+        run: |job| job.rk4(Crossing::Notice)
+    }
     /// The same with events located and joints restarted at.
-    Rk4Events: 'E', "RK4 + events", OTHER, [Range::Steps(1e4, 2), Range::Steps(1.5e3, 2)],
-        |job| job.phase(Scheme::Rk4 { dt_s: job.value(), crossing: Crossing::Locate });
+    Rk4Events {
+        letter: 'E', name: "RK4 + events", is_of_engine: false,
+        ranges: [Range::Steps(1e4, 2), Range::Steps(1.5e3, 2)],
+        run: |job| job.rk4(Crossing::Locate)
+    }
     /// DOP853 with events located and joints restarted at.
-    Dop853: 'D', "DOP853 + events", OTHER, TIGHT,
-        |job| job.phase(Scheme::Dop853 { tolerance: job.value() });
+    Dop853 {
+        letter: 'D', name: "DOP853 + events", is_of_engine: false, ranges: TIGHT,
+        run: |job| job.phase(&Dop853 { tolerance: job.value() })
+    }
     /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
-    Radau: 'I', "Radau IIA 5", OTHER, [Range::Tolerances(12, 1), Range::Tolerances(11, 2)],
-        |job| job.phase(Scheme::Radau { tolerance: job.value() });
+    Radau {
+        letter: 'I', name: "Radau IIA 5", is_of_engine: false,
+        ranges: [Range::Tolerances(12, 1), Range::Tolerances(11, 2)],
+        run: |job| job.phase(&Radau { tolerance: job.value() })
+    }
     /// The simulation by Taylor steps alone.
-    Taylor: 'S', "Taylor series 16", ENGINE, TIGHT,
-        |job| forced(Forced::Taylor, &job.scene);
+    Taylor {
+        letter: 'S', name: "Taylor series 16", is_of_engine: true, ranges: TIGHT,
+        run: |job| forced(Forced::Taylor, &job.scene)
+    }
     /// Closed form, where only inertia resists.
-    ClosedForm: 'C', "closed form", ENGINE, [Range::None; 2],
-        |job| exact::solve(&job.scene);
+    ClosedForm {
+        letter: 'C', name: "closed form", is_of_engine: true, ranges: [Range::None; 2],
+        run: |job| exact::solve(&job.scene)
+    }
     /// The contact kernel, as sweeps and searches use it.
-    ContactKernel: 'L', "contact kernel", ENGINE, TIGHT,
-        |job| contact_kernel(&job.scene, job.value());
+    ContactKernel {
+        letter: 'L', name: "contact kernel", is_of_engine: true, ranges: TIGHT,
+        run: |job| contact_kernel(&job.scene, job.value())
+    }
     /// The simulation without omitted terms.
-    Full: 'N', "no term omitted", ENGINE, TIGHT,
-        |job| forced(Forced::General, &job.scene);
+    Full {
+        letter: 'N', name: "no term omitted", is_of_engine: true, ranges: TIGHT,
+        run: |job| forced(Forced::General, &job.scene)
+    }
     /// The work of `simulate`.
-    Auto: 'A', "auto", ENGINE, TIGHT,
-        |job| auto(&job.scene);
+    Auto {
+        letter: 'A', name: "auto", is_of_engine: true, ranges: TIGHT,
+        run: |job| auto(&job.scene)
+    }
 }
 
 impl Method {
-    /// The letter on charts.
-    pub fn letter(self) -> char {
-        self.about().letter
-    }
-
-    /// The name in tables and files.
-    pub fn name(self) -> &'static str {
-        self.about().name
-    }
-
-    /// Whether it is one of the engine's own, which have their areas and equations in common.
-    pub fn is_of_engine(self) -> bool {
-        self.about().is_of_engine
-    }
-
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
-        match self.about().ranges[ladder as usize] {
+        match self.ranges()[ladder as usize] {
             Range::None => vec![Knob::None],
             Range::Steps(most, per_decade) => steps(end_s, most, per_decade),
             Range::Tolerances(tightest, every) => tolerances(tightest, every),
@@ -231,15 +216,20 @@ impl Job {
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
     pub fn run(&self) -> Result<Answer, Refusal> {
-        (self.method.about().run)(self)
+        (self.method.run())(self)
     }
 
     fn value(&self) -> f64 {
         self.knob.value().unwrap_or(f64::NAN)
     }
 
-    fn phase(&self, scheme: Scheme) -> Result<Answer, Refusal> {
-        Phase::of(&self.scene).solve(scheme, self.steps_max)
+    fn phase(&self, method: &contact_phase::Method) -> Result<Answer, Refusal> {
+        Phase::of(&self.scene).solve(method, self.steps_max)
+    }
+
+    fn rk4(&self, crossing: Crossing) -> Result<Answer, Refusal> {
+        let step = Phase::of(&self.scene).scaled_time(self.value());
+        self.phase(&Rk4 { step, crossing })
     }
 }
 

@@ -1,9 +1,9 @@
 //! Whether other methods can compute a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use crate::model::appendix;
-use crate::model::contact_phase::{Ending, Phase, Refusal, Scheme};
+use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::run::Run;
-use crate::model::scene::{Reading, Scene};
+use crate::model::scene::Scene;
+use crate::study::accuracy::method::{Job, Knob, Method};
 
 /// Tolerance requested from the adaptive methods.
 pub const TOLERANCE: f64 = 1e-9;
@@ -27,15 +27,31 @@ enumeration! {
         error_key: &'static str,
         /// The heading on a page.
         heading: &'static str,
+        /// The method.
+        method: Method,
+        /// Its parameter.
+        knob: Knob,
     }
     /// DOP853 with events located, at [`TOLERANCE`].
-    Explicit { key: "explicit", error_key: "explicit_error", heading: "expl" }
+    Explicit {
+        key: "explicit", error_key: "explicit_error", heading: "expl",
+        method: Method::Dop853, knob: Knob::Tolerance(TOLERANCE)
+    }
     /// Radau IIA with events located, at [`TOLERANCE`].
-    Implicit { key: "implicit", error_key: "implicit_error", heading: "impl" }
+    Implicit {
+        key: "implicit", error_key: "implicit_error", heading: "impl",
+        method: Method::Radau, knob: Knob::Tolerance(TOLERANCE)
+    }
     /// Appendix A as printed, dt = 1e-6 s.
-    ThesisCoarse { key: "thesis_1e-6", error_key: "thesis_1e-6_error", heading: "th-6" }
+    ThesisCoarse {
+        key: "thesis_1e-6", error_key: "thesis_1e-6_error", heading: "th-6",
+        method: Method::ThesisPrinted, knob: Knob::Step(1e-6)
+    }
     /// Appendix A as printed, dt = 1e-7 s.
-    ThesisFine { key: "thesis_1e-7", error_key: "thesis_1e-7_error", heading: "th-7" }
+    ThesisFine {
+        key: "thesis_1e-7", error_key: "thesis_1e-7_error", heading: "th-7",
+        method: Method::ThesisPrinted, knob: Knob::Step(1e-7)
+    }
 }
 
 /// How a method fares on a contact.
@@ -137,8 +153,13 @@ impl Contact {
     ///
     /// # Errors
     /// A [`Refusal`] when it cannot be followed.
-    pub fn by(scene: &Scene, scheme: Scheme, steps_max: usize) -> Result<Self, Refusal> {
-        let answer = Phase::of(scene).solve(scheme, steps_max)?;
+    pub fn by(
+        method: Method,
+        knob: Knob,
+        scene: &Scene,
+        steps_max: usize,
+    ) -> Result<Self, Refusal> {
+        let answer = Job::new(method, knob, scene, f64::INFINITY, steps_max).run()?;
         Ok(Self::new(answer.ending, answer.depth_m, answer.t_s))
     }
 
@@ -157,15 +178,11 @@ pub fn judge(other: Other, scene: &Scene, reference: Option<Contact>) -> Verdict
     let Some(reference) = reference else {
         return Verdict::NoReference;
     };
-    let tolerance = TOLERANCE;
-    let adaptive = |scheme| (Contact::by(scene, scheme, ADAPTIVE_STEPS_MAX), ACCURATE_ADAPTIVE);
-    let (found, accurate) = match other {
-        Other::Explicit => adaptive(Scheme::Dop853 { tolerance }),
-        Other::Implicit => adaptive(Scheme::Radau { tolerance }),
-        Other::ThesisCoarse => (by_thesis(scene, 1e-6), ACCURATE_FIXED),
-        Other::ThesisFine => (by_thesis(scene, 1e-7), ACCURATE_FIXED),
+    let (accurate, steps_max) = match other.knob() {
+        Knob::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
+        Knob::None | Knob::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
     };
-    match found {
+    match Contact::by(other.method(), other.knob(), scene, steps_max) {
         Ok(contact) if contact.ending != reference.ending => Verdict::WrongEnding,
         Ok(contact) => {
             let error = (contact.value / reference.value - 1.0).abs();
@@ -199,9 +216,4 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         | Refusal::NoReference
         | Refusal::TooSlow => Verdict::Stuck,
     }
-}
-
-fn by_thesis(scene: &Scene, dt_s: f64) -> Result<Contact, Refusal> {
-    let answer = appendix::contact(scene, dt_s, Reading::Printed, FIXED_STEPS_MAX)?;
-    Ok(Contact::new(answer.ending, answer.depth_m, answer.t_s))
 }

@@ -6,7 +6,7 @@
 
 use super::landing::Ends;
 use super::tableau::{DENSE, ERRORS, STAGES};
-use super::{Count, Point, Reached, Start, Stop, System, is_finite};
+use super::{Count, Point, Reached, Start, Stepper, Stop, System, is_finite};
 
 /// Stages of a step.
 const S: usize = 12;
@@ -24,54 +24,63 @@ struct Trial<const N: usize> {
     y: [f64; N],
 }
 
-/// Integrate from `start` until a boundary or a limit. Errors are kept below `tolerance` relative to the greater of 1 and the
-/// component's own size: scale the system so that 1 is what matters.
-pub(crate) fn integrate<const N: usize>(
-    system: &impl System<N>,
-    start: Start<N>,
-    tolerance: f64,
-    count: &mut Count,
-) -> Reached<N> {
-    let (mut t, mut y) = (start.t, start.y);
-    let mut f = system.rate(&y);
-    count.evaluations += 1;
-    let from = Point { y: &y, f: &f };
-    let mut h = start.step.unwrap_or_else(|| first_step(system, from, tolerance, count));
-    let (mut error_before, mut was_rejected, mut was_nan) = (1e-4f64, false, false);
-    loop {
-        if let Some(stop) = count.forbids(t, h) {
-            let is_lost = was_nan && stop == Stop::StepUnderflow;
-            return Reached { t, y, stop: if is_lost { Stop::NonFinite } else { stop }, step: h };
-        }
-        let from = Point { y: &y, f: &f };
-        let trial = step(system, from, h, count);
-        let error = error(&trial, &y, h, tolerance);
-        let f_next = system.rate(&trial.y);
+/// The method to a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dop853 {
+    /// Bound of a step's error in each component, relative to the greater of 1 and the component's own size: scale the system so
+    /// that 1 is what matters.
+    pub tolerance: f64,
+}
+
+impl<const N: usize, S: System<N>> Stepper<N, S> for Dop853 {
+    fn integrate(&self, system: &S, start: Start<N>, count: &mut Count) -> Reached<N> {
+        let tolerance = self.tolerance;
+        let (mut t, mut y) = (start.t, start.y);
+        let mut f = system.rate(&y);
         count.evaluations += 1;
-        was_nan = !(error.is_finite() && is_finite(&trial.y) && is_finite(&f_next));
-        if was_nan || error > 1.0 {
-            count.rejected += 1;
-            was_rejected = true;
-            h *= if was_nan { 0.1 } else { limited(SAFETY * error.powf(-ALPHA)) };
-            continue;
-        }
-        count.steps += 1;
-        let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
-        if ends.may_cross(system.boundaries()) {
-            let dense = Dense::of(system, h, &ends, &trial, count);
-            let anew = |s: f64| Some(step(system, from, s * h, count).y);
-            if let Some(landed) = ends.land(system.boundaries(), |s| dense.at(s), anew) {
-                let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
-                return Reached { t, y: landed.y, stop, step: h };
+        let from = Point { y: &y, f: &f };
+        let mut h = start.step.unwrap_or_else(|| first_step(system, from, tolerance, count));
+        let (mut error_before, mut was_rejected, mut was_nan) = (1e-4f64, false, false);
+        loop {
+            if let Some(stop) = count.forbids(t, h) {
+                let is_lost = was_nan && stop == Stop::StepUnderflow;
+                return Reached {
+                    t,
+                    y,
+                    stop: if is_lost { Stop::NonFinite } else { stop },
+                    step: h,
+                };
             }
+            let from = Point { y: &y, f: &f };
+            let trial = step(system, from, h, count);
+            let error = error(&trial, &y, h, tolerance);
+            let f_next = system.rate(&trial.y);
+            count.evaluations += 1;
+            was_nan = !(error.is_finite() && is_finite(&trial.y) && is_finite(&f_next));
+            if was_nan || error > 1.0 {
+                count.rejected += 1;
+                was_rejected = true;
+                h *= if was_nan { 0.1 } else { limited(SAFETY * error.powf(-ALPHA)) };
+                continue;
+            }
+            count.steps += 1;
+            let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
+            if ends.may_cross(system.boundaries()) {
+                let dense = Dense::of(system, h, &ends, &trial, count);
+                let anew = |s: f64| Some(step(system, from, s * h, count).y);
+                if let Some(landed) = ends.land(system.boundaries(), |s| dense.at(s), anew) {
+                    let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
+                    return Reached { t, y: landed.y, stop, step: h };
+                }
+            }
+            t += h;
+            let least = if error > 1e-10 { error } else { 1e-10 };
+            let factor = limited(SAFETY * least.powf(-ALPHA) * error_before.powf(BETA));
+            h *= if was_rejected && factor > 1.0 { 1.0 } else { factor };
+            error_before = if error > 1e-4 { error } else { 1e-4 };
+            was_rejected = false;
+            (y, f) = (trial.y, f_next);
         }
-        t += h;
-        let least = if error > 1e-10 { error } else { 1e-10 };
-        let factor = limited(SAFETY * least.powf(-ALPHA) * error_before.powf(BETA));
-        h *= if was_rejected && factor > 1.0 { 1.0 } else { factor };
-        error_before = if error > 1e-4 { error } else { 1e-4 };
-        was_rejected = false;
-        (y, f) = (trial.y, f_next);
     }
 }
 

@@ -1,14 +1,25 @@
-//! Explicit one-step methods: classical Runge-Kutta with a fixed step, and DOP853 with step control.
+//! One-step methods that end where something happens: classical Runge-Kutta with a fixed step, and DOP853 with step control.
 //!
 //! A `System` gives rates and names `Boundary`s: planes in its space at which a stretch of smooth motion ends. A boundary
 //! is found on the interpolant of the step that crosses it, and then *landed on* by stepping again from the step's start, so
 //! that the state there has the full order of the method. The caller decides what follows, and starts the next
 //! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
 
-pub(crate) mod dop853;
+pub mod dop853;
 mod landing;
 pub mod rk4;
 mod tableau;
+
+/// A one-step method for systems of N components of the kind S.
+pub trait Stepper<const N: usize, S> {
+    /// Integrates from `start` until a boundary of the system or a limit, and counts its work.
+    fn integrate(&self, system: &S, start: Start<N>, count: &mut Count) -> Reached<N>;
+
+    /// Whether it lands on boundaries, or only notices them after the step that crossed them.
+    fn lands(&self) -> bool {
+        true
+    }
+}
 
 /// A system y' = f(y) of N components.
 pub(crate) trait System<const N: usize> {
@@ -61,7 +72,7 @@ impl<const N: usize> Boundary<N> {
 
 /// Where a stretch begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Start<const N: usize> {
+pub struct Start<const N: usize> {
     pub(crate) t: f64,
     pub(crate) y: [f64; N],
     /// Step to try first; `None`: chosen from the rates. The fixed-step method does not look at it.
@@ -77,7 +88,7 @@ struct Point<'a, const N: usize> {
 
 /// The work done, over all stretches it was passed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Count {
+pub struct Count {
     pub(crate) steps: usize,
     pub(crate) rejected: usize,
     pub(crate) evaluations: usize,
@@ -103,17 +114,20 @@ impl Count {
 
 /// Why a stretch ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stop {
+pub enum Stop {
     /// At the boundary of this index.
     Boundary(usize),
+    /// The steps allowed are used up.
     StepBudget,
+    /// Steps are too small to move time.
     StepUnderflow,
+    /// A value is not finite.
     NonFinite,
 }
 
 /// The end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Reached<const N: usize> {
+pub struct Reached<const N: usize> {
     pub(crate) t: f64,
     pub(crate) y: [f64; N],
     pub(crate) stop: Stop,
@@ -129,6 +143,8 @@ fn is_finite<const N: usize>(y: &[f64; N]) -> bool {
 mod tests {
     use std::cell::Cell;
 
+    use super::dop853::Dop853;
+    use super::rk4::{Crossing, Rk4};
     use super::*;
 
     /// y'' = -y with a count of its own, as (y, y', -) and a plane y = 0.5 from above.
@@ -183,7 +199,7 @@ mod tests {
         let exact = std::f64::consts::FRAC_PI_3;
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
             let (system, mut count) = (swing(&[HALF]), many());
-            let end = dop853::integrate(&system, START, tolerance, &mut count);
+            let end = Dop853 { tolerance }.integrate(&system, START, &mut count);
             assert_eq!(end.stop, Stop::Boundary(0));
             assert!((end.y[0] - 0.5).abs() < 1e-15, "{tolerance}");
             assert!(
@@ -196,8 +212,8 @@ mod tests {
         let error = |h: f64| {
             let mut count = many();
             let system = swing(&[HALF]);
-            let rule = rk4::Crossing::Locate;
-            let end = rk4::integrate(&system, START, h, rule, &mut count);
+            let end =
+                Rk4 { step: h, crossing: Crossing::Locate }.integrate(&system, START, &mut count);
             assert_eq!(end.stop, Stop::Boundary(0));
             assert_eq!(count.evaluations, system.calls.get());
             (end.t - exact).abs()
@@ -210,8 +226,8 @@ mod tests {
     #[test]
     fn without_location_the_stretch_ends_with_the_step_that_crossed() {
         let (system, mut count) = (swing(&[HALF]), many());
-        let rule = rk4::Crossing::Notice;
-        let end = rk4::integrate(&system, START, 0.1, rule, &mut count);
+        let method = Rk4 { step: 0.1, crossing: Crossing::Notice };
+        let end = method.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
         assert!((end.t - 1.1).abs() < 1e-15);
     }
@@ -220,10 +236,10 @@ mod tests {
     fn the_nearest_of_several_boundaries_counts_and_one_just_left_does_not() {
         let earlier = Boundary { offset: -0.8, slope: [1.0, 0.0] };
         let (system, mut count) = (swing(&[HALF, earlier]), many());
-        let end = dop853::integrate(&system, START, 1e-10, &mut count);
+        let end = Dop853 { tolerance: 1e-10 }.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(1));
         let again = Start { t: end.t, y: end.y, step: Some(end.step) };
-        let end = dop853::integrate(&system, again, 1e-10, &mut count);
+        let end = Dop853 { tolerance: 1e-10 }.integrate(&system, again, &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
         assert!((end.t - std::f64::consts::FRAC_PI_3).abs() < 1e-9);
     }
@@ -233,7 +249,7 @@ mod tests {
         // y falls from 1 to its least value -1 at pi; a plane at -0.99 is crossed twice within 0.3.
         let plane = Boundary { offset: 0.99, slope: [1.0, 0.0] };
         let (system, mut count) = (swing(&[plane]), many());
-        let end = dop853::integrate(&system, START, 1e-3, &mut count);
+        let end = Dop853 { tolerance: 1e-3 }.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
         assert!((end.t - (-0.99f64).acos()).abs() < 0.03, "{}", end.t);
     }
@@ -258,25 +274,24 @@ mod tests {
     #[test]
     fn nan_budget_and_underflow_are_reported() {
         let start = Start { t: 0.0, y: [0.0], step: None };
-        let mut count = many();
-        let end = dop853::integrate(&Cliff, start, 1e-6, &mut count);
+        let dop853 = Dop853 { tolerance: 1e-6 };
+        let end = dop853.integrate(&Cliff, start, &mut many());
         assert_eq!(end.stop, Stop::NonFinite);
         assert!(end.y[0] <= 1.0 && end.y[0] > 0.999, "{}", end.y[0]);
-        let rule = rk4::Crossing::Locate;
-        let end = rk4::integrate(&Cliff, start, 0.1, rule, &mut many());
+        let rk4 = |step| Rk4 { step, crossing: Crossing::Locate };
+        let end = rk4(0.1).integrate(&Cliff, start, &mut many());
         assert_eq!(end.stop, Stop::NonFinite);
         assert!(end.y[0] <= 1.0);
 
         let mut count = Count::up_to(500);
-        let end = dop853::integrate(&Fast, START, 1e-6, &mut count);
+        let end = dop853.integrate(&Fast, START, &mut count);
         assert_eq!(end.stop, Stop::StepBudget);
         assert_eq!(count.steps + count.rejected, 500);
 
         let late = Start { t: 1e9, y: [1.0, 0.0], step: None };
-        let end = dop853::integrate(&Fast, late, 1e-6, &mut many());
+        let end = dop853.integrate(&Fast, late, &mut many());
         assert_eq!(end.stop, Stop::StepUnderflow);
-        let mut count = many();
-        let end = rk4::integrate(&Fast, late, 1e-9, rule, &mut count);
+        let end = rk4(1e-9).integrate(&Fast, late, &mut many());
         assert_eq!(end.stop, Stop::StepUnderflow);
     }
 }

@@ -4,7 +4,7 @@
 //! the step that crossed them, as a program without event location does.
 
 use super::landing::Ends;
-use super::{Count, Point, Reached, Start, Stop, System, is_finite};
+use super::{Count, Point, Reached, Start, Stepper, Stop, System, is_finite};
 
 /// The event at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,50 +15,59 @@ pub enum Crossing {
     Notice,
 }
 
-/// Integrate from `start` with steps of length `h` until a boundary or a limit.
-pub(crate) fn integrate<const N: usize>(
-    system: &impl System<N>,
-    start: Start<N>,
-    h: f64,
-    crossing: Crossing,
-    count: &mut Count,
-) -> Reached<N> {
-    let (mut t, mut y) = (start.t, start.y);
-    let mut f = system.rate(&y);
-    count.evaluations += 1;
-    let ended = |t: f64, y: [f64; N], stop: Stop| Reached { t, y, stop, step: h };
-    let before = count.steps;
-    loop {
-        // The time of step i is start + i h: a sum of steps would drift.
-        let t_next = start.t + (count.steps + 1 - before) as f64 * h;
-        if let Some(stop) = count.forbids(t, t_next - t) {
-            return ended(t, y, stop);
-        }
-        let from = Point { y: &y, f: &f };
-        let y_next = step(system, from, h, count);
-        let f_next = system.rate(&y_next);
+/// The method with a fixed step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rk4 {
+    /// Length of a step, > 0.
+    pub step: f64,
+    /// What happens at a boundary.
+    pub crossing: Crossing,
+}
+
+impl<const N: usize, S: System<N>> Stepper<N, S> for Rk4 {
+    fn lands(&self) -> bool {
+        self.crossing == Crossing::Locate
+    }
+
+    fn integrate(&self, system: &S, start: Start<N>, count: &mut Count) -> Reached<N> {
+        let Self { step: h, crossing } = *self;
+        let (mut t, mut y) = (start.t, start.y);
+        let mut f = system.rate(&y);
         count.evaluations += 1;
-        count.steps += 1;
-        if !(is_finite(&y_next) && is_finite(&f_next)) {
-            return ended(t, y, Stop::NonFinite);
-        }
-        let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
-        let dense = |s: f64| hermite(&ends, h, s);
-        match crossing {
-            Crossing::Notice => {
-                if let Some((index, _)) = ends.first(system.boundaries(), &dense) {
-                    return ended(t_next, y_next, Stop::Boundary(index));
+        let ended = |t: f64, y: [f64; N], stop: Stop| Reached { t, y, stop, step: h };
+        let before = count.steps;
+        loop {
+            // The time of step i is start + i h: a sum of steps would drift.
+            let t_next = start.t + (count.steps + 1 - before) as f64 * h;
+            if let Some(stop) = count.forbids(t, t_next - t) {
+                return ended(t, y, stop);
+            }
+            let from = Point { y: &y, f: &f };
+            let y_next = step(system, from, h, count);
+            let f_next = system.rate(&y_next);
+            count.evaluations += 1;
+            count.steps += 1;
+            if !(is_finite(&y_next) && is_finite(&f_next)) {
+                return ended(t, y, Stop::NonFinite);
+            }
+            let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
+            let dense = |s: f64| hermite(&ends, h, s);
+            match crossing {
+                Crossing::Notice => {
+                    if let Some((index, _)) = ends.first(system.boundaries(), &dense) {
+                        return ended(t_next, y_next, Stop::Boundary(index));
+                    }
+                }
+                Crossing::Locate => {
+                    let anew = |s: f64| Some(step(system, from, s * h, count));
+                    if let Some(landed) = ends.land(system.boundaries(), dense, anew) {
+                        let stop = Stop::Boundary(landed.index);
+                        return ended(t + landed.part * h, landed.y, stop);
+                    }
                 }
             }
-            Crossing::Locate => {
-                let anew = |s: f64| Some(step(system, from, s * h, count));
-                if let Some(landed) = ends.land(system.boundaries(), dense, anew) {
-                    let stop = Stop::Boundary(landed.index);
-                    return ended(t + landed.part * h, landed.y, stop);
-                }
-            }
+            (t, y, f) = (t_next, y_next, f_next);
         }
-        (t, y, f) = (t_next, y_next, f_next);
     }
 }
 
@@ -96,7 +105,8 @@ mod tests {
             let h = 1.0 / steps as f64;
             let mut count = Count::up_to(10_000);
             let bell = Bell::up_to(1.0 - 0.5 * h);
-            let end = integrate(&bell, BELL, h, Crossing::Notice, &mut count);
+            let method = Rk4 { step: h, crossing: Crossing::Notice };
+            let end = method.integrate(&bell, BELL, &mut count);
             assert_eq!((count.steps, count.evaluations), (steps, 4 * steps + 1));
             (end.y[0] - 0.5).abs()
         };

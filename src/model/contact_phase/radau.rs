@@ -6,9 +6,9 @@
 
 use super::stretch::Stretch;
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::explicit::{Count, Reached, Start, Stop, System};
 use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
 use crate::numerics::root::in_bracket;
+use crate::numerics::stepper::{Count, Reached, Start, Stepper, Stop, System};
 
 /// The first step, in R/v, where none is known.
 const FIRST: f64 = 1e-4;
@@ -144,57 +144,62 @@ fn advance(
     })
 }
 
-/// Integrate from `start` until a boundary or a limit. Local errors are kept below `tolerance` of the unit of each component.
-pub(super) fn integrate(
-    stretch: &Stretch<'_>,
-    start: Start<4>,
-    tolerance: f64,
-    count: &mut Count,
-) -> Reached<4> {
-    let system = Unknowns::of(stretch);
-    let (mut t, mut y) = (start.t, system.fold(&start.y));
-    let mut here = start.y;
-    let mut h = start.step.unwrap_or(FIRST);
-    let mut last = None;
-    loop {
-        if let Some(stop) = count.forbids(t, h) {
-            return Reached { t, y: here, stop, step: h };
-        }
-        let Some(solved) = advance(&system, &y, h, last.as_ref(), count) else {
-            count.rejected += 1;
-            h *= SHORTER;
-            continue;
-        };
-        let factor = step_factor(solved.error, tolerance);
-        if solved.error > tolerance {
-            count.rejected += 1;
-            h *= factor;
-            continue;
-        }
-        count.steps += 1;
-        if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
-            let boundary = stretch.boundaries()[index];
-            let mut reached = (1.0, y);
-            let mut at = |s: f64| {
-                let short = if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
-                let end = short.map_or_else(
-                    || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
-                    |short| short.stages[2],
-                );
-                reached = (s, end);
-                boundary.at(&system.carried(&end))
+/// The method to a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radau {
+    /// Bound of a step's error, relative to the unit of each component.
+    pub tolerance: f64,
+}
+
+impl Stepper<4, Stretch<'_>> for Radau {
+    fn integrate(&self, stretch: &Stretch<'_>, start: Start<4>, count: &mut Count) -> Reached<4> {
+        let tolerance = self.tolerance;
+        let system = Unknowns::of(stretch);
+        let (mut t, mut y) = (start.t, system.fold(&start.y));
+        let mut here = start.y;
+        let mut h = start.step.unwrap_or(FIRST);
+        let mut last = None;
+        loop {
+            if let Some(stop) = count.forbids(t, h) {
+                return Reached { t, y: here, stop, step: h };
+            }
+            let Some(solved) = advance(&system, &y, h, last.as_ref(), count) else {
+                count.rejected += 1;
+                h *= SHORTER;
+                continue;
             };
-            let s = in_bracket(0.0, until, &mut at);
-            at(s);
-            let (s, end) = reached;
-            let y = system.carried(&end);
-            return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
+            let factor = step_factor(solved.error, tolerance);
+            if solved.error > tolerance {
+                count.rejected += 1;
+                h *= factor;
+                continue;
+            }
+            count.steps += 1;
+            if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
+                let boundary = stretch.boundaries()[index];
+                let mut reached = (1.0, y);
+                let mut at = |s: f64| {
+                    let short =
+                        if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
+                    let end = short.map_or_else(
+                        || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
+                        |short| short.stages[2],
+                    );
+                    reached = (s, end);
+                    boundary.at(&system.carried(&end))
+                };
+                let s = in_bracket(0.0, until, &mut at);
+                at(s);
+                let (s, end) = reached;
+                let y = system.carried(&end);
+                return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
+            }
+            t += h;
+            here = system.carried(&solved.stages[2]);
+            let next = solved.stages[2];
+            last = Some((h, y, solved));
+            (y, h) = (next, h * factor);
         }
-        t += h;
-        here = system.carried(&solved.stages[2]);
-        let next = solved.stages[2];
-        last = Some((h, y, solved));
-        (y, h) = (next, h * factor);
     }
 }
 
@@ -233,7 +238,8 @@ fn crossed(
 #[cfg(test)]
 mod tests {
     use super::super::tests::{STORED, errors};
-    use super::super::{Ending, Phase, Refusal, Scheme};
+    use super::super::{Ending, Phase, Refusal};
+    use super::Radau;
     use crate::model::variables::scene_without_spring as scene;
 
     /// The stiffest stored scene, which no explicit method follows.
@@ -243,11 +249,11 @@ mod tests {
     #[test]
     fn valid_every_stored_scene_with_the_stiffest() {
         for (pairs, exact) in STORED.into_iter().chain([STIFFEST]) {
-            let (time, depth) = errors(pairs, exact, Scheme::Radau { tolerance: 1e-11 });
+            let (time, depth) = errors(pairs, exact, &Radau { tolerance: 1e-11 });
             assert!(time < 2e-9 && depth < 2e-9, "{pairs}: {time:e} {depth:e}");
         }
         let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
-        let answer = thin.solve(Scheme::Radau { tolerance: 1e-11 }, 100_000).unwrap();
+        let answer = thin.solve(&Radau { tolerance: 1e-11 }, 100_000).unwrap();
         assert_eq!(answer.ending, Ending::Perforation);
         assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-9);
     }
@@ -256,7 +262,7 @@ mod tests {
     fn the_order_is_five_in_the_steps() {
         let (pairs, (t_s, _)) = STORED[5];
         let solve = |tolerance| {
-            let answer = Phase::of(&scene(pairs)).solve(Scheme::Radau { tolerance }, 100_000);
+            let answer = Phase::of(&scene(pairs)).solve(&Radau { tolerance }, 100_000);
             let answer = answer.unwrap();
             (answer.steps as f64, (answer.t_s / t_s - 1.0).abs())
         };
@@ -268,7 +274,7 @@ mod tests {
     #[test]
     fn steps_do_not_grow_with_stiffness() {
         let steps = |pairs: &str| {
-            let solved = Phase::of(&scene(pairs)).solve(Scheme::Radau { tolerance: 1e-9 }, 100_000);
+            let solved = Phase::of(&scene(pairs)).solve(&Radau { tolerance: 1e-9 }, 100_000);
             solved.unwrap().steps
         };
         let (stiff, stiffer) = (steps("b=1e6"), steps("b=1e10 gamma=1e-4"));
@@ -278,6 +284,6 @@ mod tests {
     #[test]
     fn a_budget_is_kept() {
         let phase = Phase::of(&scene("k=1e9"));
-        assert_eq!(phase.solve(Scheme::Radau { tolerance: 1e-12 }, 50), Err(Refusal::StepBudget));
+        assert_eq!(phase.solve(&Radau { tolerance: 1e-12 }, 50), Err(Refusal::StepBudget));
     }
 }
