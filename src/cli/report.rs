@@ -12,7 +12,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::table::exists;
-use crate::cli::{CliError, draw, output, summary};
+use crate::cli::{CliError, draw, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::{clean, write};
 use crate::model::run::{Run, envelope};
@@ -24,6 +24,7 @@ use crate::report::figures::limit::residual;
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::picture;
 use crate::report::limit::remarks;
+use crate::report::run::page::sentence;
 use crate::report::svg::Picture;
 use crate::study::limit::{self, Criterion, Effort};
 use crate::study::quantities::{Quantity, of_runs};
@@ -120,7 +121,7 @@ fn head(computed: &Computed, scene: &Scene) -> Document {
     let name = &computed.preset.name;
     let title = clean::line(&scene.title);
     let title = if title.is_empty() { name.clone() } else { format!("{name}: {title}") };
-    let mut document = Document { title, blocks: vec![Block::Paragraph(summary::sentence(run))] };
+    let mut document = Document { title, blocks: vec![Block::Paragraph(sentence(run))] };
     if !scene.notes.is_empty() {
         document.blocks.push(Block::Paragraph(scene.notes.clone()));
     }

@@ -13,6 +13,8 @@ use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{NoColumn, Object, Table, pretty};
 use crate::study::quantities::{Quantity, find, of_runs};
 
+pub mod page;
+
 /// Which rows a table has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rows {
@@ -338,22 +340,6 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
         return whole.map_or(Value::Null, Value::Number);
     }
     value.into()
-}
-
-/// The estimate of the error of what is named, and what it rests on, in words; `None` where nothing was estimated.
-pub fn estimate_words(run: &Run, what: &str) -> Option<String> {
-    let estimate = run.error_estimate?;
-    let basis = match estimate.basis {
-        EstimateBasis::ClosedForm => "closed form, rounding only",
-        EstimateBasis::SecondComputation => "from a second, tighter computation",
-        EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
-        EstimateBasis::OutcomeDiffers(other) => {
-            return Some(format!(
-                "unknown: outcome differs (a second, tighter computation ends {other})"
-            ));
-        }
-    };
-    Some(format!("{:.1e}{what} ({basis})", estimate.relative))
 }
 
 /// The relative error estimate of each result.

@@ -124,7 +124,7 @@ fn run_prints_a_summary_of_the_baseline() {
     // What the model is not valid for stands above the answer.
     assert!(lines.next().unwrap().starts_with("  ! outside validity: h/D = 2"), "{}", done.out);
     assert!(done.out.contains("\narrested: "), "{}", done.out);
-    for label in ["first arrest", "peak contact force", "residual", "computed by"] {
+    for label in ["first arrest", "peak contact force", "residual", "run time"] {
         assert!(done.out.contains(label), "{label}\n{}", done.out);
     }
     assert!(!done.out.contains('\u{1b}'), "no colour codes in a pipe");
@@ -517,7 +517,7 @@ fn plain_charts_are_ascii_and_narrow() {
 #[test]
 fn without_a_terminal_the_workbench_prints_the_plain_run() {
     let place = Place::new();
-    let computed = |text: &str| text.find("computed by").unwrap();
+    let computed = |text: &str| text.find("run time").unwrap();
     let plain = place.cmra("run cocked --plain").out;
     for arguments in ["cocked", "cocked --glyphs ascii"] {
         let done = place.cmra(arguments);

@@ -3,6 +3,7 @@
 use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::variables::Kind;
+use crate::report::run::page;
 use crate::report::series::Quantity;
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
@@ -205,7 +206,7 @@ impl App {
             None if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates => {
                 part(severity(run.outcome), "moving after 500 oscillations".to_owned())
             }
-            None => (severity(run.outcome), sentence(run), run.outcome.word().to_owned()),
+            None => (severity(run.outcome), page::outcome(run), run.outcome.word().to_owned()),
         });
         parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());
@@ -264,25 +265,6 @@ impl App {
                 None => part(Severity::Warning, "cancelled: a part is shown"),
             },
         }
-    }
-}
-
-/// The outcome of the shot, in a sentence: `arrested at 4.565 mm (64.2 % of a rigid mount)`.
-fn sentence(run: &Run) -> String {
-    let word = run.outcome.word();
-    let percent = run.percent_of_baseline();
-    let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
-    match (run.outcome, run.final_penetration_m, run.residual_velocity_m_s) {
-        (Outcome::Perforated, _, Some(speed)) => {
-            format!("{word}, residual velocity {}", engineering(speed.abs(), "m/s"))
-        }
-        (Outcome::Arrested, Some(depth), _) => {
-            format!("{word} at {}{percent}", engineering(depth, "m"))
-        }
-        (Outcome::Separated, Some(depth), _) => {
-            format!("{word} after {} of penetration{percent}", engineering(depth, "m"))
-        }
-        _ => word.to_owned(),
     }
 }
 

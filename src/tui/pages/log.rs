@@ -1,12 +1,11 @@
 //! The Log tab: messages of this session, and all about the run on the screen.
 
-use crate::model::run::{EnergyLedger, Run, envelope};
-use crate::report::figures::run::event_letter;
-use crate::report::run::{EnergyTerm, energy_terms, estimate_words};
+use crate::model::run::envelope;
+use crate::report::run::page::{computation, energy, events, results, sentence};
 use crate::tui::app::notice::Notice;
 use crate::tui::app::status::wrap;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
-use crate::tui::pages::run::runs::engineering;
+use crate::tui::pages::run::runs::Shown;
 use crate::tui::pages::{About, Page, Rows, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme;
@@ -109,7 +108,7 @@ impl App {
         let mut lines = Vec::new();
         section(&mut lines, "Messages of this session, newest first", messages);
         match &self.shown {
-            Some(shown) => of_run(&mut lines, &shown.run, self.is_stale()),
+            Some(shown) => of_run(&mut lines, shown, self.is_stale()),
             None => section(&mut lines, "Run", [(Role::Dim, "no run yet".to_owned())]),
         }
         if !older.is_empty() {
@@ -132,7 +131,8 @@ fn section(lines: &mut Vec<LogLine>, heading: &str, body: impl IntoIterator<Item
     }
 }
 
-fn of_run(lines: &mut Vec<LogLine>, run: &Run, is_stale: bool) {
+fn of_run(lines: &mut Vec<LogLine>, shown: &Shown, is_stale: bool) {
+    let run = &shown.run;
     let plain = |texts: Vec<String>| texts.into_iter().map(|text| (Role::Text, text));
     let which = if is_stale { " (of another scene: press r)" } else { "" };
     let warnings = envelope::warnings(run).into_iter();
@@ -141,62 +141,11 @@ fn of_run(lines: &mut Vec<LogLine>, run: &Run, is_stale: bool) {
     if let Some(stack) = &run.stack {
         section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
     }
-    section(lines, "Events", plain(event_lines(run)));
-    let energy = "Energy: where it was at the start, and where it went";
-    section(lines, energy, plain(energy_lines(&run.ledger)));
-    section(lines, "Computation", plain(cost(run)));
-}
-
-pub fn event_lines(run: &Run) -> Vec<String> {
-    run.events
-        .iter()
-        .enumerate()
-        .map(|(index, event)| {
-            let (tag, time) = (event_letter(index), engineering(event.t_s, "s"));
-            format!("{tag:<2}{time:>10}  {}", event.kind.words())
-        })
-        .collect()
-}
-
-/// The energy ledger, one term a line, with its share of the energy at the start.
-pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
-    let line = |term: &EnergyTerm| {
-        let percent = crate::model::units::decimals(term.percent, 1);
-        format!("{:<13}{:>10}  {percent:>5} %", term.label, engineering(term.energy_j, "J"))
-    };
-    let (start, end) = energy_terms(ledger);
-    let residual = match ledger.residual() {
-        0.0 => "0".to_owned(),
-        other => crate::model::units::scientific(other, 1),
-    };
-    let start_j = ledger.initial_j();
-    let total = |label, energy_j| line(&EnergyTerm::of(label, energy_j, start_j));
-    let mut lines = vec![total("at the start", start_j)];
-    // One term alone is the whole.
-    lines.extend(start.iter().filter(|_| start.len() > 1).map(line));
-    lines.push(total("at the end", ledger.final_j()));
-    lines.extend(end.iter().map(line));
-    lines.push(format!("{:<13}{residual:>10}  of the start", "residual"));
-    lines
-}
-
-fn cost(run: &Run) -> Vec<String> {
-    let estimate = estimate_words(run, "").unwrap_or_else(|| "not estimated".to_owned());
-    let omitted =
-        if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
-    let cost = &run.cost;
-    let steps = format!(
-        "{} accepted, {} rejected, {} evaluations",
-        cost.steps, cost.rejected, cost.rhs_evaluations
-    );
-    let lines = [
-        ("method", format!("{}: {}", cost.method, cost.reason)),
-        ("steps", steps),
-        ("end", run.end.words().to_owned()),
-        ("error", estimate),
-        ("omitted", omitted),
-    ];
-    lines.map(|(name, text)| format!("{name:<13}{text}")).into()
+    section(lines, "Events", plain(events(run)));
+    let heading = "Energy: where it was at the start, and where it went";
+    section(lines, heading, plain(energy(&run.ledger)));
+    section(lines, "Results", plain([vec![sentence(run)], results(run)].concat()));
+    section(lines, "Computation", plain(computation(run, shown.took)));
 }
 
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

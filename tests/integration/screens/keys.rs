@@ -597,7 +597,9 @@ fn leaving_keeps_the_session() {
     bench.effects.clear();
     bench.press("Q");
     assert!(matches!(bench.effects.last(), Some(Effect::Quit { summary: true })));
-    assert!(bench.app.summary().contains("final depth   4.565 mm, 64.2 % of a rigid mount's"));
+    let summary = bench.app.summary();
+    assert!(summary.contains("arrested at 4.565 mm (64.2 % of a rigid mount)"), "{summary}");
+    assert!(summary.contains("final depth             4.56450 mm"), "{summary}");
     bench.effects.clear();
     bench.press("<Esc>");
     assert!(bench.effects.is_empty(), "Esc does not quit");

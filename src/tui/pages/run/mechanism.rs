@@ -3,8 +3,8 @@
 use crate::model::run::Run;
 use crate::model::scene::Mount;
 use crate::numerics::{larger, smaller};
+use crate::report::run::page;
 use crate::report::series::Quantity;
-use crate::tui::pages::log::{energy_lines, event_lines};
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::runs::engineering;
 use crate::tui::prelude::*;
@@ -85,7 +85,7 @@ fn cells(fraction: f64, of: u16) -> u16 {
 pub(crate) fn events(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new("Events").right("n N").draw(area, canvas);
     let Some(shown) = &app.shown else { return };
-    let lines = event_lines(&shown.run);
+    let lines = page::events(&shown.run);
     if lines.is_empty() {
         canvas.put(inner, (1, 0), "none", Role::Dim);
     }
@@ -107,7 +107,7 @@ pub(crate) fn ledger(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some(shown) = &app.shown else {
         return;
     };
-    for (row, line) in (0..inner.height).zip(energy_lines(&shown.run.ledger)) {
+    for (row, line) in (0..inner.height).zip(page::energy(&shown.run.ledger)) {
         canvas.put(inner, (1, row), &line, Role::Text);
     }
 }

@@ -8,6 +8,7 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VARIABLES};
+use crate::report::run::page;
 use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
 use crate::study::models::by_every_model;
@@ -16,7 +17,6 @@ use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::summary::results;
 use crate::tui::prelude::*;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::table::Grid;
@@ -138,6 +138,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     canvas.rows(area, (0, count), |run| Some(Target::Row(RUNS, run)));
 }
 
+/// Free lines below the runs from which on results are listed there.
+const RESULTS_MIN: usize = 4;
+
 /// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
 /// where there is room, the results of the selected run in words.
 fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
@@ -150,16 +153,17 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
         None => app.shown.as_ref().map(|shown| &shown.run),
         Some(at) => app.pins.get(at).and_then(|pin| pin.run.as_ref()),
     };
-    let details: Vec<String> = run.map_or_else(Vec::new, |run| results(run));
     let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
-    if !details.is_empty() && free > details.len() + 1 {
+    if let Some(run) = run.filter(|_| free > RESULTS_MIN) {
         lines.push((String::new(), Role::Text));
         let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
             None => "now".to_owned(),
             Some(pin) => format!("{} {}", pin.letter, pin.name),
         };
-        lines.push((clip(&format!("{whose}:"), width), Role::Title));
-        lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
+        let heading = format!("{whose}: {}", page::outcome(run));
+        lines.push((clip(&heading, width), Role::Title));
+        let results = page::results(run).into_iter().take(free - 2);
+        lines.extend(results.map(|line| (clip(&line, width), Role::Text)));
     }
     canvas.put_lines(inner, row, lines);
 }

@@ -1,0 +1,280 @@
+//! A run in words: its outcome in a sentence, and its results, events, energy and computation a line each. Pages and screens show
+//! the same lines.
+
+use std::time::Duration;
+
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run};
+use crate::model::scene::{Mount, Scene};
+use crate::model::units::{self, Engineering, fixed_significant};
+use crate::report::figures::run::event_letter;
+use crate::report::run::{EnergyTerm, energy_terms};
+use crate::study::quantities;
+
+/// Columns of a label before its value.
+pub const LABEL: usize = 24;
+
+fn value(value: f64, unit: &'static str) -> String {
+    Engineering { value, unit, digits: 6 }.to_string()
+}
+
+fn short(value: f64, unit: &'static str) -> String {
+    Engineering { value, unit, digits: 4 }.to_string()
+}
+
+/// A label, and a text beside it.
+pub fn labelled(label: &str, text: &str) -> String {
+    format!("{label:<LABEL$}{text}")
+}
+
+/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`.
+pub fn outcome(run: &Run) -> String {
+    let word = run.outcome.word();
+    let percent = run.percent_of_baseline();
+    let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
+    match (run.outcome, run.final_penetration_m, run.residual_velocity_m_s) {
+        (Outcome::Perforated, _, Some(speed)) => {
+            format!("{word}, residual velocity {}", short(speed.abs(), "m/s"))
+        }
+        (Outcome::Arrested, Some(depth), _) => {
+            format!("{word} at {}{percent}", short(depth, "m"))
+        }
+        (Outcome::Separated, Some(depth), _) => {
+            format!("{word} after {} of penetration{percent}", short(depth, "m"))
+        }
+        _ => word.to_owned(),
+    }
+}
+
+/// The outcome of the shot in a sentence that says what it means.
+pub fn sentence(run: &Run) -> String {
+    let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
+    match run.outcome {
+        Outcome::Arrested => depth.map_or_else(
+            || "arrested: the projectile stays in the plate; this model knows no depth".to_owned(),
+            |depth| arrested(run, &depth),
+        ),
+        Outcome::Perforated => match run.residual_velocity_m_s {
+            Some(speed) if speed < 0.0 => format!(
+                "perforated: the plate moves back over the projectile, whose residual velocity is backwards, {}",
+                short(speed.abs(), "m/s")
+            ),
+            Some(speed) => format!(
+                "perforated: the projectile passes through the plate; its residual velocity is {}",
+                short(speed, "m/s")
+            ),
+            None => "perforated: the projectile passes through the plate".to_owned(),
+        },
+        Outcome::Separated => {
+            let left = run
+                .separation
+                .map_or_else(String::new, |(_, speed)| format!(" at {}", short(speed, "m/s")));
+            let depth =
+                depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
+            format!("separated: the projectile leaves through the entry face{left}{depth}")
+        }
+        Outcome::Moving => format!("still moving: {}", run.end.words()),
+    }
+}
+
+fn arrested(run: &Run, depth: &str) -> String {
+    let share = match (run.percent_of_baseline(), run.baseline_penetration_m) {
+        (Some(percent), Some(baseline)) if run.scene.plate.mount == Mount::Sprung => {
+            let percent = fixed_significant(percent, 4);
+            format!(", {percent} % of the {} on a rigid mount", short(baseline, "m"))
+        }
+        _ => String::new(),
+    };
+    run.protrusion_m().map_or_else(
+        || format!("arrested: the projectile stays in the plate, {depth} deep{share}"),
+        |out| {
+            format!(
+                "arrested: the projectile sticks in the plate, its nose {} out of the rear face{share} (partial penetration; \
+                 complete by the army criterion)",
+                short(out, "m")
+            )
+        },
+    )
+}
+
+/// The results, a line each; what does not exist has none.
+pub fn results(run: &Run) -> Vec<String> {
+    let known = |result: Option<f64>, unit| result.map(|result| value(result, unit));
+    let rounded = |result: Option<f64>, words: &str| {
+        result.map(|result| format!("{}{words}", fixed_significant(result, 4)))
+    };
+    let (arrest, separation) = (run.first_arrest, run.separation);
+    let (so_far, load) = (run.at_least, &run.mechanism);
+    let start_m = run.start_m();
+    let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
+    let displacement = known(run.max_plate_displacement_m, "m");
+    let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
+    let displacement =
+        displacement.or_else(|| (!is_known).then(|| no_displacement(&run.scene).to_owned()));
+    let of_run = [
+        ("first arrest, depth", known(arrest.map(|it| it.penetration_m), "m")),
+        ("  time", known(arrest.map(|it| it.t_s), "s")),
+        ("  plate displacement", known(arrest.map(|it| it.plate_displacement_m), "m")),
+        ("  common velocity", known(arrest.map(|it| it.plate_velocity_m_s), "m/s")),
+        ("final depth", known(run.final_penetration_m, "m")),
+        ("depth so far", known(so_far.penetration_m, "m")),
+        ("  at most, by energy", known(run.penetration_at_most_m, "m")),
+        ("nose out of rear face", known(run.protrusion_m(), "m")),
+        ("  on a rigid mount", known(run.baseline_penetration_m, "m")),
+        ("  of the rigid mount's", rounded(run.percent_of_baseline(), " %")),
+        ("exit time", known(run.exit_time_s, "s")),
+        ("residual velocity", known(run.residual_velocity_m_s, "m/s")),
+        ("separation, time", known(separation.map(|it| it.0), "s")),
+        ("  projectile velocity", known(separation.map(|it| it.1), "m/s")),
+        ("peak contact force", known(run.peak_contact_force_n, "N")),
+        ("greatest displacement", displacement),
+        ("displacement so far", known(so_far.plate_displacement_m, "m")),
+        ("stroke so far", known(stroke_so_far, "m")),
+        ("stroke", known(run.stroke_m(), "m")),
+        ("interface demand", rounded(run.interface_demand_ratio, " of its strength A S_y")),
+    ];
+    let margin_words = " (yield strength over the greatest stress)";
+    // A single power law stores what the ledger says.
+    let of_mechanism = [
+        ("energy stored at most", known(load.stored_j, "J")),
+        ("  turning with plate", known(load.rotation_j, "J")),
+        ("yield margin", rounded(load.yield_margin, margin_words)),
+        ("springs' own mass", rounded(load.spring_mass_kg, " kg")),
+        ("  added to the plate", rounded(load.added_kg, " kg")),
+    ];
+    let of_mechanism = of_mechanism.into_iter().filter(|_| !run.scene.mechanism.is_plain());
+    let facts = of_run.into_iter().chain(of_mechanism);
+    facts.filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
+}
+
+/// The reason why there is no greatest displacement.
+fn no_displacement(scene: &Scene) -> &'static str {
+    let mechanism = &scene.mechanism;
+    let nothing_stops_it = Mechanism::of(scene).is_absent() && mechanism.stop.position_m.is_none();
+    if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
+}
+
+/// The events with their letters in the charts.
+pub fn events(run: &Run) -> Vec<String> {
+    let line = |(index, event): (usize, &Event)| {
+        let (letter, time) = (event_letter(index), value(event.t_s, "s"));
+        format!("{letter:<2}{time:>10}  {}", event.kind.words())
+    };
+    run.events.iter().enumerate().map(line).collect()
+}
+
+/// The energy ledger, a term a line, with its part of the energy at the start.
+pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
+    let line = |term: &EnergyTerm| {
+        let percent = units::decimals(term.percent, 2);
+        // Without a prefix: terms below each other are to be compared.
+        format!("{:<13}{:>8} J  {percent:>6} %", term.label, fixed_significant(term.energy_j, 6))
+    };
+    let (start, end) = energy_terms(ledger);
+    let start_j = ledger.initial_j();
+    let total = |label, energy_j| line(&EnergyTerm::of(label, energy_j, start_j));
+    let mut lines = vec![total("at the start", start_j)];
+    // One term alone is the whole.
+    lines.extend(start.iter().filter(|_| start.len() > 1).map(line));
+    lines.push(total("at the end", ledger.final_j()));
+    lines.extend(end.iter().map(line));
+    let residual = match ledger.residual() {
+        0.0 => "0".to_owned(),
+        other => units::scientific(other, 1),
+    };
+    lines.push(format!("{:<13}{residual:>10}  of the start", "residual"));
+    lines
+}
+
+/// How the run was computed, in which time where that is known, and how wrong it may be.
+pub fn computation(run: &Run, took: Option<Duration>) -> Vec<String> {
+    let cost = &run.cost;
+    let steps = format!(
+        "{} accepted, {} rejected, {} evaluations",
+        cost.steps, cost.rejected, cost.rhs_evaluations
+    );
+    let omitted =
+        if run.omitted.is_empty() { "nothing".to_owned() } else { run.omitted.join(", ") };
+    let facts = [
+        ("method", Some(format!("{}: {}", cost.method, cost.reason))),
+        ("run time", took.map(|took| short(took.as_secs_f64(), "s"))),
+        ("steps", Some(steps)),
+        ("end", Some(run.end.words().to_owned())),
+        ("error", Some(error(run).unwrap_or_else(|| "not estimated".to_owned()))),
+        ("largest error", largest_error(run)),
+        ("omitted terms", Some(omitted)),
+    ];
+    facts.into_iter().filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
+}
+
+/// The estimate of the error, and what it rests on; `None` where nothing was estimated.
+fn error(run: &Run) -> Option<String> {
+    let estimate = run.error_estimate?;
+    let basis = match estimate.basis {
+        EstimateBasis::ClosedForm => "closed form, rounding only",
+        EstimateBasis::SecondComputation => "from a second, tighter computation",
+        EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
+        EstimateBasis::OutcomeDiffers(other) => {
+            return Some(format!(
+                "unknown: outcome differs (a second, tighter computation ends {other})"
+            ));
+        }
+    };
+    let of = if run.outcome == Outcome::Perforated { "exit time" } else { "depth" };
+    Some(format!("{:.1e} of the {of} ({basis})", estimate.relative))
+}
+
+/// The greatest of all results' own estimates.
+fn largest_error(run: &Run) -> Option<String> {
+    run.error_estimate?;
+    let estimates = run.error_estimates.iter();
+    let error = estimates.max_by(|a, b| a.relative.total_cmp(&b.relative))?;
+    let quantity = quantities::find(error.name)?;
+    Some(format!("{:.1e} of all results ({})", error.relative, quantity.title()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::simulate::{Settings, simulate};
+
+    fn run_of(change: impl Fn(&mut Scene)) -> Run {
+        let mut scene = Scene::default();
+        change(&mut scene);
+        let settings = Settings { series: false, estimate: true };
+        simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()))
+            .expect("a valid scene")
+    }
+
+    /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.
+    #[test]
+    fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
+        let run = run_of(|scene| scene.mechanism.spring.coefficient = 0.0);
+        let results = results(&run).join("\n");
+        assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
+        assert!(
+            results.contains("greatest displacement   none: nothing stops the plate"),
+            "{results}"
+        );
+        let energy = energy(&run.ledger).join("\n");
+        assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
+        assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
+        assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
+    }
+
+    #[test]
+    fn a_perforation_is_told_by_its_residual_velocity_and_estimated_by_its_exit_time() {
+        let run = run_of(|scene| scene.projectile.velocity_m_s = 400.0);
+        assert!(outcome(&run).starts_with("perforated, residual velocity 279.9 m/s"));
+        assert!(sentence(&run).contains("its residual velocity is 279.9 m/s"));
+        let lines = computation(&run, None).join("\n");
+        assert!(
+            lines.contains(" of the exit time (from a second, tighter computation)"),
+            "{lines}"
+        );
+        assert!(!lines.contains("run time"), "{lines}");
+    }
+}
