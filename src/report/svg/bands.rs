@@ -11,6 +11,8 @@ use crate::report::unit::Unit;
 
 /// Room of the legend of a map, at its right.
 const SCALE_WIDTH: f64 = 92.0;
+/// Letters for which that has room.
+const NOTE_COLUMNS: usize = 18;
 /// Colours of a map from its least to its greatest value (viridis).
 const BANDS: [(u8, u8, u8); 6] =
     [(68, 1, 84), (65, 68, 135), (42, 120, 142), (34, 168, 132), (122, 209, 81), (253, 231, 37)];
@@ -151,27 +153,11 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map<'_>, levels: Option<&Lev
     notes.extend(map.contour.iter().map(|(_, name)| format!("— {name}")));
     notes.extend(map.marks.iter().map(|(letter, words)| format!("{letter} {words}")));
     for note in notes {
-        for line in note_lines(&note) {
+        for line in textwrap::wrap(&note, NOTE_COLUMNS) {
             y += 13.0;
             text(out, &Text { x: left, y, anchor: "start", rest: " font-size=\"10\"" }, &line);
         }
     }
-}
-
-/// A note in lines as long as there is room for.
-fn note_lines(note: &str) -> Vec<String> {
-    const LETTERS: usize = 18;
-    let mut lines: Vec<String> = Vec::new();
-    for word in note.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= LETTERS => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 /// The line on which a map has a value: in each square of four points straight from side to side.

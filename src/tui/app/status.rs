@@ -393,33 +393,12 @@ fn left_out(run: &Run) -> Option<StatusPart> {
     (count > 0).then_some((Severity::Note, full, short))
 }
 
-/// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.
+/// Lines of at most `width` columns, broken at blanks; a longer word is broken where it must be.
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
-    let width = width.max(1);
-    let mut lines: Vec<String> = Vec::new();
-    let mut line = String::new();
-    for word in text.split(' ') {
-        let mut word = word.to_owned();
-        let needed = columns(&line) + usize::from(!line.is_empty()) + columns(&word);
-        if needed > width && !line.is_empty() {
-            lines.push(std::mem::take(&mut line));
-        }
-        while columns(&word) > width {
-            // A character that is wider than the line has one of its own.
-            let first = word.chars().next().map_or(0, char::len_utf8);
-            let rest = word.split_off(fits(&word, width).max(first));
-            if rest.is_empty() {
-                break;
-            }
-            lines.push(std::mem::replace(&mut word, rest));
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(&word);
-    }
-    lines.push(line);
-    lines
+    let options = textwrap::Options::new(width.max(1))
+        .word_separator(textwrap::WordSeparator::AsciiSpace)
+        .word_splitter(textwrap::WordSplitter::NoHyphenation);
+    textwrap::wrap(text, options).into_iter().map(Into::into).collect()
 }
 
 impl App {
