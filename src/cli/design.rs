@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::table::{TableArguments, at_top};
 use crate::model::design;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
@@ -75,21 +75,17 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
         // A prefix before `kg` reads badly.
         let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
         let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
-        let _ = writeln!(page, "{name:<34}{shown:>14}  {meaning}");
+        let _ = writeln!(page, "{shown:>14}  {name} ({meaning})");
     }
     let rows = Table::of(&found)
         .with("name", "name", "", |it| it.0)
         .with("value", "value", "", |it| it.1)
         .with("unit", "unit", "", |it| it.2)
         .with("source", "source", "", |it| it.3);
-    arguments.table.alone().deliver(&page, &rows)?;
-    for breach in envelope::of_scene(&preset.scene) {
-        output::note(&breach.to_string());
-    }
-    for warning in variables::range_warnings(&preset.scene) {
-        output::note(&warning);
-    }
-    Ok(())
+    let breaches = envelope::of_scene(&preset.scene);
+    let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
+    warnings.extend(variables::range_warnings(&preset.scene));
+    arguments.table.alone().deliver(&at_top(&page, &warnings), &rows.with_warnings(&warnings))
 }
 
 /// Name, value, unit, and where the formula is from.
@@ -117,7 +113,7 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
         ),
         ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
         ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
-        ("energy after it", left, "J", "kinetic energy of both bodies, moving together"),
+        ("energy after it", left, "J", "kinetic energy of both bodies together"),
         ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
         ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
         (

@@ -28,25 +28,23 @@ pub(super) fn battery(rows: &[Row], took_s: f64, width: usize) -> String {
         }
     }
     text.push('\n');
-    legend(&mut text);
+    text.push_str(LEGEND);
     summary(&mut text, rows, took_s);
     text
 }
 
-fn legend(text: &mut String) {
-    text.push_str(
-        "ends   arrested, perforated, separated, moving (undecided at the horizon), or CUT\n\
-         error  of final depth (of exit time if perforated), against s stored digits, D DOP853\n\
-         \x20      or R Radau IIA at 1e-13 on a second implementation of the equations, or t this\n\
-         \x20      solver at 1e-12 (where motion after the contact decides, or D and R fail)\n\
-         stiff  largest rate of spring or damper times the contact's duration\n\
-         expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps\n\
-         th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s\n\
-         \x20      ok (error below 1e-6, thesis 1e-2), else the error, or: end! wrong outcome,\n\
-         \x20      DIV diverged, stop no progress, many too many steps, late out of time,\n\
-         \x20      - not applicable, or nothing to compare with\n\n",
-    );
-}
+/// What the columns mean, a line each.
+const LEGEND: &str = "\
+ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
+error       of final depth (of exit time if perforated), against s stored digits, D DOP853 or R Radau IIA at 1e-13 on a \
+second implementation of the equations, or t this solver at 1e-12 (where motion after the contact decides, or D and R fail)
+stiff       largest rate of spring or damper times the contact's duration
+expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps
+th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s: ok (error below 1e-6, thesis 1e-2), else the error, \
+or end! wrong outcome, DIV diverged, stop no progress, many too many steps, late out of time, - not applicable, or nothing to \
+compare with
+
+";
 
 fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     let short: Vec<&str> =
