@@ -13,16 +13,60 @@ use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
 use crate::model::run::{Mode, Warning};
 use crate::model::scene::{ContactModel as Kind, Scene};
+use crate::model::units::Engineering;
 
 mod flow_strength;
 mod half_sine;
 mod initial_velocity;
 mod lumped;
 
-use flow_strength::FlowStrength;
-use half_sine::HalfSine;
-use initial_velocity::InitialVelocity;
-use lumped::Lumped;
+/// Passes the table of contact models to a macro: the name of each, its word in files and on screens, and what it is.
+macro_rules! contact_models {
+    ($then:ident) => {
+        $then! {
+            /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
+            #[default]
+            Hydrodynamic = "hydrodynamic", flow_strength::ABOUT;
+            /// A prescribed half-sine force history, equation 8.9.
+            HalfSine = "half-sine", half_sine::ABOUT;
+            /// A perfectly inelastic collision at once, equation 8.11.
+            InitialVelocity = "initial-velocity", initial_velocity::ABOUT;
+            /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
+            Lumped = "lumped", lumped::ABOUT;
+            /// The listing of Appendix A.
+            Appendix = "appendix", flow_strength::APPENDIX;
+        }
+    };
+}
+pub(in crate::model) use contact_models;
+
+macro_rules! about {
+    ($($(#[$doc:meta])* $kind:ident = $word:literal, $about:path;)+) => {
+        impl Kind {
+            /// What it is.
+            pub fn about(self) -> &'static About {
+                match self {
+                    $(Self::$kind => &$about,)+
+                }
+            }
+        }
+    };
+}
+contact_models!(about);
+
+/// What a contact model is.
+#[derive(Debug)]
+pub struct About {
+    /// Its place in comparisons, which are in the order of Table 8.1.
+    pub place: usize,
+    /// What Table 8.1 calls its strength, in other words.
+    pub strength: &'static str,
+    /// What limits it.
+    pub limit: &'static str,
+    /// Its parameters in a scene, in words; empty if none have to be chosen.
+    pub parameters: fn(&Scene) -> String,
+    of: fn(&Scene, &Geometry) -> Arc<dyn ContactModel>,
+}
 
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
@@ -84,28 +128,26 @@ pub(super) struct Scales {
 }
 
 pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
-    match scene.contact.model {
-        Kind::Hydrodynamic | Kind::Appendix => Arc::new(FlowStrength::of(scene, geometry)),
-        Kind::HalfSine => Arc::new(HalfSine::of(scene)),
-        Kind::InitialVelocity => Arc::new(InitialVelocity::of(scene)),
-        Kind::Lumped => Arc::new(Lumped::of(scene)),
-    }
+    (scene.contact.model.about().of)(scene, geometry)
+}
+
+/// A parameter for readers, with a note where it was left open.
+fn shown(value: f64, unit: &'static str, given: Option<f64>) -> String {
+    let auto = if given.is_none() { " (auto)" } else { "" };
+    format!("{}{auto}", Engineering { value, unit, digits: 4 })
 }
 
 /// The parameters of the models, with what was left open filled in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Values {
-    /// `t_d`, s.
-    pub duration_s: f64,
-    /// `k_load`, N/m.
-    pub load_stiffness_n_m: f64,
-    /// `k_unload`, N/m.
-    pub unload_stiffness_n_m: f64,
+struct Values {
+    duration_s: f64,
+    load_stiffness_n_m: f64,
+    unload_stiffness_n_m: f64,
 }
 
 impl Values {
     /// The values a valid scene's models work with: what is left open is taken from the hydrodynamic contact on a rigid mount.
-    pub fn of(scene: &Scene) -> Self {
+    fn of(scene: &Scene) -> Self {
         let contact = &scene.contact;
         let (duration_s, load_stiffness_n_m) =
             match (contact.duration_s, contact.load_stiffness_n_m) {

@@ -7,11 +7,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_models::Values;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
 use crate::model::simulate::{self, Settings};
-use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VariableError};
 use crate::study::accuracy::timing::{Clock, Patience, time};
 
@@ -132,7 +130,7 @@ pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison
         let took_s = time(clock, PATIENCE, || simulate(&own, quiet)).min_s;
         rows.push(Row {
             name: plan.name,
-            with: parameters(&own),
+            with: (own.contact.model.about().parameters)(&own),
             scene: own,
             run: Arc::new(run),
             took_s,
@@ -152,24 +150,15 @@ pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
 }
 
 fn models(scene: &Scene) -> Vec<Plan> {
-    TABLE_8_1
-        .into_iter()
-        .map(|(model, simplicity, limit)| {
-            let mut own = scene.clone();
-            own.contact.model = model;
-            Plan { name: model.word(), scene: own, judged: (simplicity, limit) }
-        })
-        .collect()
+    let mut models = ContactModel::ALL;
+    models.sort_by_key(|model| model.about().place);
+    let plan = |model: ContactModel| {
+        let (mut own, about) = (scene.clone(), model.about());
+        own.contact.model = model;
+        Plan { name: model.word(), scene: own, judged: (about.strength, about.limit) }
+    };
+    models.map(plan).into()
 }
-
-/// Table 8.1, in other words: each model with how simple it is and what limits it, the default first.
-const TABLE_8_1: [(ContactModel, &str, &str); 5] = [
-    (ContactModel::Hydrodynamic, "simple", "models the contact force as a modified fluid drag"),
-    (ContactModel::Lumped, "simple", "needs parameters that no source gives; cannot perforate"),
-    (ContactModel::HalfSine, "simple", "the duration has to be chosen; cannot perforate"),
-    (ContactModel::InitialVelocity, "simple", "the impact takes no time; cannot perforate"),
-    (ContactModel::Appendix, "the method of chapter 9", "not in Table 8.1"),
-];
 
 /// Appendix A as printed, each quirk put right by itself, all of them, and the engine.
 fn quirks(scene: &Scene) -> Vec<Plan> {
@@ -196,33 +185,6 @@ fn quirks(scene: &Scene) -> Vec<Plan> {
     sound.contact.model = ContactModel::Hydrodynamic;
     plans.push(Plan { name: "hydrodynamic", scene: sound, judged: ("", "") });
     plans
-}
-
-/// The parameters of a model, if they had to be chosen.
-fn parameters(scene: &Scene) -> String {
-    let show = |value, unit| Engineering { value, unit, digits: 4 }.to_string();
-    let contact = &scene.contact;
-    let auto = |given: Option<f64>| if given.is_none() { " (auto)" } else { "" };
-    match contact.model {
-        ContactModel::HalfSine => {
-            let t_d = show(Values::of(scene).duration_s, "s");
-            format!("t_d = {t_d}{}", auto(contact.duration_s))
-        }
-        ContactModel::Lumped => {
-            let values = Values::of(scene);
-            let load = show(values.load_stiffness_n_m, "N/m");
-            let ratio = values.unload_stiffness_n_m / values.load_stiffness_n_m;
-            format!(
-                "k_load = {load}{}, k_unload = {} k_load{}, b_2 = {} N s/m",
-                auto(contact.load_stiffness_n_m),
-                units::significant(ratio, 4),
-                auto(contact.unload_stiffness_n_m),
-                units::shortest(contact.damping_n_s_m)
-            )
-        }
-        ContactModel::Appendix => format!("dt = {}", show(contact.appendix.step_s, "s")),
-        ContactModel::Hydrodynamic | ContactModel::InitialVelocity => String::new(),
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! The hydrodynamic model, F = A (S + c u²), with the interface law of model page section 3: a hole that is closed again rubs
 //! with g A S, and so does a projectile that is pulled out.
 
-use super::{ContactModel, Hole, Scales};
+use std::sync::Arc;
+
+use super::{About, ContactModel, Hole, Scales, shown};
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
@@ -13,9 +15,29 @@ use crate::numerics::smaller;
 /// Part of the travel at which the engaged area stands for the contact's.
 const LATE: f64 = 0.9;
 
+pub(super) const ABOUT: About = About {
+    place: 1,
+    strength: "simple",
+    limit: "models the contact force as a modified fluid drag",
+    parameters: |_| String::new(),
+    of: |scene, geometry| Arc::new(FlowStrength::of(scene, geometry)),
+};
+
+/// The same law by the listing of Appendix A.
+pub(super) const APPENDIX: About = About {
+    place: 5,
+    strength: "the method of chapter 9",
+    limit: "not in Table 8.1",
+    parameters: |scene| {
+        let step_s = scene.contact.appendix.step_s;
+        format!("dt = {}", shown(step_s, "s", Some(step_s)))
+    },
+    ..ABOUT
+};
+
 /// The modified drag law.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct FlowStrength {
+struct FlowStrength {
     strength_pa: f64,
     drag_kg_m3: f64,
     grip: f64,
@@ -24,7 +46,7 @@ pub(super) struct FlowStrength {
 }
 
 impl FlowStrength {
-    pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Self {
+    fn of(scene: &Scene, geometry: &Geometry) -> Self {
         let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());
         let hole_on_rigid_mount_m = match Passage::rigid(scene, geometry).ending() {
             Ending::Arrest { travel_m } => Some(travel_m),

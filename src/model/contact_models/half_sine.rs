@@ -6,8 +6,9 @@
 //! relative travel that follows: at the first common velocity, or at a later one where a spring throws the plate back.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use super::{ContactModel, Hole, Scales, Values};
+use super::{About, ContactModel, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, Pulse};
 use crate::model::run::{Mode, Warning};
@@ -16,16 +17,27 @@ use crate::model::scene::Scene;
 /// A projectile that arrives at common velocity within this part of the end of the history has not been overrun.
 const AT_THE_END: f64 = 1e-3;
 
+pub(super) const ABOUT: About = About {
+    place: 3,
+    strength: "simple",
+    limit: "the duration has to be chosen; cannot perforate",
+    parameters: |scene| {
+        let duration_s = Values::of(scene).duration_s;
+        format!("t_d = {}", shown(duration_s, "s", scene.contact.duration_s))
+    },
+    of: |scene, _| Arc::new(HalfSine::of(scene)),
+};
+
 /// A prescribed force history.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct HalfSine {
+struct HalfSine {
     pulse: Pulse,
     /// On a rigid mount, m.
     travel_m: f64,
 }
 
 impl HalfSine {
-    pub(super) fn of(scene: &Scene) -> Self {
+    fn of(scene: &Scene) -> Self {
         let duration_s = Values::of(scene).duration_s;
         let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
         let amplitude_n = 0.5 * PI * m_p * v / duration_s;

@@ -4,15 +4,38 @@
 //! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
 //! The dent is the depth; the model has no rear face.
 
-use super::{ContactModel, Hole, Scales, Values};
+use std::sync::Arc;
+
+use super::{About, ContactModel, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, ElasticForce};
 use crate::model::run::Mode;
 use crate::model::scene::Scene;
+use crate::model::units;
+
+pub(super) const ABOUT: About = About {
+    place: 2,
+    strength: "simple",
+    limit: "needs parameters that no source gives; cannot perforate",
+    parameters,
+    of: |scene, _| Arc::new(Lumped::of(scene)),
+};
+
+fn parameters(scene: &Scene) -> String {
+    let (contact, values) = (&scene.contact, Values::of(scene));
+    let load = shown(values.load_stiffness_n_m, "N/m", contact.load_stiffness_n_m);
+    let ratio = values.unload_stiffness_n_m / values.load_stiffness_n_m;
+    format!(
+        "k_load = {load}, k_unload = {} k_load{}, b_2 = {} N s/m",
+        units::significant(ratio, 4),
+        if contact.unload_stiffness_n_m.is_none() { " (auto)" } else { "" },
+        units::shortest(contact.damping_n_s_m)
+    )
+}
 
 /// The interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lumped {
+struct Lumped {
     load_n_m: f64,
     unload_n_m: f64,
     damping_n_s_m: f64,
@@ -22,7 +45,7 @@ pub(super) struct Lumped {
 }
 
 impl Lumped {
-    pub(super) fn of(scene: &Scene) -> Self {
+    fn of(scene: &Scene) -> Self {
         let values = Values::of(scene);
         Self {
             load_n_m: values.load_stiffness_n_m,

@@ -1,6 +1,7 @@
 //! The part of a scene that says how the force between projectile and plate is modelled: which of the models of thesis
 //! section 8.2, and what each of them needs. `variables` says which of them matter to which model.
 
+use crate::model::contact_models::contact_models;
 use crate::model::defaulted::defaulted;
 use crate::model::worded::worded;
 
@@ -30,23 +31,18 @@ defaulted! {
     }
 }
 
-worded! {
-    /// How the force between projectile and plate is modelled.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-    pub enum ContactModel: word {
-        /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-        #[default]
-        Hydrodynamic = "hydrodynamic",
-        /// A prescribed half-sine force history, equation 8.9.
-        HalfSine = "half-sine",
-        /// A perfectly inelastic collision at once, equation 8.11.
-        InitialVelocity = "initial-velocity",
-        /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
-        Lumped = "lumped",
-        /// The listing of Appendix A.
-        Appendix = "appendix",
-    }
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident = $word:literal, $about:path;)+) => {
+        worded! {
+            /// How the force between projectile and plate is modelled.
+            #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+            pub enum ContactModel: word {
+                $($(#[$doc])* $kind = $word,)+
+            }
+        }
+    };
 }
+contact_models!(kinds);
 
 worded! {
     /// How one doubtful place of the listing is read.
