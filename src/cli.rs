@@ -23,6 +23,7 @@ mod fit;
 mod help;
 mod install;
 mod join;
+mod keys;
 mod libraries;
 mod limit;
 mod man;

@@ -5,11 +5,7 @@ use std::process::ExitCode;
 use clap::{ArgMatches, Args, Command, CommandFactory as _};
 use cmra_studies::enumeration;
 
-use crate::cli::{
-    Arguments, CliError, accuracy, compare, completions, design, explain, fit, help, install, join,
-    libraries, limit, man, monte_carlo, optimise, paths, presets, report, reproduce, run, seek,
-    sensitivity, stability, sweep, validate, variables,
-};
+use crate::cli::{self, Arguments, CliError};
 
 enumeration! {
     /// The groups of commands in `cmra --help`.
@@ -38,7 +34,7 @@ pub(super) struct Row {
 }
 
 macro_rules! commands {
-    ($($group:ident $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $run:path;)*) => {
+    ($($group:ident $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $module:ident;)*) => {
         /// Every command, in the order of `cmra --help`.
         pub(super) const COMMANDS: &[Row] = &[$(Row {
             group: Group::$group,
@@ -47,39 +43,39 @@ macro_rules! commands {
             old_name: [$($old,)?].first().copied(),
             spelling: [$($or,)?].first().copied(),
             // The descriptions of shared arguments would replace its own.
-            arguments: |command| augmented(command, $run).about($about).long_about(None::<&str>),
-            run: |matches| $run(&read(matches)?),
+            arguments: |command| augmented(command, cli::$module::run).about($about).long_about(None::<&str>),
+            run: |matches| cli::$module::run(&read(matches)?),
         }),*];
     };
 }
 
 commands! {
-    Explore "run" "Run one scene and print what happened" run::run;
-    Explore "sweep" "Run a scene at every point of one or more axes" sweep::run;
-    Explore "join" "Join the parts of a sweep that was computed with --shard" join::run;
-    Decide "limit" "Find the ballistic limit and the residual velocity beyond it" limit::run;
-    Decide "fit" "Find V50 from shots of a test, and the strength that gives it" fit::run;
-    Decide "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare::run;
-    Decide "seek" "Find the values of a variable that reach a goal" seek::run;
-    Decide "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise::run;
-    Decide "sensitivity" "Find which variables matter most" sensitivity::run;
-    Decide "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo::run;
-    Decide "report" "Write one file with scene, results, charts and warnings" report::run;
-    Check "accuracy" "Compare the error and the run time of every method" accuracy::run;
-    Check "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability::run;
-    Check "reproduce" "Check every claim of the thesis" reproduce::run;
-    Check "validate" "Compare the model with measurements from the literature" validate::run;
-    Data "presets" "List the presets, or show one" presets::run;
-    Data "variables" "List every variable of a scene: symbol, name, default, meaning" variables::run;
-    Data "explain" "Explain one variable or quantity" explain::run;
-    Data "libraries" "List threats, materials and absorbers with their sources" libraries::run;
-    Data "design" "Print formulas, the screening matrix and the design principles" design::run;
-    Data "keys" "Print every key of the workbench" help::run_keys;
-    Data "help" "Explain a topic (scenes, csv, equations, ...) or a command" help::run;
-    Data "paths" "Print where this program keeps presets, session and log" paths::run;
-    Data "completions" "Print a completion script for a shell" completions::run;
-    Data "man" "Print the manual page, in roff" man::run;
-    Data "install" "Install manual pages and shell completions" install::run;
+    Explore "run" "Run one scene and print what happened" run;
+    Explore "sweep" "Run a scene at every point of one or more axes" sweep;
+    Explore "join" "Join the parts of a sweep that was computed with --shard" join;
+    Decide "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
+    Decide "fit" "Find V50 from shots of a test, and the strength that gives it" fit;
+    Decide "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
+    Decide "seek" "Find the values of a variable that reach a goal" seek;
+    Decide "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
+    Decide "sensitivity" "Find which variables matter most" sensitivity;
+    Decide "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo;
+    Decide "report" "Write one file with scene, results, charts and warnings" report;
+    Check "accuracy" "Compare the error and the run time of every method" accuracy;
+    Check "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
+    Check "reproduce" "Check every claim of the thesis" reproduce;
+    Check "validate" "Compare the model with measurements from the literature" validate;
+    Data "presets" "List the presets, or show one" presets;
+    Data "variables" "List every variable of a scene: symbol, name, default, meaning" variables;
+    Data "explain" "Explain one variable or quantity" explain;
+    Data "libraries" "List threats, materials and absorbers with their sources" libraries;
+    Data "design" "Print formulas, the screening matrix and the design principles" design;
+    Data "keys" "Print every key of the workbench" keys;
+    Data "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
+    Data "paths" "Print where this program keeps presets, session and log" paths;
+    Data "completions" "Print a completion script for a shell" completions;
+    Data "man" "Print the manual page, in roff" man;
+    Data "install" "Install manual pages and shell completions" install;
 }
 
 /// Of a command that takes none.

@@ -37,15 +37,17 @@ fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
         return table.alone().deliver(&list(), &quantity_rows(&all));
     }
     let spelled = name.replace([' ', '-'], "_");
-    if let Some(quantity) = quantities::find(name).or_else(|| quantities::find(&spelled)) {
+    let is_quantity = [name, &spelled].into_iter().any(|it| quantities::find(it).is_some());
+    let variable = find(name).or_else(|_| find(&spelled)).ok().filter(|_| !is_quantity);
+    let Some(variable) = variable else {
+        let quantity = quantities::named(name).map_err(|_unknown| {
+            CliError::Option(format!(
+                "`{name}` is neither a variable ({}) nor a quantity ({})",
+                nearest(name),
+                quantities::nearest(name)
+            ))
+        })?;
         return table.alone().deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
-    }
-    let Ok(variable) = find(name).or_else(|_| find(&spelled)) else {
-        return Err(CliError::Option(format!(
-            "`{name}` is neither a variable ({}) nor a quantity ({})",
-            nearest(name),
-            quantities::nearest(name)
-        )));
     };
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
     let mut line = |label: &str, text: &str| {

@@ -1,16 +1,13 @@
-//! `cmra help [TOPIC]`, `cmra keys`, and the commands in groups at the top of `cmra --help`.
+//! `cmra help [TOPIC]`, and the commands in groups at the top of `cmra --help`.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::{Args, Command};
 
-use crate::cli::commands::{self, COMMANDS, Group, NoArguments};
-use crate::cli::{CliError, output};
+use crate::cli::commands::{self, COMMANDS, Group};
+use crate::cli::{CliError, keys, output};
 use crate::files::error::did_you_mean;
-use crate::tui::app::status::wrap;
-use crate::tui::keymap::{Keymap, LINES, Scope};
-use crate::tui::pages::all_panes;
 
 /// One page of `cmra help`.
 struct Topic {
@@ -32,9 +29,6 @@ const TOPICS: [Topic; 8] = [
     Topic { name: "validation", about: "where the model may be used, and where not", text: include_str!("help/validation.txt") },
 ];
 const KEYS: &str = "keys";
-
-/// Width of the text of a key, for a terminal of 80 columns.
-const HELP_WIDTH: usize = 52;
 
 #[derive(Debug, Args)]
 pub(super) struct HelpArguments {
@@ -73,7 +67,7 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
     let mut command = command();
     command.build();
     let text = if name == KEYS {
-        keys()
+        keys::page()
     } else if let Some(topic) = TOPICS.iter().find(|topic| topic.name == name) {
         topic.text.to_owned()
     } else if let Some(found) = command.find_subcommand_mut(name) {
@@ -82,11 +76,6 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
         return Err(unknown(name));
     };
     output::print(&text)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-pub(super) fn run_keys(_: &NoArguments) -> Result<ExitCode, CliError> {
-    output::print(&keys())?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -106,40 +95,6 @@ fn list() -> String {
     text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
 }
 
-/// The table of keys: what each means in every pane, then what it does in particular in each.
-fn keys() -> String {
-    let map = Keymap::default();
-    let mut text = String::from(
-        "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
-         focused pane first. Other keys: [keys] in config.toml (`cmra paths` names it),\n\
-         each action by its name in brackets, as in `undo = \"U\"`.\n",
-    );
-    let line = |text: &mut String, keys: &str, help: &str| {
-        for (row, line) in wrap(help, HELP_WIDTH).into_iter().enumerate() {
-            let keys = if row == 0 { keys } else { "" };
-            let _ = writeln!(text, "  {keys:<20}  {line}");
-        }
-    };
-    let table = |text: &mut String, wanted: bool| {
-        for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
-            let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
-            let help = format!("{} [{}]", row.meaning, names.join(", "));
-            line(text, &map.line_label(row), &help);
-        }
-    };
-    text.push_str("\nIn every pane\n");
-    table(&mut text, true);
-    text.push_str("\nIn forms, charts and tables\n");
-    table(&mut text, false);
-    for pane in all_panes() {
-        let _ = writeln!(text, "\n{}", pane.label);
-        for row in pane.keys {
-            line(&mut text, &map.label(row.action), row.help);
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -149,7 +104,7 @@ mod tests {
     #[test]
     fn pages_fit_80_columns() {
         let pages = TOPICS.iter().map(|topic| (topic.name, topic.text.to_owned()));
-        for (name, text) in pages.chain([(KEYS, keys()), ("list", list())]) {
+        for (name, text) in pages.chain([(KEYS, keys::page()), ("list", list())]) {
             for line in text.lines() {
                 assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
             }

@@ -31,7 +31,7 @@ use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::grid::{Grid, PIECE};
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
-use axes::{Asked, DesignWord};
+use axes::PointArguments;
 
 #[derive(Debug, Args)]
 #[command(
@@ -50,22 +50,8 @@ use axes::{Asked, DesignWord};
 pub(super) struct SweepArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// An axis: a variable with its first and last value (SI, or with a unit), the number of points and `:log` for equal ratios,
-    /// or with a list of values; may be repeated
-    #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
-    over: Vec<String>,
-    /// How the sample points are chosen
-    #[arg(long, value_enum, default_value = "factorial")]
-    design: DesignWord,
-    /// Number of points of --design lhs or sobol [default: as many as the full grid]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    points: Option<u64>,
-    /// Seed of the design: the same seed gives the same points [default: 0]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    seed: Option<u64>,
-    /// Results to compute, separated by commas; `all` for every key
-    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
-    outputs: Vec<String>,
+    #[command(flatten)]
+    points: PointArguments,
     /// Compute only part I of N
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
@@ -84,20 +70,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     let csv_wanted = !matches!(arguments.table.target(), Target::None);
     let rows_wanted = arguments.table.json || csv_wanted;
-    let usual = axes::usual(&preset.scene);
-    let asked = Asked {
-        over: &arguments.over,
-        design: arguments.design,
-        points: arguments.points,
-        seed: arguments.seed,
-        // A person reading a page wants the few results that count.
-        outputs: if rows_wanted || !arguments.outputs.is_empty() {
-            &arguments.outputs
-        } else {
-            &usual
-        },
-    };
-    let (plan, all) = axes::plan(&preset.scene, &preset.name, &asked)?;
+    let (plan, columns) = arguments.points.plan(&preset, !rows_wanted)?;
     let plan = Arc::new(plan);
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
@@ -112,7 +85,6 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let stop = interruptible();
     let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
     let start = Instant::now();
-    let columns = if all { Columns::All } else { Columns::Chosen };
     let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = if rows_wanted {

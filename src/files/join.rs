@@ -17,7 +17,7 @@ use crate::files::style::Style;
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::VARIABLES;
-use crate::study::sweep::{Axis, COUNTS, Plan, Shard};
+use crate::study::sweep::{Axis, Plan, Shard};
 
 const PIECE: usize = 1 << 16;
 
@@ -58,8 +58,8 @@ impl Whole {
             }
         }
         each_once(&found)?;
-        let axes = first.scene.sweep.iter().flat_map(|sweep| &sweep.axes);
-        let axes = axes.map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<Vec<_>, _>>();
+        let sweep = first.scene.sweep.clone().unwrap_or_default();
+        let axes = Axis::all_of(&sweep);
         let plan = axes.and_then(|axes| Plan::new(&first.scene, axes, first.part.design, &[""; 0]));
         let plan = plan.map_err(|error| refuse(format!("`{}`: {error}", shown(&first.path))))?;
         for one in &found {
@@ -137,19 +137,16 @@ fn difference(one: &Found, other: &Found) -> Option<String> {
         (one != other).then(|| format!("{what} is {one} in one and {other} in the other"))
     };
     let count = |found: &Found| found.part.shard.place().1.to_string();
-    let design = |found: &Found| format!("{:?}", found.part.design);
+    let design = |found: &Found| found.part.design.to_string();
     let variable = || {
         VARIABLES.iter().find_map(|variable| {
             both(variable.symbol, &variable.show(&one.scene), &variable.show(&other.scene))
         })
     };
-    let axes = |found: &Found| -> String {
-        let axes = found.scene.sweep.iter().flat_map(|sweep| &sweep.axes);
-        let axes = axes.map(|axis| match Axis::of(axis, &COUNTS) {
-            Ok(axis) => format!("{axis:?}"),
-            Err(error) => error.to_string(),
-        });
-        axes.collect::<Vec<_>>().join(" ")
+    let axes = |found: &Found| match found.scene.sweep.as_ref().map(Axis::all_of) {
+        None => String::new(),
+        Some(Ok(axes)) => axes.iter().map(|axis| format!("{axis:?}")).collect::<Vec<_>>().join(" "),
+        Some(Err(error)) => error.to_string(),
     };
     let outputs = |found: &Found| -> String {
         let sweep = found.scene.sweep.as_ref();

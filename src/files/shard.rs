@@ -6,7 +6,8 @@ use crate::files::clean;
 use crate::files::export::{self, Beside};
 use crate::files::style::Style;
 use crate::model::scene::Scene;
-use crate::study::sweep::{Axis, COUNTS, Design, Shard};
+use crate::study::sweep::axis::placed;
+use crate::study::sweep::{Axis, Design, Sampling, Shard};
 use crate::study::validity;
 
 /// A part of a sweep, as its sidecar describes it.
@@ -32,8 +33,9 @@ impl Part {
 
     fn notes(&self, own: &str, scene: &Scene, missing: Option<&str>) -> String {
         let mut again = format!("cmra sweep {}", clean::shell_word(own));
-        if let Some((points, seed)) = self.sampled() {
-            let word = self.design.word();
+        let Design { sampling, points, seed } = self.design;
+        if sampling != Sampling::Factorial {
+            let word = sampling.word();
             let _ = write!(again, " --design {word} --points {points} --seed {seed}");
         }
         if self.shard != Shard::WHOLE {
@@ -48,25 +50,15 @@ impl Part {
         text + &export::again(&again)
     }
 
-    /// Points and seed of a design that is not a full grid.
-    fn sampled(&self) -> Option<(u64, u64)> {
-        match self.design {
-            Design::Factorial => None,
-            Design::LatinHypercube { points, seed } | Design::Sobol { points, seed } => {
-                Some((points, seed))
-            }
-        }
-    }
-
     /// The lines that `join` reads.
     fn lines(&self) -> Vec<String> {
         if self.shard == Shard::WHOLE {
             return Vec::new();
         }
-        let (points, seed) = self.sampled().unwrap_or_default();
+        let Design { sampling, points, seed } = self.design;
         vec![
             format!("shard: {}", self.shard),
-            format!("design: {} {points} {seed}", self.design.word()),
+            format!("design: {} {points} {seed}", sampling.word()),
             format!("name: {}", clean::line(&self.name)),
             format!("style: {}", self.style.word()),
         ]
@@ -90,13 +82,8 @@ impl Part {
             let words: Vec<&str> = note("design")?.split(' ').collect();
             let [word, points, seed] = words[..] else { return None };
             let (points, seed) = (points.parse().ok()?, seed.parse().ok()?);
-            [
-                Design::Factorial,
-                Design::LatinHypercube { points, seed },
-                Design::Sobol { points, seed },
-            ]
-            .into_iter()
-            .find(|design| design.word() == word)
+            let sampling = Sampling::ALL.into_iter().find(|it| it.word() == word)?;
+            Some(Design { sampling, points, seed })
         };
         let style =
             note("style").and_then(|word| Style::ALL.into_iter().find(|it| it.word() == word));
@@ -111,12 +98,8 @@ impl Part {
 
 /// Warnings about the rows, as lines of a sidecar.
 fn warnings(scene: &Scene) -> Vec<String> {
-    let axes = scene.sweep.iter().flat_map(|sweep| &sweep.axes);
-    let axes: Vec<Axis> = axes.filter_map(|axis| Axis::of(axis, &COUNTS).ok()).collect();
-    let mut base = scene.clone();
-    for axis in &axes {
-        (axis.number().set)(&mut base, Some(axis.ends().0));
-    }
-    let warnings = validity::of_axes(&base, &axes);
+    let axes = scene.sweep.as_ref().and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
+    let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().0).collect();
+    let warnings = validity::of_axes(&placed(scene, &axes, &ends), &axes);
     warnings.iter().map(|warning| format!("warning: {}", clean::line(warning))).collect()
 }

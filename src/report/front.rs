@@ -78,11 +78,7 @@ fn candidates<'f>(task: &Task, front: &'f Front) -> impl Iterator<Item = Row<'f>
     front.candidates.iter().map(|candidate| Row {
         law: front.law,
         kind: candidate.name,
-        values: task
-            .axes
-            .iter()
-            .map(|axis| (axis.number().get)(candidate.scene.as_ref()?))
-            .collect(),
+        values: task.axes.iter().map(|axis| axis.get(candidate.scene.as_ref()?)).collect(),
         measures: &candidate.measures,
         outcome: word_of(&candidate.standing),
     })

@@ -143,7 +143,7 @@ impl Sheet<'_> {
     pub fn json_head(&self, shard: Shard) -> String {
         let mut text = String::from("{\n");
         let _ = writeln!(text, "  \"scene\": {},", quoted(self.scene));
-        let _ = writeln!(text, "  \"design\": {},", quoted(self.plan.design().word()));
+        let _ = writeln!(text, "  \"design\": {},", quoted(self.plan.design().sampling.word()));
         let seed = self.plan.design().seed().map_or_else(|| "null".to_owned(), |it| it.to_string());
         let _ = writeln!(text, "  \"seed\": {seed},");
         let _ = writeln!(text, "  \"points\": {},", self.plan.points());

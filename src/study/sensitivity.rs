@@ -129,7 +129,7 @@ pub fn study(
     let axes = space.axes().to_vec();
     let output = space.measures()[0];
     let inputs = axes.len();
-    let here = |axis: &Axis| (axis.number().get)(scene).unwrap_or(f64::NAN);
+    let here = |axis: &Axis| axis.get(scene).unwrap_or(f64::NAN);
     let own: Vec<f64> = axes.iter().map(here).collect();
     context.expect(effort.runs(inputs));
     // The result for each design, NaN where it has none; `None` when stopped.

@@ -24,8 +24,8 @@ use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-pub use design::Design;
 pub(in crate::study) use design::sequence;
+pub use design::{Design, Sampling};
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
@@ -164,7 +164,12 @@ impl Plan {
         axes: Vec<Axis>,
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
-        Self::of_axes(scene, axes, Design::Sobol { points: 2, seed: 0 }, outputs)
+        Self::of_axes(
+            scene,
+            axes,
+            Design { sampling: Sampling::Sobol, points: 2, seed: 0 },
+            outputs,
+        )
     }
 
     fn of_axes(
@@ -191,7 +196,7 @@ impl Plan {
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
         for axis in &plan.axes {
-            (axis.number().set)(&mut plan.base, Some(axis.ends().0));
+            axis.set(&mut plan.base, axis.ends().0);
         }
         Ok(plan)
     }
@@ -202,9 +207,7 @@ impl Plan {
     /// As [`Plan::new`]; also where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
-        let axes =
-            sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<_, _>>()?;
-        Self::new(scene, axes, Design::Factorial, &sweep.outputs)
+        Self::new(scene, Axis::all_of(sweep)?, Design::FACTORIAL, &sweep.outputs)
     }
 
     /// The same over these points in the place of its design: each has a value for every axis, in the stored unit. Whether a
@@ -245,24 +248,24 @@ impl Plan {
             let at = usize::try_from(index).unwrap_or(usize::MAX);
             return list[at * self.axes.len() + axis];
         }
-        match self.design {
-            Design::Factorial => {
+        let Design { sampling, points, seed } = self.design;
+        let own = &self.axes[axis];
+        match sampling {
+            Sampling::Factorial => {
                 let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
-                self.axes[axis].value(index / faster % self.axes[axis].count())
+                own.value(index / faster % own.count())
             }
-            Design::LatinHypercube { points, seed } => {
-                self.axes[axis].at_share(design::hypercube(index, points, axis as u64, seed))
+            Sampling::LatinHypercube => {
+                own.at_share(design::hypercube(index, points, axis as u64, seed))
             }
-            Design::Sobol { seed, .. } => self.axes[axis].at_share(sequence(index, axis, seed)),
+            Sampling::Sobol => own.at_share(sequence(index, axis, seed)),
         }
     }
 
     /// Give a scene the values of point `index`.
     pub fn place(&self, scene: &mut Scene, index: u64) {
         for (at, axis) in self.axes.iter().enumerate() {
-            let value = self.coordinate(index, at);
-            // Among listed points NaN stands for a variable that is absent, such as a stop.
-            (axis.number().set)(scene, (!value.is_nan()).then_some(value));
+            axis.set(scene, self.coordinate(index, at));
         }
     }
 
@@ -282,7 +285,7 @@ impl Plan {
             for (bit, axis) in self.axes.iter().enumerate() {
                 let (from, to) = axis.ends();
                 let value = if corner >> bit & 1 == 0 { from } else { to };
-                (axis.number().set)(&mut scene, Some(value));
+                axis.set(&mut scene, value);
                 place.push(format!("{}={}", axis.symbol(), units::shortest(value)));
             }
             variables::validate(&scene).map_err(|source| {
@@ -295,32 +298,22 @@ impl Plan {
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
-    match design {
-        Design::Factorial => {
-            let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
-            product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
-                let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
-                let most = POINTS_MAX as f64;
-                SweepError(format!(
-                    "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
-                ))
-            })
-        }
-        Design::LatinHypercube { points, .. } | Design::Sobol { points, .. } => {
-            let most = match design {
-                // The sequence repeats itself after that.
-                Design::Sobol { .. } => 1 << 32,
-                Design::LatinHypercube { .. } | Design::Factorial => POINTS_MAX,
-            };
-            if (2..=most).contains(&points) {
-                Ok(points)
-            } else {
-                Err(SweepError(format!(
-                    "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"
-                )))
-            }
-        }
+    if design.is_full() {
+        let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
+        return product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
+            let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
+            let most = POINTS_MAX as f64;
+            SweepError(format!(
+                "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
+            ))
+        });
     }
+    let (points, most) = (design.points, design.sampling.points_max());
+    (2..=most).contains(&points).then_some(points).ok_or_else(|| {
+        SweepError(format!(
+            "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"
+        ))
+    })
 }
 
 #[cfg(test)]

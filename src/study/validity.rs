@@ -44,7 +44,7 @@ pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
     for axis in axes {
         for end in [axis.ends().0, axis.ends().1] {
             let mut far = scene.clone();
-            (axis.number().set)(&mut far, Some(end));
+            axis.set(&mut far, end);
             if variables::validate(&far).is_err() {
                 continue;
             }
@@ -100,7 +100,7 @@ fn lead(name: &str, scene: &Scene, axes: &[Axis]) -> String {
     let values: Vec<String> = axes
         .iter()
         .filter_map(|axis| {
-            let value = (axis.number().get)(scene)?;
+            let value = axis.get(scene)?;
             Some(format!("{}={}", axis.symbol(), significant(value, 4)))
         })
         .collect();

@@ -2,105 +2,89 @@
 
 use std::ops::RangeInclusive;
 
-use clap::ValueEnum;
+use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::table::choice;
+use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
 use crate::model::variables::{self, Kind};
-use crate::study::sweep::{Axis, COUNTS, Design, Plan, Spacing, SweepError, USUAL_OUTPUTS};
+use crate::report::sweep::Columns;
+use crate::study::quantities::of_every_run;
+use crate::study::sweep::{
+    Axis, COUNTS, Design, Plan, Sampling, Spacing, SweepError, USUAL_OUTPUTS,
+};
 
-/// The designs to choose from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum DesignWord {
-    /// Every combination of the axes' values; the last axis varies fastest
-    Factorial,
-    /// Latin hypercube: as many slices of every axis as points, one point in each
-    Lhs,
-    /// Sobol's sequence, which fills the space evenly
-    Sobol,
+/// Which points a sweep has, and what is computed at each.
+#[derive(Debug, Args)]
+pub(super) struct PointArguments {
+    /// An axis: a variable with its first and last value (SI, or with a unit), the number of points and `:log` for equal ratios,
+    /// or with a list of values; may be repeated
+    #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
+    over: Vec<String>,
+    /// How the sample points are chosen
+    #[arg(long, default_value = "factorial", value_parser = choice(&Sampling::ALL, Sampling::word, Sampling::about))]
+    design: Sampling,
+    /// Number of points of --design lhs or sobol [default: as many as the full grid]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    points: Option<u64>,
+    /// Seed of the design: the same seed gives the same points [default: 0]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    seed: Option<u64>,
+    /// Results to compute, separated by commas; `all` for every key
+    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
 }
 
-/// The design requested by the options.
-pub(super) struct Asked<'a> {
-    pub(super) over: &'a [String],
-    pub(super) design: DesignWord,
-    pub(super) points: Option<u64>,
-    pub(super) seed: Option<u64>,
-    pub(super) outputs: &'a [String],
-}
+impl PointArguments {
+    /// The plan of a sweep and its columns. Where no outputs are named a page has the few that count.
+    pub(super) fn plan(&self, preset: &Preset, is_page: bool) -> Result<(Plan, Columns), CliError> {
+        let scene = &preset.scene;
+        let axes = if self.over.is_empty() {
+            let sweep = scene.sweep.as_ref();
+            let sweep = sweep.ok_or_else(|| {
+                CliError::Option(format!(
+                    "{} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101",
+                    preset.name
+                ))
+            })?;
+            Axis::all_of(sweep)?
+        } else {
+            // Designs other than the full grid have no use for a count.
+            let usual = (self.design != Sampling::Factorial).then_some(*COUNTS.start());
+            let axes = self.over.iter().map(|text| over(text, usual, &COUNTS));
+            axes.collect::<Result<Vec<_>, _>>()?
+        };
+        let design = self.design(&axes)?;
+        let (outputs, columns) = self.outputs(scene, is_page);
+        Ok((Plan::new(scene, axes, design, &outputs)?, columns))
+    }
 
-/// The outputs: named, all there are, or the usual ones.
-pub(super) enum Outputs {
-    /// These.
-    Named(Vec<String>),
-    /// Every key of a run.
-    All,
-}
-
-/// The plan of a sweep and whether it has all columns.
-pub(super) fn plan(scene: &Scene, name: &str, asked: &Asked<'_>) -> Result<(Plan, bool), CliError> {
-    let axes = if asked.over.is_empty() {
-        let sweep = scene.sweep.as_ref();
-        let sweep = sweep.ok_or_else(|| {
-            CliError::Option(format!(
-                "{name} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101"
-            ))
-        })?;
-        sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<Vec<_>, _>>()?
-    } else {
-        // Designs other than the full grid have no use for a count.
-        let usual = (asked.design != DesignWord::Factorial).then_some(*COUNTS.start());
-        let axes = asked.over.iter().map(|text| over(text, usual, &COUNTS));
-        axes.collect::<Result<Vec<_>, _>>()?
-    };
-    let design = design(asked, &axes)?;
-    let (outputs, all) = match outputs(scene, asked.outputs) {
-        Outputs::Named(names) => (names, false),
-        Outputs::All => {
-            let all = crate::study::quantities::of_every_run();
-            (all.map(|column| column.name.to_owned()).collect(), true)
+    fn outputs(&self, scene: &Scene, is_page: bool) -> (Vec<String>, Columns) {
+        let kept = scene.sweep.as_ref().map(|sweep| &sweep.outputs).filter(|it| !it.is_empty());
+        let every = || of_every_run().map(|column| column.name.to_owned()).collect();
+        match (&self.outputs[..], kept) {
+            ([only], _) if only == "all" => (every(), Columns::All),
+            ([], Some(kept)) => (kept.clone(), Columns::Chosen),
+            ([], None) if is_page => (USUAL_OUTPUTS.map(str::to_owned).to_vec(), Columns::Chosen),
+            ([], None) => (every(), Columns::All),
+            (named, _) => (named.to_vec(), Columns::Chosen),
         }
-    };
-    Ok((Plan::new(scene, axes, design, &outputs)?, all))
-}
-
-fn outputs(scene: &Scene, asked: &[String]) -> Outputs {
-    let kept = scene.sweep.as_ref().map(|sweep| sweep.outputs.clone());
-    match (asked, kept) {
-        ([only], _) if only == "all" => Outputs::All,
-        ([], Some(kept)) if !kept.is_empty() => Outputs::Named(kept),
-        ([], _) => Outputs::All,
-        (named, _) => Outputs::Named(named.to_vec()),
     }
-}
 
-/// The outputs shown where none are given.
-pub(super) fn usual(scene: &Scene) -> Vec<String> {
-    match &scene.sweep {
-        Some(sweep) if !sweep.outputs.is_empty() => sweep.outputs.clone(),
-        Some(_) | None => USUAL_OUTPUTS.map(str::to_owned).to_vec(),
-    }
-}
-
-fn design(asked: &Asked<'_>, axes: &[Axis]) -> Result<Design, CliError> {
-    if asked.design == DesignWord::Factorial {
-        let option = if asked.points.is_some() { "--points" } else { "--seed" };
-        if asked.points.is_some() || asked.seed.is_some() {
+    fn design(&self, axes: &[Axis]) -> Result<Design, CliError> {
+        if self.design == Sampling::Factorial && (self.points.is_some() || self.seed.is_some()) {
+            let option = if self.points.is_some() { "--points" } else { "--seed" };
             return Err(CliError::Option(format!(
                 "{option} is for --design lhs or sobol: a full grid has the COUNT of each axis"
             )));
         }
-        return Ok(Design::Factorial);
+        // Without --points as many as the full grid would have.
+        let product = || axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
+        let points = self.points.or_else(product).unwrap_or(u64::MAX);
+        Ok(Design::new(self.design, points, self.seed.unwrap_or(0)))
     }
-    // Without --points as many as the full grid would have.
-    let product = || axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
-    let points = asked.points.or_else(product).unwrap_or(u64::MAX);
-    let seed = asked.seed.unwrap_or(0);
-    Ok(match asked.design {
-        DesignWord::Sobol => Design::Sobol { points, seed },
-        DesignWord::Factorial | DesignWord::Lhs => Design::LatinHypercube { points, seed },
-    })
 }
 
 /// The two forms of an axis.

@@ -13,7 +13,9 @@ use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
 use crate::report::table::Table;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Design, Plan, PointOutcome, Spacing, Summary, USUAL_OUTPUTS};
+use crate::study::sweep::{
+    Axis, Design, Plan, PointOutcome, Sampling, Spacing, Summary, USUAL_OUTPUTS,
+};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -30,7 +32,7 @@ pub(super) struct Head<'a> {
 /// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
 pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
     let whole = *points == (0..plan.points());
-    let drawable = plan.design() == Design::Factorial && plan.axes().len() <= 2;
+    let drawable = plan.design().is_full() && plan.axes().len() <= 2;
     whole && drawable && plan.points() <= KEPT_MAX
 }
 
@@ -53,10 +55,11 @@ pub(super) fn undrawable() -> String {
 
 pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option<&Grid>) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
-    let design = match plan.design() {
-        Design::Factorial => "every combination".to_owned(),
-        Design::LatinHypercube { seed, .. } => format!("Latin hypercube, seed {seed}"),
-        Design::Sobol { seed, .. } => format!("Sobol's sequence, seed {seed}"),
+    let Design { sampling, seed, .. } = plan.design();
+    let design = match sampling {
+        Sampling::Factorial => "every combination".to_owned(),
+        Sampling::LatinHypercube => format!("Latin hypercube, seed {seed}"),
+        Sampling::Sobol => format!("Sobol's sequence, seed {seed}"),
     };
     let mut page = format!("{}: {}\n", head.name, axes.join("; "));
     let _ = writeln!(
@@ -173,12 +176,6 @@ pub(super) fn comments(preset: &Preset, plan: &Plan) -> String {
         let unit = export::unit_behind(axis.variable());
         let _ = writeln!(text, "# over {}: {}{unit}", axis.variable().key, axis.range());
     }
-    let design = plan.design();
-    let _ = match design {
-        Design::Factorial => writeln!(text, "# design: {}", design.word()),
-        Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. } => {
-            writeln!(text, "# design: {}, {} points, seed {seed}", design.word(), plan.points())
-        }
-    };
+    let _ = writeln!(text, "# design: {}", plan.design());
     text
 }

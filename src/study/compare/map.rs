@@ -44,7 +44,7 @@ impl Map {
         if own.run.tolerance < TOLERANCE {
             own.run.tolerance = TOLERANCE;
         }
-        let plan = Plan::new(&own, axes.to_vec(), Design::Factorial, &["final_penetration_m"])?;
+        let plan = Plan::new(&own, axes.to_vec(), Design::FACTORIAL, &["final_penetration_m"])?;
         let worker = || {
             let mut placed = plan.base().clone();
             let plan = &plan;

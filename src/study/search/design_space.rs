@@ -10,6 +10,7 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
 use crate::study::context::{Context, Stop, Work};
 use crate::study::quantities::Quantity;
+use crate::study::sweep::axis::placed;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Evaluator, Failure, Plan, PointOutcome, SweepError};
 
@@ -80,11 +81,7 @@ impl DesignSpace {
 
     /// The scene of a design: a value for every axis, in the stored unit.
     pub fn scene(&self, design: &[f64]) -> Scene {
-        let mut scene = self.plan.base().clone();
-        for (axis, value) in self.axes().iter().zip(design) {
-            (axis.number().set)(&mut scene, (!value.is_nan()).then_some(*value));
-        }
-        scene
+        placed(self.plan.base(), self.axes(), design)
     }
 
     /// Evaluate designs, each a value for every axis, in the stored unit (NaN: the variable is absent). Fewer than those when it was
@@ -155,7 +152,7 @@ impl DesignSpace {
         let scene = self.plan.base();
         let mut far = scene.clone();
         for axis in self.axes() {
-            (axis.number().set)(&mut far, Some(larger(axis.ends().0, axis.ends().1)));
+            axis.set(&mut far, larger(axis.ends().0, axis.ends().1));
         }
         let forced = self.measures().iter().any(|it| it.needs_course(&far));
         scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(&self.plan)

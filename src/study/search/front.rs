@@ -15,6 +15,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::search::design_space::{DesignSpace, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
+use crate::study::sweep::axis::placed;
 use crate::study::sweep::{Axis, Failure, PointOutcome, SweepError};
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
@@ -165,11 +166,7 @@ pub struct Front {
 impl Front {
     /// The scene of one of its designs.
     pub fn scene(&self, task: &Task, design: &Design) -> Scene {
-        let mut scene = self.base.clone();
-        for (axis, value) in task.axes.iter().zip(&design.values) {
-            (axis.number().set)(&mut scene, (!value.is_nan()).then_some(*value));
-        }
-        scene
+        placed(&self.base, &task.axes, &design.values)
     }
 }
 
@@ -311,12 +308,12 @@ impl Search<'_> {
     fn shares_of(&self, scene: &Scene) -> Option<Vec<f64>> {
         let mut held = scene.clone();
         for axis in self.space.axes() {
-            (axis.number().set)(&mut held, (axis.number().get)(self.scene));
+            axis.set(&mut held, axis.get(self.scene).unwrap_or(f64::NAN));
         }
         if held != *self.scene {
             return None;
         }
-        let share = |axis: &Axis| axis.share((axis.number().get)(scene)?);
+        let share = |axis: &Axis| axis.share(axis.get(scene)?);
         self.space.axes().iter().map(share).collect()
     }
 
@@ -428,7 +425,7 @@ impl Search<'_> {
         let axis = self.space.axes().first()?;
         let names: Vec<&str> = self.space.measures().iter().map(|column| column.name).collect();
         let space = DesignSpace::new(scene, vec![axis.clone()], &names).ok()?;
-        let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
+        let value = axis.get(scene).unwrap_or(f64::NAN);
         let mut watch = |_, _: Option<&()>| {
             if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };

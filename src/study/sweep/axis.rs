@@ -6,7 +6,7 @@
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::model::scene::SweepAxis;
+use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Allowed, Kind, Number, Variable};
 use crate::study::sweep::SweepError;
@@ -153,12 +153,30 @@ impl Axis {
         Self::within(&asked.name, (asked.from, asked.to), count, spacing, counts)
     }
 
+    /// The axes of a sweep as a scene keeps it.
+    ///
+    /// # Errors
+    /// As [`Axis::new`].
+    pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
+        sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
+    }
+
+    /// The variable's value in a scene; `None` where it is absent.
+    pub fn get(&self, scene: &Scene) -> Option<f64> {
+        (self.number.get)(scene)
+    }
+
+    /// Gives a scene this value of the variable; NaN stands for a variable that is absent, such as a stop.
+    pub fn set(&self, scene: &mut Scene, value: f64) {
+        (self.number.set)(scene, (!value.is_nan()).then_some(value));
+    }
+
     /// The variable.
     pub fn variable(&self) -> &'static Variable {
         self.variable
     }
 
-    /// The variable's number: its unit, and how it is set.
+    /// The variable's number: its unit, and what is allowed.
     pub fn number(&self) -> &'static Number {
         self.number
     }
@@ -301,6 +319,15 @@ impl Axis {
         // Rounding, or an overflow of the products, must not leave the range.
         if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
     }
+}
+
+/// A scene with a value for each of these axes, in their stored units; NaN: the variable is absent.
+pub fn placed(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
+    let mut own = scene.clone();
+    for (axis, value) in axes.iter().zip(values) {
+        axis.set(&mut own, *value);
+    }
+    own
 }
 
 /// Checks whether an axis may have this number of points; `value` is one to hold it at.

@@ -1,47 +1,84 @@
 //! Which points a sweep visits: the full grid, a Latin hypercube, or Sobol's sequence. Every point is found from its index
 //! alone, so that a design of 10^8 points needs no memory and any part of it can be made anywhere.
 
-use crate::numerics::random::Random;
-use crate::study::sweep::sobol;
+use std::fmt;
 
-/// A design.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Design {
-    /// Every combination of the axes' values; the last axis varies fastest.
-    Factorial,
-    /// A given number of points, one in each of as many slices of every axis (`McKay`, Beckman and Conover 1979).
+use crate::numerics::random::Random;
+use crate::study::sweep::{POINTS_MAX, sobol};
+
+enumeration! {
+    /// How the points of a sweep are chosen.
+    #[derive(Default)]
+    pub enum Sampling in SamplingRow {
+        /// The word of the command line and of files.
+        word: &'static str,
+        /// The word of forms.
+        label: &'static str,
+        /// Its description.
+        about: &'static str,
+        /// Maximum number of points.
+        points_max: u64,
+    }
+    /// Every combination of the axes' values.
+    #[default]
+    Factorial {
+        word: "factorial", label: "grid", points_max: POINTS_MAX,
+        about: "Every combination of the axes' values; the last axis varies fastest"
+    }
+    /// One point in each of as many slices of every axis as points (`McKay`, Beckman and Conover 1979).
     LatinHypercube {
-        /// How many, >= 2.
-        points: u64,
-        /// Seed of the design: the same seed gives the same points.
-        seed: u64,
-    },
-    /// A given number of points of Sobol's low-discrepancy sequence with the direction numbers of Joe and Kuo (2008); a seed other than
-    /// 0 shifts it digit by digit.
+        word: "lhs", label: "lhs", points_max: POINTS_MAX,
+        about: "Latin hypercube: as many slices of every axis as points, one point in each"
+    }
+    /// Sobol's low-discrepancy sequence with the direction numbers of Joe and Kuo (2008), which repeats itself after its greatest
+    /// number of points; a seed other than 0 shifts it digit by digit.
     Sobol {
-        /// How many, >= 2.
-        points: u64,
-        /// 0: the sequence itself.
-        seed: u64,
-    },
+        word: "sobol", label: "sobol", points_max: 1 << 32,
+        about: "Sobol's sequence, which fills the space evenly"
+    }
+}
+
+/// A design; of a full grid, whose axes have counts, points and seed are 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Design {
+    /// How its points are chosen.
+    pub sampling: Sampling,
+    /// How many there are, >= 2.
+    pub points: u64,
+    /// The same seed gives the same points.
+    pub seed: u64,
 }
 
 impl Design {
-    /// The word of the command line and of files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Factorial => "factorial",
-            Self::LatinHypercube { .. } => "lhs",
-            Self::Sobol { .. } => "sobol",
+    /// The full grid.
+    pub const FACTORIAL: Self = Self { sampling: Sampling::Factorial, points: 0, seed: 0 };
+
+    /// A design; the full grid has no use for points and seed.
+    pub fn new(sampling: Sampling, points: u64, seed: u64) -> Self {
+        if sampling == Sampling::Factorial {
+            return Self::FACTORIAL;
         }
+        Self { sampling, points, seed }
+    }
+
+    /// Whether it is the full grid.
+    pub fn is_full(self) -> bool {
+        self.sampling == Sampling::Factorial
     }
 
     /// The seed, where there is one.
     pub fn seed(self) -> Option<u64> {
-        match self {
-            Self::Factorial => None,
-            Self::LatinHypercube { seed, .. } | Self::Sobol { seed, .. } => Some(seed),
+        (!self.is_full()).then_some(self.seed)
+    }
+}
+
+impl fmt::Display for Design {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.sampling.word())?;
+        if self.is_full() {
+            return Ok(());
         }
+        write!(f, ", {} points, seed {}", self.points, self.seed)
     }
 }
 

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::study::context::{Context, Work};
 use crate::study::quantities::{Needs, Quantity};
 use crate::study::sweep::summary::OutcomeCounts;
-use crate::study::sweep::{Design, Evaluator, Plan, PointOutcome, Rows, SweepError};
+use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows, SweepError};
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
@@ -76,11 +76,11 @@ impl Grid {
     /// An empty grid for a factorial plan of one or two axes, or a plan of any other design, of at most [`GRID_MAX`] points;
     /// `None` for other plans.
     pub fn new(plan: Arc<Plan>) -> Option<Self> {
-        let counts = match (plan.design(), plan.axes()) {
-            (Design::Factorial, [x]) => (x.count(), 1),
-            (Design::Factorial, [x, y]) => (x.count(), y.count()),
-            (Design::Factorial, _) => return None,
-            (Design::LatinHypercube { .. } | Design::Sobol { .. }, _) => (plan.points(), 1),
+        let counts = match plan.axes() {
+            _ if !plan.design().is_full() => (plan.points(), 1),
+            [x] => (x.count(), 1),
+            [x, y] => (x.count(), y.count()),
+            _ => return None,
         };
         fits(&plan).ok()?;
         let counts = (usize::try_from(counts.0).ok()?, usize::try_from(counts.1).ok()?);
@@ -107,7 +107,7 @@ impl Grid {
 
     /// Whether it is a full grid: then neighbours are neighbours along its axes.
     pub fn is_full(&self) -> bool {
-        self.plan.design() == Design::Factorial
+        self.plan.design().is_full()
     }
 
     /// The value of an axis at a point, in the stored unit.

@@ -69,7 +69,7 @@ fn sweep(count: u64) -> PictureSweep {
     scene.interface.law = InterfaceLaw::Plastic;
     let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
     let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
-    let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+    let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
     PictureSweep { picture: Picture::Surface, plan: Arc::new(plan) }
 }
 

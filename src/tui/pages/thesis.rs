@@ -11,6 +11,7 @@ use crate::report::thesis;
 use crate::study::context::Context;
 use crate::study::principles;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
+use crate::study::sweep::Sampling;
 use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::history::{Change, Setting};
@@ -19,7 +20,7 @@ use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::pages::explore::state::{Picture, Sampling};
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::run::{self, step_of};
 use crate::tui::pages::{
     self, About, Page, Progress, Rows, StatusPart, Table, explore, note, progress,
@@ -280,7 +281,7 @@ pub(crate) fn show(app: &mut App, base: Base) {
     // The sweep as the preset has it, whatever was looked at before.
     let plan = &mut app.pages.explore.plan;
     plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
-    plan.samplings = [Sampling::Grid; 2];
+    plan.samplings = [Sampling::Factorial; 2];
     pages::of(Tab::Explore).enter(app);
     app.tell(format!("{name} loaded, here is its sweep (u undoes)"));
 }

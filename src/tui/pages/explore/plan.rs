@@ -8,7 +8,7 @@ use crate::model::scene::Scene;
 use crate::model::units;
 use crate::study::context::Context;
 use crate::study::sweep::grid::{self, Cell, GRID_COUNTS, Grid};
-use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, show_duration};
 use crate::tui::pages::explore::state::{Picture, has_family, quadratic, sweep_of};
@@ -70,7 +70,7 @@ impl App {
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),
         }
-        let design = self.pages.explore.sampling(picture).design(axes[0].count());
+        let design = Design::new(self.pages.explore.sampling(picture), axes[0].count(), 0);
         let plan = Plan::new(scene, axes, design, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)
     }

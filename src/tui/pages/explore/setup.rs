@@ -5,12 +5,12 @@ use std::ops::RangeInclusive;
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
-use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
+use crate::study::sweep::{Axis, Sampling};
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::Setting;
 use crate::tui::dialogs::{around, wrap};
-use crate::tui::pages::explore::state::{Picture, Sampling, Sweeping, has_family, sweep_of};
+use crate::tui::pages::explore::state::{Picture, Sweeping, has_family, sweep_of};
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{explore, run};
@@ -45,7 +45,7 @@ impl App {
         use SetupRow as R;
         let is_map = self.picture() == Picture::Surface;
         let has_two = is_map || has_family(&self.scene);
-        let is_grid = self.pages.explore.sampling(self.picture()) == Sampling::Grid;
+        let is_grid = self.pages.explore.sampling(self.picture()) == Sampling::Factorial;
         let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
         let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
         rows.extend(along.map(|part| R::Axis(0, part)));
@@ -104,7 +104,7 @@ impl App {
                 )
             }
             SetupRow::Design => {
-                let word = self.pages.explore.sampling(self.picture()).word();
+                let word = self.pages.explore.sampling(self.picture()).label();
                 Line::word("design", word).means(
                     "every combination; or a Latin hypercube or Sobol's sequence of so many points",
                 )

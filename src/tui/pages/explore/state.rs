@@ -13,7 +13,7 @@ use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, Design, PointOutcome, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, PointOutcome, Sampling, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::{Scale, ViewRange};
 
@@ -43,38 +43,6 @@ pub struct Found {
     pub took: Option<Duration>,
 }
 
-/// Which points a picture computes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sampling {
-    /// Every combination: curves.
-    #[default]
-    Grid,
-    /// A Latin hypercube: dots.
-    Hypercube,
-    /// Sobol's sequence: dots.
-    Sobol,
-}
-
-impl Sampling {
-    pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
-
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Grid => "grid",
-            Self::Hypercube => "lhs",
-            Self::Sobol => "sobol",
-        }
-    }
-
-    pub fn design(self, points: u64) -> Design {
-        match self {
-            Self::Grid => Design::Factorial,
-            Self::Hypercube => Design::LatinHypercube { points, seed: 0 },
-            Self::Sobol => Design::Sobol { points, seed: 0 },
-        }
-    }
-}
-
 /// How a sweep is shown, how many points it has, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplingPlan {
@@ -86,7 +54,7 @@ pub struct SamplingPlan {
 
 impl Default for SamplingPlan {
     fn default() -> Self {
-        Self { curves: CURVES, samplings: [Sampling::Grid; 2], picture: Picture::Line }
+        Self { curves: CURVES, samplings: [Sampling::Factorial; 2], picture: Picture::Line }
     }
 }
 
@@ -229,7 +197,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            let value = (axis.number().get)(&self.scene)?;
+            let value = axis.get(&self.scene)?;
             usize::try_from(axis.nearest(value)).ok()
         };
         let axes = grid.plan().axes();
@@ -241,7 +209,7 @@ impl App {
         let axes = grid.plan().axes();
         let away = |x: usize| -> f64 {
             let one = |(at, axis): (usize, &Axis)| {
-                let here = (axis.number().get)(&self.scene).and_then(|value| axis.share(value));
+                let here = axis.get(&self.scene).and_then(|value| axis.share(value));
                 let there = axis.share(grid.coordinate((x, 0), at));
                 (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
             };
@@ -279,7 +247,7 @@ impl App {
         let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
         let away = axes.iter().enumerate().any(|(place, axis)| {
             let value = grid.coordinate((x, y), place);
-            (axis.number().get)(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+            axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
         parts.clear();
@@ -349,7 +317,7 @@ impl Detail {
 }
 
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
-    (axis.number().set)(to, (axis.number().get)(from));
+    axis.set(to, axis.get(from).unwrap_or(f64::NAN));
 }
 
 /// A scene with some variables at these values, and the values in words.
@@ -359,7 +327,7 @@ pub fn placed<'a>(
 ) -> (Scene, String) {
     let mut words = Vec::new();
     for (axis, value) in values {
-        (axis.number().set)(&mut scene, Some(value));
+        axis.set(&mut scene, value);
         words.push(format!("{} = {}", axis.symbol(), axis.show(value, 5)));
     }
     (scene, words.join(", "))

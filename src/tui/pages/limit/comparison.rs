@@ -117,7 +117,7 @@ impl App {
     pub fn efficiency_cursor(&self) -> Option<(usize, usize)> {
         let map = self.comparison()?.map.as_ref()?;
         let nearest = |axis: &Axis| {
-            let value = (axis.number().get)(&self.scene)?;
+            let value = axis.get(&self.scene)?;
             usize::try_from(axis.nearest(value)).ok()
         };
         let own = || Some((nearest(map.x())?, nearest(map.y())?));

@@ -1,0 +1,52 @@
+//! `cmra keys`: every key of the workbench.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use crate::cli::commands::NoArguments;
+use crate::cli::{CliError, output};
+use crate::tui::app::status::wrap;
+use crate::tui::keymap::{Keymap, LINES, Scope};
+use crate::tui::pages::all_panes;
+
+/// Width of the text of a key, for a terminal of 80 columns.
+const HELP_WIDTH: usize = 52;
+
+pub(super) fn run(_: &NoArguments) -> Result<ExitCode, CliError> {
+    output::print(&page())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The table of keys: what each means in every pane, then what it does in particular in each.
+pub(super) fn page() -> String {
+    let map = Keymap::default();
+    let mut text = String::from(
+        "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
+         focused pane first. Other keys: [keys] in config.toml (`cmra paths` names it),\n\
+         each action by its name in brackets, as in `undo = \"U\"`.\n",
+    );
+    let line = |text: &mut String, keys: &str, help: &str| {
+        for (row, line) in wrap(help, HELP_WIDTH).into_iter().enumerate() {
+            let keys = if row == 0 { keys } else { "" };
+            let _ = writeln!(text, "  {keys:<20}  {line}");
+        }
+    };
+    let table = |text: &mut String, wanted: bool| {
+        for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
+            let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
+            let help = format!("{} [{}]", row.meaning, names.join(", "));
+            line(text, &map.line_label(row), &help);
+        }
+    };
+    text.push_str("\nIn every pane\n");
+    table(&mut text, true);
+    text.push_str("\nIn forms, charts and tables\n");
+    table(&mut text, false);
+    for pane in all_panes() {
+        let _ = writeln!(text, "\n{}", pane.label);
+        for row in pane.keys {
+            line(&mut text, &map.label(row.action), row.help);
+        }
+    }
+    text
+}
