@@ -61,7 +61,7 @@ fn gaps_doubles_mixtures_and_changed_parts_are_refused_in_one_line() {
         ("p1 p3", &["part 2/3 is missing", "--shard 2/3"][..]),
         ("p1 p2 p3 again", &["`p2.csv` and `again.csv` are both part 2/3"]),
         ("p1 other2 p3", &["different sweeps", "v_i is 100 in one and 90 in the other"]),
-        ("p1 sobol2 p3", &["different sweeps", "the design is Factorial"]),
+        ("p1 sobol2 p3", &["different sweeps", "the design is factorial in one and sobol"]),
         ("half p2 p3", &["different sweeps", "the number of parts is 2 in one and 3"]),
         ("p1 inline p3", &["`inline.csv` has no `inline.toml` beside it"]),
         ("p1 whole p3", &["`whole.csv`: not a part of a sweep"]),

@@ -288,7 +288,7 @@ fn tried(
     } else if old == new {
         format!("curves {} -> {}", before.curves, after.curves)
     } else {
-        format!("design {} -> {}", old.word(), new.word())
+        format!("design {} -> {}", old.label(), new.label())
     };
     let setting = (Setting::SamplingPlan(before), Setting::SamplingPlan(after));
     edit::note_setting(app, setting, label, None);
