@@ -48,7 +48,7 @@ pub fn perforation(report: &Report) -> Option<String> {
     let (part, (low, high)) = report.perforated?;
     let percent = |share: f64| significant(100.0 * share, 3);
     let (part, low, high) = (percent(part), percent(low), percent(high));
-    Some(format!("probability of perforation {part} %, with 95 % confidence {low} to {high} %"))
+    Some(format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"))
 }
 
 /// Everything, as one object; null for what does not exist.

@@ -8,7 +8,7 @@ use crate::report::table::{Cells, grid};
 use crate::study::sensitivity::Report;
 
 /// Cells of the longest bar.
-const BAR: usize = 24;
+const BAR: usize = 20;
 
 pub(super) fn text(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);

@@ -390,7 +390,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
         return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
     }
     let keys = ["variable", "output_at_low", "output_at_high"];
-    let bar = width.saturating_sub(34).clamp(4, 40);
+    let bar = width.saturating_sub(36).clamp(4, 40);
     lines.extend(table_lines(tornado(report, &keys, bar), width));
     lines.push(note(String::new()));
     let keys = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
