@@ -30,7 +30,7 @@ fn the_page_has_inputs_outcomes_and_quantiles_and_a_seed_fixes_the_digits() {
     let quick = ["--samples", "200"];
     let (page, _) = out(&quick, 0);
     for words in
-        ["200 samples, seed 1", "lognormal, 100 +- 2 % m/s", "200 arrested", "confidence 0 to"]
+        ["200 samples, seed 1", "lognormal, 100 +- 2 % m/s", "200 arrested", "confidence: 0 to"]
     {
         assert!(page.contains(words), "{page} lacks {words}");
     }
