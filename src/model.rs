@@ -40,7 +40,6 @@ pub mod contact;
 pub mod contact_kernel;
 pub mod contact_models;
 pub mod contact_phase;
-mod defaulted;
 pub mod design;
 pub mod estimate;
 mod event_function;

@@ -6,12 +6,11 @@
 
 use crate::model::scene::{Mount, Scene, Stop, StopKind};
 
-mod beam;
 mod combine;
 pub mod curve;
 mod damper;
 pub mod inertia;
-mod kinds;
+pub(in crate::model) mod kinds;
 pub mod load;
 pub mod piece;
 mod spring;
@@ -19,7 +18,6 @@ pub(super) mod stop;
 
 pub use damper::law as damper_law_of;
 pub use inertia::{Inertia, moving_plate_kg};
-pub use kinds::{curve as curve_of, power_law as power_law_of};
 pub use spring::{Elastic, Spring};
 
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.

@@ -12,11 +12,12 @@ use crate::model::worded::worded;
 
 mod describe;
 mod names;
+pub(in crate::model) mod part;
 mod springs;
 mod stack;
 mod table;
 mod used;
-mod visible;
+pub(in crate::model) mod visible;
 
 pub use describe::used_when;
 pub use names::{find, listing, nearest};
@@ -37,7 +38,9 @@ pub struct Variable {
     pub label: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
-    /// When it matters.
+    /// When the part of the scene that it belongs to matters.
+    pub part: Visible,
+    /// When it matters in that part.
     pub visible: Visible,
     /// The group of the editor it stands in.
     pub group: Group,
@@ -193,6 +196,12 @@ pub enum Value {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{0}")]
 pub struct VariableError(String);
+
+impl VariableError {
+    pub(in crate::model) fn new(text: String) -> Self {
+        Self(text)
+    }
+}
 
 impl Variable {
     /// Read the value from a scene.

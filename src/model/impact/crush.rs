@@ -8,7 +8,6 @@ use std::sync::OnceLock;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{Spring, inertia};
-use crate::model::scene::SpringKind;
 use crate::numerics::larger;
 
 /// Crushing below this part of the displacement is rounding.
@@ -17,7 +16,7 @@ const ROUNDING: f64 = 1e-12;
 impl Problem {
     pub(super) fn has_absorber(&self) -> bool {
         let sprung = self.mechanism.spring.curve().is_some();
-        sprung && inertia::acting(&self.scene.mechanism).any(|one| one.kind == SpringKind::Crush)
+        sprung && inertia::acting(&self.scene.mechanism).any(|one| one.law().absorber().is_some())
     }
 
     /// The impact with absorbers as they were at first contact, for another run.
@@ -30,9 +29,9 @@ impl Problem {
         let mut crushed_m = self.crushed_m;
         let mut farther = false;
         for (spring, crushed_m) in inertia::acting(&self.scene.mechanism).zip(&mut crushed_m) {
-            let reached = larger(*crushed_m, spring.crush.rise_m()) * (1.0 + ROUNDING);
-            if spring.kind == SpringKind::Crush && *crushed_m < spring.crush.stroke_m && x > reached
-            {
+            let Some(absorber) = spring.law().absorber() else { continue };
+            let reached = larger(*crushed_m, absorber.rise_m()) * (1.0 + ROUNDING);
+            if *crushed_m < absorber.stroke_m && x > reached {
                 *crushed_m = x;
                 farther = true;
             }

@@ -66,6 +66,18 @@ impl Curve {
         curve
     }
 
+    /// The odd law whose positive side has these pieces, each from where it begins; the first begins at 0.
+    pub(super) fn odd(laws: &[(f64, Piece)], scale_m: f64) -> Self {
+        let mirrored = laws.iter().rev().map(|(_, piece)| mirror(piece));
+        let straight = straight_through_zero(&laws[0].1);
+        let skip = usize::from(straight);
+        let pieces: Vec<Piece> =
+            mirrored.chain(laws.iter().skip(skip).map(|(_, piece)| piece.clone())).collect();
+        let behind = laws.iter().skip(1).rev().map(|(from, _)| -from);
+        let ahead = laws.iter().skip(skip).map(|(from, _)| *from);
+        Self::new(Segments { knots_m: behind.chain(ahead).collect(), pieces }, scale_m)
+    }
+
     /// The segments it was made of.
     pub fn segments(&self) -> &Segments {
         &self.segments
@@ -257,4 +269,19 @@ fn ahead(places_m: &[f64], x: f64, way: f64) -> Vec<f64> {
     let mut list: Vec<f64> = places_m.iter().copied().filter(|at| way * (at - x) > 0.0).collect();
     list.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
     list
+}
+
+/// Whether a piece is its own mirror image: then zero is not a knot.
+fn straight_through_zero(piece: &Piece) -> bool {
+    matches!(piece, Piece::Cubic { from_m, c } if *from_m == 0.0 && c[0] == 0.0 && c[2] == 0.0)
+}
+
+/// -F(-x) of a cubic.
+fn mirror(piece: &Piece) -> Piece {
+    match piece {
+        Piece::Cubic { from_m, c } => {
+            Piece::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
+        }
+        _ => piece.clone(),
+    }
 }

@@ -8,12 +8,7 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, Combination, Mount, OwnMass, Scene, SpringKind};
-
-/// Parts of a spring's mass that move with its end.
-const COIL: f64 = 1.0 / 3.0;
-const CANTILEVER: f64 = 33.0 / 140.0;
-const GUIDED: f64 = 13.0 / 35.0;
+use crate::model::scene::{self, Combination, Mount, OwnMass, Scene};
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -35,11 +30,11 @@ impl Inertia {
         }
         let mut sum = Self::default();
         for spring in acting(mechanism) {
-            sum.rotation_kg += rotation_kg(spring);
+            sum.rotation_kg += spring.law().rotation_kg();
             if let Some(mass_kg) = mass_kg(scene, spring) {
                 sum.spring_mass_kg = Some(sum.spring_mass_kg.unwrap_or(0.0) + mass_kg);
                 if spring.own_mass == OwnMass::Counted {
-                    sum.springs_kg += moving_part(spring.kind) * mass_kg;
+                    sum.springs_kg += spring.moving_part() * mass_kg;
                 }
             }
         }
@@ -70,27 +65,12 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg()
 }
 
-fn rotation_kg(spring: &scene::Spring) -> f64 {
-    match spring.kind {
-        SpringKind::Helix => {
-            spring.helix.inertia_kg_m2 * spring.helix.twist_rad_m * spring.helix.twist_rad_m
-        }
-        _ => 0.0,
-    }
-}
-
 /// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
 fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
-    if spring.mass_kg.is_some() {
-        return spring.mass_kg;
-    }
-    if spring.kind.is_beam() {
-        return Some(spring.count * spring.beam.mass_kg());
-    }
-    if spring.own_mass == OwnMass::Ignored {
-        return None;
-    }
-    Some(coil_spring_mass_kg(to_store_j(scene, spring), &spring.wire))
+    spring.mass_kg.or_else(|| spring.law().mass_kg(spring)).or_else(|| {
+        let coil = || coil_spring_mass_kg(to_store_j(scene, spring), &spring.wire);
+        (spring.own_mass == OwnMass::Counted).then(coil)
+    })
 }
 
 /// The energy a spring has to store, J: what it holds cocked, and what projectile and plate keep at common velocity. Of two
@@ -102,13 +82,4 @@ fn to_store_j(scene: &Scene, spring: &scene::Spring) -> f64 {
     let cos = scene.cos_obliquity();
     let common = m_p * v * cos / (m_p * cos * cos + scene.plate_mass_kg());
     cocked + 0.5 * (m_p * cos * cos + scene.plate_mass_kg()) * common * common
-}
-
-/// The part of a spring's mass that moves with its end: that with the kinetic energy of its static shape.
-pub fn moving_part(kind: SpringKind) -> f64 {
-    match kind {
-        SpringKind::Cantilever => CANTILEVER,
-        SpringKind::FixedGuided => GUIDED,
-        _ => COIL,
-    }
 }

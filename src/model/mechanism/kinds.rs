@@ -1,165 +1,361 @@
-//! The force law of each kind of spring, from its parameters.
+//! The kinds of spring: the table of them, and what each says of itself.
 //!
-//! Chapters 5, 6, 9.4 and 9.5 of the thesis name the kinds. Those of beams are in `beam.rs`.
+//! A kind is one file: its parameters, its force law, its own mass, and up to where its law is good. Chapters 5, 6, 9.4 and 9.5 of
+//! the thesis name the kinds.
 
-use crate::model::mechanism::curve::{Curve, Segments};
-use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerKind, PowerLaw};
-use crate::model::scene::{self, SpringKind};
-use crate::numerics::{larger, monotone, smaller};
+use crate::model::mechanism::PowerLaw;
+use crate::model::mechanism::curve::Curve;
+use crate::model::scene::{Combination, Mechanism, OwnMass, Scene, Wire};
+use crate::model::variables::part::{Place, parts};
+use crate::model::variables::visible::is_sprung;
+use crate::model::variables::{Group, Variable, VariableError};
+use crate::model::worded::worded;
 
-/// Half-width of the place around zero where a power law of a combination is straight, m: below what a run resolves.
-const CORE_M: f64 = 1e-10;
+mod beam;
+mod bistable;
+mod column;
+mod constant;
+mod crush;
+mod helix;
+mod normalised;
+mod power_law;
+mod table;
 
-/// The power law a spring is by itself, if it is one.
-pub fn power_law(spring: &scene::Spring) -> Option<PowerLaw> {
-    let law = |coefficient: f64, exponent: f64| {
-        Some(PowerLaw { coefficient: coefficient * spring.count, exponent })
+pub use beam::Beam;
+pub use table::Table;
+
+/// Defines the spring and the kinds in the order of lists. A line has the module of a kind, its parameters, and the kind, or those
+/// of the same parameters, with the words for files and screens.
+macro_rules! kinds {
+    (
+        $(#[$meta:meta])*
+        pub struct Spring { $($common:tt)+ }
+
+        $(#[$plain_meta:meta])*
+        PowerLaw = $plain:literal;
+        $($field:ident: $part:ident { $($(#[$kind_meta:meta])* $kind:ident = $word:literal),+ })+
+    ) => {
+        parts! {
+            $(#[$meta])*
+            pub struct Spring {
+                $($common)+
+                $(#[doc = concat!("Parameters of ", $("`", $word, "` "),+)] pub $field: $field::$part = $field::$part::default();)+
+            }
+        }
+
+        worded! {
+            /// The spring's force law.
+            #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+            pub enum SpringKind: word {
+                $(#[$plain_meta])*
+                #[default]
+                PowerLaw = $plain,
+                $($($(#[$kind_meta])* $kind = $word,)+)+
+            }
+        }
+
+        impl Spring {
+            /// What its kind says of it.
+            pub(in crate::model) fn law(&self) -> &dyn Law {
+                match self.kind {
+                    SpringKind::PowerLaw => &power_law::Plain,
+                    $($(SpringKind::$kind)|+ => &self.$field,)+
+                }
+            }
+        }
+
+        $(impl SpringPart for $field::$part {
+            const FIELD: &'static str = concat!(".", stringify!($field));
+
+            fn of(spring: &Spring) -> &Self {
+                &spring.$field
+            }
+
+            fn of_mut(spring: &mut Spring) -> &mut Self {
+                &mut spring.$field
+            }
+
+            fn matters(spring: &Spring) -> bool {
+                matches!(spring.kind, $(SpringKind::$kind)|+)
+            }
+        })+
+
+        /// The rows of one of the two springs.
+        fn rows_of<W: Which>() -> Vec<Variable> {
+            [Spring::rows::<W>(), $($field::$part::rows::<W>(),)+ Wire::rows::<W>()].concat()
+        }
     };
-    match spring.kind {
-        SpringKind::PowerLaw => law(spring.coefficient, spring.exponent),
-        SpringKind::Normalised => {
-            let scale = spring.normalised.displacement_m.powf(spring.exponent);
-            law(spring.normalised.force_n / scale, spring.exponent)
-        }
-        SpringKind::Helix => law(spring.helix.stiffness_n_m, 1.0),
-        _ => None,
+}
+
+kinds! {
+    /// One spring: its kind, and the parameters of every kind, so that none is lost on the way to another.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Spring {
+        pub kind: SpringKind = SpringKind::PowerLaw => "spring", "force law", "the spring's force law",
+            choice().from("thesis equation 9.3, chapters 5 and 6");
+        pub coefficient: f64 = 1e5 => "k", "stiffness", "spring coefficient: the spring's force is k |x|^n sgn(x)",
+            number(SpringCoefficient, NonNegative).searched(0.0, 7.5e6).log()
+            .when(|scene| P::part(scene).kind == SpringKind::PowerLaw)
+            .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
+        pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
+            number(Number, Positive).searched(0.1, 3.0).log()
+            .listed_when(|scene| P::part(scene).law().has_exponent())
+            .used_when(|scene| P::part(scene).law().has_exponent() && !P::part(scene).is_absent())
+            .from("thesis Table 9.2 (range searched)");
+        pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
+            number(Number, Positive)
+            .when(|scene| P::part(scene).kind != SpringKind::PowerLaw || !P::part(scene).is_single())
+            .from("thesis Figure 6.9; 1 unless given");
+        pub own_mass: OwnMass = OwnMass::Ignored => "own_mass", "spring inertia",
+            "whether the part of the spring that moves with the plate adds to its mass",
+            choice().from("thesis section 8.3.1: springs are massless");
+        pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
+            optional(Mass, NonNegative, "auto")
+            .when(|scene| P::part(scene).own_mass == OwnMass::Counted || P::part(scene).mass_kg.is_some())
+            .from("auto: of its beams, or 4 rho G U/tau^2 (thesis section 9.5.1)");
+        /// The wire it is wound of, where its mass follows from that.
+        pub wire: Wire = Wire::default();
+    }
+
+    /// `k |x|^n sgn(x)`.
+    PowerLaw = "power-law";
+    normalised: Normalised { Normalised = "normalised" }
+    beam: Beam { Cantilever = "prbm-cantilever", FixedGuided = "prbm-guided" }
+    bistable: Bistable { Bistable = "bistable" }
+    constant: ConstantForce { ConstantForce = "constant" }
+    column: Column { Column = "column" }
+    helix: Helix { Helix = "helix" }
+    crush: Crush { Crush = "crush" }
+    table: Table { Table = "table" }
+}
+
+/// Up to where a law is good.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::model) struct Bounds {
+    /// What happens beyond, in words.
+    pub(in crate::model) what: &'static str,
+    pub(in crate::model) low_m: f64,
+    pub(in crate::model) high_m: f64,
+}
+
+/// What a kind of spring says of itself. `self` are its own parameters, `spring` has those of every kind; both are valid.
+pub(in crate::model) trait Law {
+    /// The power law it is by itself, if it is one.
+    fn power_law(&self, _: &Spring) -> Option<PowerLaw> {
+        None
+    }
+
+    /// Its force over displacement, after it was crushed up to a displacement, m, if it can be.
+    fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
+        power_law::curve(self.power_law(spring).unwrap_or(PowerLaw::NONE))
+    }
+
+    /// Whether its force depends on the exponent of the spring.
+    fn has_exponent(&self) -> bool {
+        false
+    }
+
+    /// Checks the rules between its parameters; `path` is the key of the spring.
+    fn check(&self, _path: &str) -> Result<(), VariableError> {
+        Ok(())
+    }
+
+    /// Its bounds, the nearest first.
+    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
+        Vec::new()
+    }
+
+    /// Its own mass, where that follows from its parameters, kg.
+    fn mass_kg(&self, _: &Spring) -> Option<f64> {
+        None
+    }
+
+    /// The part of its mass that moves with its end: that with the kinetic energy of its static shape, here of a coil spring.
+    fn moving_part(&self, _: &Spring) -> f64 {
+        1.0 / 3.0
+    }
+
+    /// The additional mass with the kinetic energy of what turns as it yields, kg.
+    fn rotation_kg(&self) -> f64 {
+        0.0
+    }
+
+    /// The bending stress at a displacement over the yield strength, of a spring that bends.
+    fn stress_ratio(&self, _: &Spring, _x_m: f64) -> Option<f64> {
+        None
+    }
+
+    /// The displacement at which it yields before any other limit, m.
+    fn yields_at_m(&self, _: &Spring) -> Option<f64> {
+        None
+    }
+
+    /// Whether it is wound of wire, and surges.
+    fn is_coil(&self) -> bool {
+        false
+    }
+
+    /// It as an absorber, which remembers how far it was crushed.
+    fn absorber(&self) -> Option<&crush::Crush> {
+        None
     }
 }
 
-/// The law of a valid spring as a curve, whatever its kind; an absorber is not crushed yet.
-pub fn curve(spring: &scene::Spring) -> Curve {
-    curve_after(spring, 0.0)
-}
-
-/// The same of an absorber that was crushed up to a displacement, m. Other kinds have no memory.
-pub(super) fn curve_after(spring: &scene::Spring, crushed_m: f64) -> Curve {
-    if let Some(law) = power_law(spring) {
-        return power_curve(law);
+impl Spring {
+    /// Whether there is exactly one of it.
+    pub fn is_single(&self) -> bool {
+        (self.count - 1.0).abs() < f64::EPSILON
     }
-    let n = spring.count;
-    match spring.kind {
-        SpringKind::Cantilever | SpringKind::FixedGuided => spring.beam.curve(spring.kind, n),
-        SpringKind::Bistable => bistable(spring, n),
-        SpringKind::ConstantForce => constant(spring, n),
-        SpringKind::Column => column(spring, n),
-        SpringKind::Crush => crush(&spring.crush, n, crushed_m),
-        SpringKind::Table => table(&spring.table.points, n),
-        SpringKind::PowerLaw | SpringKind::Normalised | SpringKind::Helix => {
-            power_curve(PowerLaw::NONE)
-        }
+
+    /// Whether it is a power law without force.
+    pub fn is_absent(&self) -> bool {
+        self.power_law().is_some_and(PowerLaw::is_absent)
+    }
+
+    /// The power law it is by itself, if it is one.
+    pub fn power_law(&self) -> Option<PowerLaw> {
+        self.law().power_law(self)
+    }
+
+    /// Its law as a curve, whatever its kind; an absorber is not crushed yet.
+    pub fn curve(&self) -> Curve {
+        self.law().curve(self, 0.0)
+    }
+
+    /// The part of its mass that moves with its end.
+    pub fn moving_part(&self) -> f64 {
+        self.law().moving_part(self)
+    }
+
+    /// Whether the parameters of its kind give its mass, as those of beams do.
+    pub fn has_own_mass(&self) -> bool {
+        self.law().mass_kg(self).is_some()
     }
 }
 
-/// A power law that can be combined with others: straight very close to zero, where it may be singular.
-fn power_curve(law: PowerLaw) -> Curve {
-    let scale_m = 1e-3;
-    if matches!(law.kind(), PowerKind::Absent | PowerKind::Linear) {
-        let pieces = vec![Piece::line(0.0, 0.0, law.coefficient)];
-        return Curve::new(Segments { knots_m: Vec::new(), pieces }, scale_m);
+/// A part of a spring, or the whole, whose fields are variables.
+trait SpringPart {
+    /// The end of the key of its table.
+    const FIELD: &'static str;
+
+    fn of(spring: &Spring) -> &Self;
+
+    fn of_mut(spring: &mut Spring) -> &mut Self;
+
+    /// Whether a spring needs it.
+    fn matters(spring: &Spring) -> bool;
+}
+
+impl SpringPart for Spring {
+    const FIELD: &'static str = "";
+
+    fn of(spring: &Spring) -> &Self {
+        spring
     }
-    let core = Piece::line(0.0, 0.0, law.force(CORE_M) / CORE_M);
-    let side = |side: f64| Piece::Power { law, side };
-    let pieces = vec![side(-1.0), core, side(1.0)];
-    Curve::new(Segments { knots_m: vec![-CORE_M, CORE_M], pieces }, scale_m)
-}
 
-/// C x (x - u) (x - s): stable at 0 and s, unstable at u; C from the greatest force on the way out of 0.
-fn bistable(spring: &scene::Spring, count: f64) -> Curve {
-    let s = spring.bistable.second_m;
-    let u = spring.bistable.unstable_m.unwrap_or(0.5 * s);
-    // The slope 3x² - 2(u + s)x + us is zero at the barrier.
-    let sum = u + s;
-    let top = (sum - (sum * sum - 3.0 * u * s).sqrt()) / 3.0;
-    let factor = count * spring.bistable.barrier_n / (top * (top - u) * (top - s));
-    let c = [0.0, factor * u * s, -factor * sum, factor];
-    // One cubic all over; its zeros are knots, between which the energy only rises or only falls.
-    let pieces = vec![Piece::Cubic { from_m: 0.0, c }; 4];
-    Curve::new(Segments { knots_m: vec![0.0, u, s], pieces }, s)
-}
-
-fn constant(spring: &scene::Spring, count: f64) -> Curve {
-    let (rise, force) = (spring.constant.rise_m, count * spring.constant.force_n);
-    odd(&[(0.0, Piece::line(0.0, 0.0, force / rise)), (rise, Piece::line(0.0, force, 0.0))], rise)
-}
-
-/// Straight up to the critical force, a smooth way to the plateau, and on along it.
-fn column(spring: &scene::Spring, count: f64) -> Curve {
-    let column = &spring.column;
-    let onset = column.critical_n / column.stiffness_n_m;
-    let folded = onset + column.fall_m;
-    let (critical, plateau) = (count * column.critical_n, count * column.plateau_n);
-    let fall = monotone::cubic([onset, critical], [folded, plateau], [0.0, 0.0]);
-    odd(
-        &[
-            (0.0, Piece::line(0.0, 0.0, count * column.stiffness_n_m)),
-            (onset, Piece::Cubic { from_m: onset, c: fall }),
-            (folded, Piece::line(0.0, plateau, 0.0)),
-        ],
-        folded,
-    )
-}
-
-/// Nothing where the absorber has set, an elastic rise up to where it was crushed last, a constant force up to its stroke, and
-/// solid from there on.
-fn crush(crush: &scene::Crush, count: f64, crushed_m: f64) -> Curve {
-    let (force, stiffness) = (count * crush.force_n, count * crush.stiffness_n_m);
-    let (rise, stroke) = (crush.rise_m(), crush.stroke_m);
-    let from = smaller(larger(crushed_m, rise), stroke);
-    let elastic = |at: f64| Piece::line(at, force, stiffness);
-    let mut knots_m = vec![from - rise];
-    let mut pieces = vec![Piece::line(0.0, 0.0, 0.0), elastic(from)];
-    if from < stroke {
-        knots_m.extend([from, stroke]);
-        pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
+    fn of_mut(spring: &mut Spring) -> &mut Self {
+        spring
     }
-    Curve::new(Segments { knots_m, pieces }, stroke)
-}
 
-/// The points joined by shape-preserving cubics, and on along the tangents at both ends.
-fn table(points: &[[f64; 2]], count: f64) -> Curve {
-    let points: Vec<[f64; 2]> = points.iter().map(|[x, force]| [*x, force * count]).collect();
-    let slopes = monotone::slopes(&points);
-    let last = points.len() - 1;
-    let scale_m = points[last][0] - points[0][0];
-    let end = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
-    let mut laws = Vec::with_capacity(points.len());
-    for at in 0..last {
-        let c = monotone::cubic(points[at], points[at + 1], [slopes[at], slopes[at + 1]]);
-        laws.push((points[at][0], Piece::Cubic { from_m: points[at][0], c }));
+    fn matters(_: &Spring) -> bool {
+        true
     }
-    laws.push((points[last][0], end(last)));
-    if points[0][0] == 0.0 && points[0][1] == 0.0 {
-        return odd(&laws, scale_m);
+}
+
+impl SpringPart for Wire {
+    const FIELD: &'static str = ".wire";
+
+    fn of(spring: &Spring) -> &Self {
+        &spring.wire
     }
-    let knots_m = laws.iter().map(|(from, _)| *from).collect();
-    let pieces = std::iter::once(end(0)).chain(laws.into_iter().map(|(_, piece)| piece)).collect();
-    Curve::new(Segments { knots_m, pieces }, scale_m)
-}
 
-/// The odd law whose positive side has these pieces, each from where it begins; the first begins at 0.
-fn odd(laws: &[(f64, Piece)], scale_m: f64) -> Curve {
-    let mirrored = laws.iter().rev().map(|(_, piece)| mirror(piece));
-    let straight = straight_through_zero(&laws[0].1);
-    let skip = usize::from(straight);
-    let pieces: Vec<Piece> =
-        mirrored.chain(laws.iter().skip(skip).map(|(_, piece)| piece.clone())).collect();
-    let behind = laws.iter().skip(1).rev().map(|(from, _)| -from);
-    let ahead = laws.iter().skip(skip).map(|(from, _)| *from);
-    Curve::new(Segments { knots_m: behind.chain(ahead).collect(), pieces }, scale_m)
-}
-
-/// Whether a piece is its own mirror image: then zero is not a knot.
-fn straight_through_zero(piece: &Piece) -> bool {
-    matches!(piece, Piece::Cubic { from_m, c } if *from_m == 0.0 && c[0] == 0.0 && c[2] == 0.0)
-}
-
-/// -F(-x) of a cubic.
-fn mirror(piece: &Piece) -> Piece {
-    match piece {
-        Piece::Cubic { from_m, c } => {
-            Piece::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
-        }
-        _ => piece.clone(),
+    fn of_mut(spring: &mut Spring) -> &mut Self {
+        &mut spring.wire
     }
+
+    fn matters(spring: &Spring) -> bool {
+        spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
+    }
+}
+
+/// One of the two springs of a mechanism.
+trait Which {
+    /// The key of its table.
+    const PATH: &'static str;
+
+    fn of(mechanism: &Mechanism) -> &Spring;
+
+    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring;
+
+    fn acts(mechanism: &Mechanism) -> bool;
+}
+
+enum First {}
+
+enum Second {}
+
+impl Which for First {
+    const PATH: &'static str = "mechanism.spring";
+
+    fn of(mechanism: &Mechanism) -> &Spring {
+        &mechanism.spring
+    }
+
+    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring {
+        &mut mechanism.spring
+    }
+
+    fn acts(_: &Mechanism) -> bool {
+        true
+    }
+}
+
+impl Which for Second {
+    const PATH: &'static str = "mechanism.second";
+
+    fn of(mechanism: &Mechanism) -> &Spring {
+        &mechanism.second
+    }
+
+    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring {
+        &mut mechanism.second
+    }
+
+    fn acts(mechanism: &Mechanism) -> bool {
+        mechanism.combination != Combination::Alone
+    }
+}
+
+impl<W: Which, T: SpringPart> Place<T> for W {
+    const GROUP: Group = Group::Mechanism;
+
+    fn path() -> String {
+        [W::PATH, T::FIELD].concat()
+    }
+
+    fn part(scene: &Scene) -> &T {
+        T::of(W::of(&scene.mechanism))
+    }
+
+    fn part_mut(scene: &mut Scene) -> &mut T {
+        T::of_mut(W::of_mut(&mut scene.mechanism))
+    }
+
+    fn is_listed(scene: &Scene) -> bool {
+        W::acts(&scene.mechanism) && T::matters(W::of(&scene.mechanism))
+    }
+
+    fn is_used(scene: &Scene) -> bool {
+        is_sprung(scene) && <Self as Place<T>>::is_listed(scene)
+    }
+}
+
+/// The rows of the first spring.
+pub(in crate::model) fn first_rows() -> Vec<Variable> {
+    rows_of::<First>()
+}
+
+/// The rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
+pub(in crate::model) fn second_rows() -> Vec<Variable> {
+    rows_of::<Second>().into_iter().map(|row| row.with_suffix("_2").unsearched()).collect()
 }

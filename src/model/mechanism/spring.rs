@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerKind, PowerLaw, combine, kinds};
+use crate::model::mechanism::{PowerKind, PowerLaw, combine};
 use crate::model::scene::{self, Combination};
 use crate::numerics::larger;
 
@@ -38,18 +38,17 @@ impl Spring {
     pub fn after(mechanism: &scene::Mechanism, crushed_m: [f64; 2]) -> Self {
         let (first, second) = (&mechanism.spring, &mechanism.second);
         let alone = |spring: &scene::Spring, crushed_m: f64| {
-            let law = kinds::power_law(spring);
-            let curve = || Self::Curve(Arc::new(kinds::curve_after(spring, crushed_m)));
-            law.map_or_else(curve, Self::Power)
+            let curve = || Self::Curve(Arc::new(spring.law().curve(spring, crushed_m)));
+            spring.power_law().map_or_else(curve, Self::Power)
         };
         let curves = || {
             let [a, b] = crushed_m;
-            (kinds::curve_after(first, a), kinds::curve_after(second, b))
+            (first.law().curve(first, a), second.law().curve(second, b))
         };
         match mechanism.combination {
             Combination::Alone => alone(first, crushed_m[0]),
-            Combination::Parallel if is_nothing(second) => alone(first, crushed_m[0]),
-            Combination::Parallel if is_nothing(first) => alone(second, crushed_m[1]),
+            Combination::Parallel if second.is_absent() => alone(first, crushed_m[0]),
+            Combination::Parallel if first.is_absent() => alone(second, crushed_m[1]),
             Combination::Parallel => {
                 let (a, b) = curves();
                 Self::Curve(Arc::new(combine::parallel(&a, &b)))
@@ -183,10 +182,6 @@ impl Spring {
             }
         }
     }
-}
-
-fn is_nothing(spring: &scene::Spring) -> bool {
-    kinds::power_law(spring).is_some_and(PowerLaw::is_absent)
 }
 
 impl Elastic<'_> {

@@ -11,11 +11,11 @@ fn curves() -> Vec<(String, Curve)> {
         .into_iter()
         .map(|kind| {
             let spring = Parameters { kind, exponent: 1.4, ..Parameters::default() };
-            (kind.word().to_owned(), curve_of(&spring))
+            (kind.word().to_owned(), spring.curve())
         })
         .collect();
-    let of = |kind: SpringKind| curve_of(&Parameters { kind, ..Parameters::default() });
-    let steep = curve_of(&Parameters { exponent: 1.5, coefficient: 1e7, ..Parameters::default() });
+    let of = |kind: SpringKind| Parameters { kind, ..Parameters::default() }.curve();
+    let steep = Parameters { exponent: 1.5, coefficient: 1e7, ..Parameters::default() }.curve();
     list.push((
         "bistable and column".to_owned(),
         combine::parallel(&of(SpringKind::Bistable), &of(SpringKind::Column)),
@@ -93,7 +93,7 @@ fn a_plate_goes_as_far_as_its_energy() {
 #[test]
 fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
     let spring = Parameters { kind: SpringKind::Bistable, ..Parameters::default() };
-    let curve = curve_of(&spring);
+    let curve = spring.curve();
     let barrier = curve.energy(0.01) - curve.energy(0.0);
     assert!(curve.forward(0.0, curve.energy(0.0) + 0.99 * barrier) < 0.01);
     assert!(curve.forward(0.0, curve.energy(0.0) + 1.01 * barrier) > 0.02);
@@ -107,14 +107,14 @@ fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
 #[test]
 fn valid_the_cantilever_of_table_9_3() {
     let spring = Parameters { kind: SpringKind::Cantilever, ..Parameters::default() };
-    let curve = curve_of(&spring);
+    let curve = spring.curve();
     // 0.111 MN/m, and 880 MPa at about 0.03 m (0.0297 with K = 7200).
     assert!((curve.tangent(0.0) / 1e6 - 0.111).abs() < 5e-4, "{}", curve.tangent(0.0));
     let yields = load::yields_at_m(&spring).unwrap();
     assert!((yields - 0.0297).abs() < 1e-4, "{yields}");
     assert!((spring.beam.torsional_n_m() - 7209.0).abs() < 1.0);
     assert!((spring.beam.mass_kg() - 0.598).abs() < 1e-3);
-    let tip_kg = inertia::moving_part(SpringKind::Cantilever) * spring.beam.mass_kg();
+    let tip_kg = spring.moving_part() * spring.beam.mass_kg();
     assert!((tip_kg - 0.141).abs() < 1e-3);
     // Two springs of the energy K Theta²/2.
     let angle = (0.03f64 / (0.85 * 0.3)).asin();
@@ -128,7 +128,7 @@ fn valid_a_guided_beam_is_as_stiff_as_beam_theory_has_it() {
     let inertia = beam.width_m * beam.height_m.powi(3) / 12.0;
     // 12 E I/l³ each; the pseudo-rigid body is 4 % stiffer.
     let theory = 2.0 * 12.0 * beam.modulus_pa * inertia / beam.length_m.powi(3);
-    let stiffness = curve_of(&spring).tangent(0.0);
+    let stiffness = spring.curve().tangent(0.0);
     assert!((stiffness / theory - 4.0 * 2.65 / 0.85 / 12.0).abs() < 1e-12, "{stiffness}");
 }
 

@@ -10,9 +10,7 @@ use std::fmt;
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, SpringKind, StopKind,
-};
+use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, StopKind};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -265,8 +263,8 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     let hit = run.events.iter().any(|event| event.kind == EventKind::StopHit);
     let mut found = of_scene(scene);
     found.retain(|breach| breach.check != Check::Stop || hit);
-    let coil = |kind| matches!(kind, SpringKind::PowerLaw | SpringKind::Helix);
-    let is_coil = coil(scene.mechanism.spring.kind) && !Mechanism::of(scene).spring.is_absent();
+    let is_coil =
+        scene.mechanism.spring.law().is_coil() && !Mechanism::of(scene).spring.is_absent();
     let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
     let sprung = scene.plate.mount == Mount::Sprung;
     if let Some(speed) = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S) {

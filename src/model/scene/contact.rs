@@ -1,33 +1,83 @@
-//! The part of a scene that says how the force between projectile and plate is modelled: which of the models of thesis
-//! section 8.2, and what each of them needs. `variables` says which of them matter to which model.
+//! The force between projectile and plate: which of the models of thesis section 8.2, what each of them needs, and the interface
+//! that holds both together afterwards.
 
 use crate::model::contact_models::contact_models;
-use crate::model::defaulted::defaulted;
+use crate::model::scene::ContactModel::{HalfSine, Lumped};
+use crate::model::variables::part::parts;
 use crate::model::worded::worded;
 
-defaulted! {
+parts! {
     /// The interaction model and its parameters.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Contact {
-        pub model: ContactModel = ContactModel::Hydrodynamic,
-        pub duration_s: Option<f64> = None,
-        pub load_stiffness_n_m: Option<f64> = None,
-        pub unload_stiffness_n_m: Option<f64> = None,
-        pub damping_n_s_m: f64 = 0.0,
-        pub appendix: Listing = Listing::default(),
+        pub model: ContactModel = ContactModel::Hydrodynamic => "model", "contact model",
+            "how the force between projectile and plate is modelled", choice().from("thesis section 8.2 and Table 8.1");
+        pub duration_s: Option<f64> = None => "t_d", "pulse duration", "duration of the half-sine force history",
+            optional(Time, Positive, "auto").when(|scene| scene.contact.model == HalfSine)
+            .from("thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount");
+        pub load_stiffness_n_m: Option<f64> = None => "k_load", "loading",
+            "stiffness of the lumped interface while it is pressed in",
+            optional(Stiffness, Positive, "auto").when(|scene| scene.contact.model == Lumped)
+            .from("thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount");
+        pub unload_stiffness_n_m: Option<f64> = None => "k_unload", "unloading",
+            "stiffness of the lumped interface while it springs back, k_load or more",
+            optional(Stiffness, Positive, "auto").when(|scene| scene.contact.model == Lumped)
+            .from("thesis Figure 8.6; auto: 100 k_load, an assumption");
+        pub damping_n_s_m: f64 = 0.0 => "b_2", "interface damper", "damper of the lumped interface",
+            number(Damping, NonNegative).log().when(|scene| scene.contact.model == Lumped)
+            .from("thesis Figure 8.4; Wu has none");
+        /// The listing of Appendix A.
+        pub appendix: Listing = Listing::default();
     }
 
     /// The listing of Appendix A, quirk by quirk.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Listing {
-        pub step_s: f64 = 1e-6,
-        pub coupling: Reading = Reading::Printed,
-        pub damper: Reading = Reading::Printed,
-        pub stopping: Reading = Reading::Printed,
-        pub afterwards: Reading = Reading::Printed,
-        pub scheme: Reading = Reading::Printed,
-        pub obliquity: Reading = Reading::Printed,
-        pub jumps: Jumps = Jumps::Meant,
+        pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
+            number(Time, Positive).log().from("thesis Appendix A.1");
+        pub coupling: Reading = Reading::Printed => "coupling", "nose depth",
+            "depth subtracts the plate's last increment only, or (corrected) its whole motion",
+            choice().from("thesis Appendix A.2");
+        pub damper: Reading = Reading::Printed => "dampsign", "damper sign",
+            "the damper's force has no sign, or (corrected) it resists", choice().from("thesis Appendix A.7 and A.9");
+        pub stopping: Reading = Reading::Printed => "stopping", "end of contact",
+            "contact ends below 0.01 m/s after a step, or (corrected) where both velocities are equal",
+            choice().from("thesis Appendix A.2");
+        pub afterwards: Reading = Reading::Printed => "after", "after contact",
+            "the bodies stay joined afterwards, or (corrected) not after a perforation",
+            choice().from("thesis Appendix A.5 and A.7");
+        pub scheme: Reading = Reading::Printed => "scheme", "time stepping",
+            "the force is held over the step, or (corrected) Runge-Kutta for both bodies",
+            choice().from("thesis Appendix A.4 and A.8");
+        pub obliquity: Reading = Reading::Printed => "oblique", "oblique force",
+            "the whole force acts on both bodies, or (corrected) it is resolved on the normal",
+            choice().from("thesis Appendix A.2 to A.4");
+        pub jumps: Jumps = Jumps::Meant => "jumps", "code jumps",
+            "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
+            choice().from("thesis Appendix A.2");
+    }
+
+    /// The interface between projectile and plate after the first arrest.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Interface {
+        pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
+            "fused: joined for good after the first arrest; plastic: carries forces up to its strength",
+            choice().also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
+        pub grip: f64 = 0.1 => "g", "grip", "grip: the greatest tension of the interface is g A S_y",
+            number(Number, NonNegative).also(&["grip"])
+            .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic).from("assumption: 0.1");
+    }
+}
+
+worded! {
+    /// The interface between projectile and plate.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum InterfaceLaw: word {
+        /// The thesis: once together, together for good.
+        #[default]
+        Fused = "fused",
+        /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
+        Plastic = "plastic",
     }
 }
 

@@ -1,7 +1,7 @@
-//! When a list shows a variable, and when it has any effect: predicates on the scene, named in each row of the table.
+//! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows.
 
 use super::{Group, Variable};
-use crate::model::scene::{ContactModel, Mount, OwnMass, Scene, Spring, SpringKind, StopKind};
+use crate::model::scene::{ContactModel, Mount, Scene, StopKind};
 
 /// When a variable matters.
 #[derive(Clone, Copy)]
@@ -19,12 +19,12 @@ impl Visible {
 
 /// Whether a variable has any effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    (variable.visible.used)(scene)
+    (variable.part.used)(scene) && (variable.visible.used)(scene)
 }
 
 /// Whether a list shows the variable at all.
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
-    (variable.visible.listed)(scene)
+    (variable.part.listed)(scene) && (variable.visible.listed)(scene)
 }
 
 /// Whether the workbench's lists offer the variable: what is listed, less the values of a stop that is not there or of
@@ -35,28 +35,28 @@ pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     is_listed(variable, scene) && (!of_stop || is_used(variable, scene))
 }
 
-pub(super) fn is_oblique(scene: &Scene) -> bool {
+pub(in crate::model) fn is_oblique(scene: &Scene) -> bool {
     scene.projectile.obliquity_deg > 0.0
 }
 
-pub(super) fn is_sprung(scene: &Scene) -> bool {
+pub(in crate::model) fn is_sprung(scene: &Scene) -> bool {
     scene.plate.mount == Mount::Sprung
 }
 
-pub(super) fn is_stack(scene: &Scene) -> bool {
+pub(in crate::model) fn is_stack(scene: &Scene) -> bool {
     scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
 }
 
-pub(super) fn is_hydrodynamic(scene: &Scene) -> bool {
+pub(in crate::model) fn is_hydrodynamic(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Hydrodynamic
 }
 
-pub(super) fn is_listing(scene: &Scene) -> bool {
+pub(in crate::model) fn is_listing(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Appendix
 }
 
 /// Whether the plate's material matters: to the other models only where it fills in what was left open.
-pub(super) fn uses_target(scene: &Scene) -> bool {
+pub(in crate::model) fn uses_target(scene: &Scene) -> bool {
     match scene.contact.model {
         ContactModel::HalfSine => scene.contact.duration_s.is_none(),
         ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
@@ -65,27 +65,14 @@ pub(super) fn uses_target(scene: &Scene) -> bool {
     }
 }
 
-pub(super) fn may_stop(scene: &Scene) -> bool {
+pub(in crate::model) fn may_stop(scene: &Scene) -> bool {
     is_sprung(scene) && !is_listing(scene)
 }
 
-pub(super) fn has_stop(scene: &Scene) -> bool {
+pub(in crate::model) fn has_stop(scene: &Scene) -> bool {
     may_stop(scene) && scene.mechanism.stop.position_m.is_some()
 }
 
-pub(super) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
+pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
     has_stop(scene) && scene.mechanism.stop.kind == kind
-}
-
-/// Whether the mass of a spring follows from its wire.
-pub(super) fn has_wire(spring: &Spring) -> bool {
-    spring.own_mass == OwnMass::Counted && !spring.kind.is_beam() && spring.mass_kg.is_none()
-}
-
-/// Whether a power law has a force, so that its exponent matters.
-pub(super) fn has_force(spring: &Spring) -> bool {
-    match spring.kind {
-        SpringKind::PowerLaw => spring.coefficient > 0.0,
-        _ => spring.normalised.force_n > 0.0,
-    }
 }

@@ -125,7 +125,7 @@ fn failure(
 
 /// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes.
 fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
-    if hardware.spring_kg.is_none() && element.mechanism.spring.kind.is_beam() {
+    if hardware.spring_kg.is_none() && element.mechanism.spring.has_own_mass() {
         return f64::INFINITY;
     }
     spring_kg.map_or(f64::INFINITY, |kg| kg * element.mechanism.specific_energy_j_kg())

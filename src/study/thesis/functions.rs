@@ -1,7 +1,7 @@
 //! The functions that expressions of the claims may call: arithmetic, properties of curves, closed forms, the screening matrix.
 
 use crate::model::design::{self, Rod};
-use crate::model::mechanism::{inertia::moving_part, load};
+use crate::model::mechanism::load;
 use crate::model::scene::{Beam, Spring, SpringKind, Wire};
 use crate::numerics::larger;
 use crate::numerics::statistics::sorted_by;
@@ -146,7 +146,8 @@ pub(super) static FUNCTIONS: &[Function] = &[
         load::yields_at_m(&spring).unwrap_or(f64::NAN)
     }),
     of_numbers("beam_tip_mass", 0, |_| {
-        moving_part(SpringKind::Cantilever) * Beam::default().mass_kg()
+        let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
+        spring.moving_part() * spring.beam.mass_kg()
     }),
     // Its tip load over the elastic line's, at a displacement over its length.
     of_numbers("beam_over_elastica", 1, |it| {

@@ -1,0 +1,128 @@
+//! A beam as the pseudo-rigid-body model sees it: two rigid links, a pin and a torsional spring.
+//!
+//! `P = K Theta/(gamma l cos Theta)`, `x = gamma l sin Theta`, `K = gamma K_Theta E I/l`; the load keeps its direction, the bending
+//! moment at the root is `P (l - gamma l (1 - cos Theta))`. L. L. Howell, *Compliant Mechanisms* (2001), chapter 5; thesis
+//! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
+
+use super::{Bounds, Law, Spring, SpringKind};
+use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::piece::Piece;
+use crate::model::variables::part::parts;
+use crate::numerics::root::in_bracket;
+use crate::numerics::smaller;
+
+/// `K_Theta`, the stiffness coefficient of the torsional spring for a load across the beam.
+const STIFFNESS_COEFFICIENT: f64 = 2.65;
+/// gamma, the characteristic radius factor of Table 9.3.
+const RADIUS_FACTOR: f64 = 0.85;
+/// The angle up to which the pseudo-rigid body follows the beam (Howell, for a load across the beam); beyond it the force
+/// goes on along its tangent, so that a run that gets there ends with a warning instead of failing.
+const ANGLE_MAX_DEG: f64 = 64.3;
+/// Pivots of a guided beam, each of twice the stiffness of the cantilever's one.
+const PIVOTS: f64 = 2.0;
+/// The parts of a beam's mass that move with its end.
+const MOVING_CANTILEVER: f64 = 33.0 / 140.0;
+const MOVING_GUIDED: f64 = 13.0 / 35.0;
+
+const TABLE_9_3: &str = "thesis Table 9.3";
+const TITANIUM: &str = "thesis Table 9.3: titanium 6-4";
+
+parts! {
+    /// A rectangular beam: that of Table 9.3 of the thesis, titanium 6-4, whose density it does not give.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Beam {
+        pub length_m: f64 = 0.3 => "l_beam", "beam length", "length of a beam", number(Length, Positive).from(TABLE_9_3);
+        pub width_m: f64 = 0.03 => "w_beam", "beam width", "width of a beam, across the bending",
+            number(Length, Positive).from(TABLE_9_3);
+        pub height_m: f64 = 0.015 => "h_beam", "beam height", "height of a beam, in the direction of bending",
+            number(Length, Positive).from(TABLE_9_3);
+        pub modulus_pa: f64 = 113.8e9 => "E_beam", "beam modulus", "modulus of elasticity of a beam",
+            number(Pressure, Positive).from(TITANIUM);
+        pub yield_pa: f64 = 880e6 => "Y_beam", "beam strength", "yield strength of a beam",
+            number(Pressure, Positive).from(TITANIUM);
+        pub density_kg_m3: f64 = 4430.0 => "rho_beam", "beam density", "density of a beam",
+            number(Density, Positive).from("titanium 6-4; Table 9.3 does not give it");
+    }
+}
+
+impl Beam {
+    /// K, N m/rad.
+    pub fn torsional_n_m(&self) -> f64 {
+        let inertia = self.width_m * self.height_m.powi(3) / 12.0;
+        RADIUS_FACTOR * STIFFNESS_COEFFICIENT * self.modulus_pa * inertia / self.length_m
+    }
+
+    fn reach_m(&self) -> f64 {
+        RADIUS_FACTOR * self.length_m
+    }
+
+    /// The law of a given number of cantilevers in parallel.
+    pub fn link(&self, count: f64) -> Piece {
+        let reach_m = self.reach_m();
+        Piece::Link { force_n: count * self.torsional_n_m() / reach_m, reach_m }
+    }
+
+    /// Displacement up to which the pseudo-rigid body follows the beam, m.
+    fn limit_m(&self) -> f64 {
+        self.reach_m() * ANGLE_MAX_DEG.to_radians().sin()
+    }
+
+    fn stress_pa(&self, kind: SpringKind, x_m: f64) -> f64 {
+        let x = smaller(x_m.abs(), self.limit_m());
+        if kind == SpringKind::FixedGuided {
+            // Each half is a cantilever of half the length with half the displacement.
+            let half = Self { length_m: 0.5 * self.length_m, ..*self };
+            return half.stress_pa(SpringKind::Cantilever, 0.5 * x);
+        }
+        let cos = (x / self.reach_m()).asin().cos();
+        let arm = self.length_m - self.reach_m() * (1.0 - cos);
+        let section = self.width_m * self.height_m * self.height_m / 6.0;
+        self.link(1.0).force(x) * arm / section
+    }
+
+    /// Its mass, kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.density_kg_m3 * self.width_m * self.height_m * self.length_m
+    }
+}
+
+/// A number of beams in parallel.
+impl Law for Beam {
+    /// Straight beyond where the pseudo-rigid body follows the beams.
+    fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
+        let pivots = if spring.kind == SpringKind::FixedGuided { PIVOTS } else { 1.0 };
+        let link = self.link(spring.count * pivots * pivots);
+        let limit = self.limit_m();
+        let beyond = |x: f64| Piece::line(x, link.force(x), link.tangent(x));
+        let pieces = vec![beyond(-limit), link.clone(), beyond(limit)];
+        Curve::new(Segments { knots_m: vec![-limit, limit], pieces }, limit)
+    }
+
+    fn bounds(&self, spring: &Spring) -> Vec<Bounds> {
+        let yields = self.yields_at_m(spring).map(|at| {
+            let what = "the beam yields, and the law is elastic";
+            Bounds { what, low_m: -at, high_m: at }
+        });
+        let what = "the pseudo-rigid body follows no beam farther; the force goes on straight";
+        let end = Bounds { what, low_m: -self.limit_m(), high_m: self.limit_m() };
+        yields.into_iter().chain([end]).collect()
+    }
+
+    fn mass_kg(&self, spring: &Spring) -> Option<f64> {
+        Some(spring.count * Self::mass_kg(self))
+    }
+
+    fn moving_part(&self, spring: &Spring) -> f64 {
+        if spring.kind == SpringKind::FixedGuided { MOVING_GUIDED } else { MOVING_CANTILEVER }
+    }
+
+    fn stress_ratio(&self, spring: &Spring, x_m: f64) -> Option<f64> {
+        Some(self.stress_pa(spring.kind, x_m) / self.yield_pa)
+    }
+
+    fn yields_at_m(&self, spring: &Spring) -> Option<f64> {
+        let limit = self.limit_m();
+        let excess = |x: f64| self.stress_pa(spring.kind, x) - self.yield_pa;
+        (excess(limit) > 0.0).then(|| in_bracket(0.0, limit, excess))
+    }
+}

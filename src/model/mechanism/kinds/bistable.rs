@@ -1,0 +1,50 @@
+//! A spring with two stable positions, the first at x = 0.
+
+use super::{Law, Spring};
+use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::piece::Piece;
+use crate::model::units;
+use crate::model::variables::VariableError;
+use crate::model::variables::part::{NO_VALUES, parts};
+
+parts! {
+    /// Two stable positions and the barrier between them.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Bistable {
+        pub second_m: f64 = 0.02 => "x_2", "second position", "second stable position; the first is x = 0",
+            number(Length, Positive).from(NO_VALUES);
+        pub unstable_m: Option<f64> = None => "x_u", "unstable point",
+            "unstable position between the stable ones: near 0 means much energy stored in the first",
+            optional(Length, Positive, "midway").from("absent: midway, both equally deep");
+        pub barrier_n: f64 = 1e3 => "F_bar", "barrier force",
+            "greatest force on the way out of the first stable position", number(Force, Positive).log().from(NO_VALUES);
+    }
+}
+
+impl Law for Bistable {
+    /// C x (x - u) (x - s): stable at 0 and s, unstable at u; C from the greatest force on the way out of 0.
+    fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
+        let s = self.second_m;
+        let u = self.unstable_m.unwrap_or(0.5 * s);
+        // The slope 3x² - 2(u + s)x + us is zero at the barrier.
+        let sum = u + s;
+        let top = (sum - (sum * sum - 3.0 * u * s).sqrt()) / 3.0;
+        let factor = spring.count * self.barrier_n / (top * (top - u) * (top - s));
+        let c = [0.0, factor * u * s, -factor * sum, factor];
+        // One cubic all over; its zeros are knots, between which the energy only rises or only falls.
+        let pieces = vec![Piece::Cubic { from_m: 0.0, c }; 4];
+        Curve::new(Segments { knots_m: vec![0.0, u, s], pieces }, s)
+    }
+
+    fn check(&self, path: &str) -> Result<(), VariableError> {
+        let Some(unstable) = self.unstable_m.filter(|unstable| *unstable >= self.second_m) else {
+            return Ok(());
+        };
+        Err(VariableError::new(format!(
+            "x_u ({path}.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it must be less \
+             than x_2; reduce it, or write `midway`",
+            units::shortest(unstable),
+            units::shortest(self.second_m)
+        )))
+    }
+}

@@ -1,0 +1,26 @@
+//! A force that rises linearly and then stays.
+
+use super::{Law, Spring};
+use crate::model::mechanism::curve::Curve;
+use crate::model::mechanism::piece::Piece;
+use crate::model::variables::part::{NO_VALUES, parts};
+
+parts! {
+    /// A constant force and the way to it.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct ConstantForce {
+        pub force_n: f64 = 2e3 => "F_c", "constant force", "the constant force",
+            number(Force, NonNegative).log().from(NO_VALUES);
+        pub rise_m: f64 = 1e-3 => "x_c", "ramp length", "displacement over which the constant force is reached",
+            number(Length, Positive);
+    }
+}
+
+impl Law for ConstantForce {
+    fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
+        let (rise, force) = (self.rise_m, spring.count * self.force_n);
+        let pieces =
+            [(0.0, Piece::line(0.0, 0.0, force / rise)), (rise, Piece::line(0.0, force, 0.0))];
+        Curve::odd(&pieces, rise)
+    }
+}

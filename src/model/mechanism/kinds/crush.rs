@@ -1,0 +1,69 @@
+//! An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
+
+use super::{Bounds, Law, Spring};
+use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::piece::Piece;
+use crate::model::units;
+use crate::model::variables::VariableError;
+use crate::model::variables::part::parts;
+use crate::numerics::{larger, smaller};
+
+parts! {
+    /// A crush force, the way to it, and its end.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Crush {
+        pub force_n: f64 = 5e3 => "F_crush", "crush force", "force at which the absorber is crushed",
+            number(Force, Positive).log();
+        pub stroke_m: f64 = 0.05 => "x_crush", "crush length", "displacement at which the absorber is flat and solid",
+            number(Length, Positive);
+        pub stiffness_n_m: f64 = 1e7 => "k_crush", "crush stiffness",
+            "stiffness before the absorber is crushed and when it unloads", number(Stiffness, Positive).log();
+    }
+}
+
+impl Crush {
+    /// The displacement at which an absorber that was never loaded begins to be crushed, m.
+    pub fn rise_m(&self) -> f64 {
+        self.force_n / self.stiffness_n_m
+    }
+}
+
+impl Law for Crush {
+    /// Nothing where the absorber has set, an elastic rise up to where it was crushed last, a constant force up to its stroke, and
+    /// solid from there on.
+    fn curve(&self, spring: &Spring, crushed_m: f64) -> Curve {
+        let (force, stiffness) = (spring.count * self.force_n, spring.count * self.stiffness_n_m);
+        let (rise, stroke) = (self.rise_m(), self.stroke_m);
+        let from = smaller(larger(crushed_m, rise), stroke);
+        let elastic = |at: f64| Piece::line(at, force, stiffness);
+        let mut knots_m = vec![from - rise];
+        let mut pieces = vec![Piece::line(0.0, 0.0, 0.0), elastic(from)];
+        if from < stroke {
+            knots_m.extend([from, stroke]);
+            pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
+        }
+        Curve::new(Segments { knots_m, pieces }, stroke)
+    }
+
+    /// An absorber begins to be crushed before it is flat.
+    fn check(&self, path: &str) -> Result<(), VariableError> {
+        if self.stroke_m > self.rise_m() {
+            return Ok(());
+        }
+        Err(VariableError::new(format!(
+            "x_crush ({path}.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must \
+             be more; raise x_crush or k_crush",
+            units::shortest(self.stroke_m),
+            units::shortest(self.rise_m())
+        )))
+    }
+
+    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
+        let what = "the absorber is crushed flat; it is solid from there on";
+        vec![Bounds { what, low_m: f64::NEG_INFINITY, high_m: self.stroke_m }]
+    }
+
+    fn absorber(&self) -> Option<&Crush> {
+        Some(self)
+    }
+}

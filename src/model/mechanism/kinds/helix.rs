@@ -1,0 +1,32 @@
+//! A helical spring whose plate turns as it yields.
+
+use super::{Law, Spring};
+use crate::model::mechanism::PowerLaw;
+use crate::model::variables::part::{NO_VALUES, parts};
+
+parts! {
+    /// A linear spring that turns the plate.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Helix {
+        pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",
+            number(Stiffness, NonNegative).log().from(NO_VALUES);
+        pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement, rad/m", number(Number, Any);
+        pub inertia_kg_m2: f64 = 5e-6 => "I_z", "inertia",
+            "moment of inertia of what turns, kg m2: the plate gains I_z twist^2",
+            number(Number, NonNegative).log().from("thesis section 6.2.7; values are assumptions");
+    }
+}
+
+impl Law for Helix {
+    fn power_law(&self, spring: &Spring) -> Option<PowerLaw> {
+        Some(PowerLaw { coefficient: self.stiffness_n_m * spring.count, exponent: 1.0 })
+    }
+
+    fn rotation_kg(&self) -> f64 {
+        self.inertia_kg_m2 * self.twist_rad_m * self.twist_rad_m
+    }
+
+    fn is_coil(&self) -> bool {
+        true
+    }
+}

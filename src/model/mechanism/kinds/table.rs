@@ -1,0 +1,93 @@
+//! A measured force over displacement.
+
+use std::sync::Arc;
+
+use super::{Bounds, Law, Spring};
+use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::piece::Piece;
+use crate::model::units;
+use crate::model::variables::VariableError;
+use crate::model::variables::part::parts;
+use crate::numerics::monotone;
+
+/// Most points of a table: a measurement has fewer, and each is an event of the run.
+const POINTS_MAX: usize = 2_000;
+
+parts! {
+    /// Points of a measured curve: the baseline's spring, 100 kN/m. One at x = 0, F = 0 at the start makes the law odd.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Table {
+        /// (x m, F N) with rising x.
+        pub points: Arc<[[f64; 2]]> = Arc::from([[0.0, 0.0], [0.01, 1e3], [0.05, 5e3]]);
+    }
+}
+
+impl Table {
+    fn is_odd(&self) -> bool {
+        self.points[0][0] == 0.0 && self.points[0][1] == 0.0
+    }
+}
+
+impl Law for Table {
+    /// The points joined by shape-preserving cubics, and on along the tangents at both ends.
+    fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
+        let points: Vec<[f64; 2]> =
+            self.points.iter().map(|[x, force]| [*x, force * spring.count]).collect();
+        let slopes = monotone::slopes(&points);
+        let last = points.len() - 1;
+        let scale_m = points[last][0] - points[0][0];
+        let end = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
+        let mut laws = Vec::with_capacity(points.len());
+        for at in 0..last {
+            let c = monotone::cubic(points[at], points[at + 1], [slopes[at], slopes[at + 1]]);
+            laws.push((points[at][0], Piece::Cubic { from_m: points[at][0], c }));
+        }
+        laws.push((points[last][0], end(last)));
+        if self.is_odd() {
+            return Curve::odd(&laws, scale_m);
+        }
+        let knots_m = laws.iter().map(|(from, _)| *from).collect();
+        let pieces =
+            std::iter::once(end(0)).chain(laws.into_iter().map(|(_, piece)| piece)).collect();
+        Curve::new(Segments { knots_m, pieces }, scale_m)
+    }
+
+    /// A table has enough points, which are finite and rise in x.
+    fn check(&self, path: &str) -> Result<(), VariableError> {
+        let points = &self.points;
+        let refuse = |what: String| Err(VariableError::new(format!("{path}.table{what}")));
+        let count = points.len();
+        if !(2..=POINTS_MAX).contains(&count) {
+            return refuse(format!(
+                " has {count} points: it must have 2 to {POINTS_MAX}; write points = [[x, F], ...] in m and N, or file = \
+                 \"curve.csv\""
+            ));
+        }
+        let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+        if let Some(at) = points.iter().position(|point| !is_finite(point)) {
+            return refuse(format!(
+                ": point {} is not finite: every x (m) and F (N) must be a number; remove the point",
+                at + 1
+            ));
+        }
+        if let Some(at) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
+            return refuse(format!(
+                ": x = {} m of point {} does not exceed x = {} m of the point before it: a table must rise in x; sort the points \
+                 and leave only one at each x",
+                units::shortest(points[at + 1][0]),
+                at + 2,
+                units::shortest(points[at][0])
+            ));
+        }
+        Ok(())
+    }
+
+    fn bounds(&self, _: &Spring) -> Vec<Bounds> {
+        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
+            return Vec::new();
+        };
+        let low_m = if self.is_odd() { -last[0] } else { first[0] };
+        let what = "the table ends; the force goes on straight";
+        vec![Bounds { what, low_m, high_m: last[0] }]
+    }
+}

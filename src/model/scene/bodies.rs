@@ -1,0 +1,168 @@
+//! The projectile, and the plate as a target and as a body.
+
+use crate::model::scene::Scene;
+use crate::model::units::Quantity;
+use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts};
+use crate::model::variables::visible::{is_oblique, is_sprung};
+use crate::model::variables::{Allowed, Kind, Number, Variable};
+use crate::model::worded::worded;
+
+parts! {
+    /// A rigid projectile with a hemispherical nose.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Projectile {
+        pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass", sizing(Mass).from(TABLE_9_1);
+        pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
+            number(Length, Positive).from(TABLE_9_1);
+        pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity",
+            number(Velocity, Positive).also(&["vi"]).from(TABLE_9_1);
+        pub obliquity_deg: f64 = 0.0 => "theta", "obliquity", "obliquity, between the projectile's axis and the plate's normal",
+            number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
+        pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, used for the ricochet warning only",
+            number(Density, Positive).when(is_oblique).from("assumption: steel");
+        pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
+            number(Pressure, Positive).when(is_oblique).from("assumption: 1 GPa");
+        pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
+            "shape of the nose; the law is for a hemisphere, other shapes cause a warning",
+            choice().listed_when(|scene| scene.projectile.nose != Nose::Hemispherical).from("assumption of the model");
+    }
+
+    /// The plate as a target.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Target {
+        pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", sizing(Length).from(TABLE_9_1);
+        pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
+            sizing(Density).from("thesis Table 9.1 (the Appendix has 2780)");
+        /// What counts is [`Scene::flow_strength_pa`].
+        pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
+            number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| scene.target.closure == Closure::Given)
+            .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
+        pub closure: Closure = Closure::Given => "closure", "source of S_y",
+            "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
+            choice().from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
+        pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
+            number(Pressure, Positive).listed_when(|scene| scene.target.closure != Closure::Given)
+            .from("thesis Appendix A.1: 75.8 MPa");
+        pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
+            number(Pressure, Positive).listed_when(|scene| scene.target.closure == Closure::Cavity)
+            .from("aluminium 2024; the thesis needs none");
+        pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
+            "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
+            number(Number, NonNegative).also(&["Cd"]).from(TABLE_9_1);
+        pub dishing: bool = true => "dishing", "dishing",
+            "the plate's local bulge takes up about one projectile diameter of travel",
+            is(DISHING).from("thesis section 8.3.1 and Appendix A.2");
+    }
+
+    /// The plate as a body.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Plate {
+        pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
+            choice().from("thesis section 9.3 (rigid: the baseline)");
+        pub mass_ratio: f64 = 1.0 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
+            is(MASS_RATIO).searched(0.8, 7.0).used_when(is_sprung).from(TABLE_9_2);
+        /// The input that defines the plate's size; the mass ratio follows from it, unless it is the input itself.
+        pub size: PlateSize = PlateSize::Ratio => each(sizes);
+        pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d, at rest",
+            number(Length, NonNegative).searched(0.0, 0.5)
+            .used_when(|scene| is_sprung(scene) && scene.mechanism.has_springs()).from(TABLE_9_2);
+    }
+}
+
+worded! {
+    /// The shape of a projectile's nose.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Nose: word {
+        #[default]
+        Hemispherical = "hemispherical",
+        /// An ogive or a cone.
+        Pointed = "pointed",
+        /// Flat, or nearly so: it shears out a plug.
+        Blunt = "blunt",
+    }
+}
+
+worded! {
+    /// Where the flow strength comes from.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Closure: word {
+        /// It is given: `S_y`.
+        #[default]
+        Given = "given",
+        /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
+        DoubleYield = "double-yield",
+        /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
+        /// without dishing.
+        Cavity = "cavity",
+    }
+}
+
+worded! {
+    /// How the plate is carried.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Mount: word {
+        #[default]
+        Sprung = "sprung",
+        Rigid = "rigid",
+    }
+}
+
+/// The input that defines the plate's size.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum PlateSize {
+    /// gamma.
+    #[default]
+    Ratio,
+    /// `m_2` > 0 kg.
+    Mass(f64),
+    /// The side of its square face, > 0 m: the plate is a block of its material.
+    Face(f64),
+}
+
+const DISHING: Kind =
+    Kind::Switch { get: |scene| scene.target.dishing, set: |scene, on| scene.target.dishing = on };
+
+/// gamma: setting it makes it the input that defines the plate's size.
+const MASS_RATIO: Kind = Kind::Number(Number {
+    get: |scene| Some(scene.plate.mass_ratio),
+    set: |scene, value| {
+        scene.plate.size = PlateSize::Ratio;
+        scene.plate.mass_ratio = value.unwrap_or_default();
+    },
+    ..Number::of(Quantity::Number, Allowed::Positive)
+});
+
+/// The inputs that define the plate's size instead of gamma.
+fn sizes() -> Vec<Variable> {
+    macro_rules! size {
+        ($key:literal, $quantity:ident, $size:ident) => {{
+            let number = Number {
+                absent: Some("none"),
+                get: |scene| match scene.plate.size {
+                    PlateSize::$size(value) => Some(value),
+                    _ => None,
+                },
+                set: |scene, value| match (value, scene.plate.size) {
+                    (Some(value), _) => scene.resize(PlateSize::$size(value)),
+                    (None, PlateSize::$size(_)) => scene.resize(PlateSize::Ratio),
+                    (None, _) => {}
+                },
+                ..Number::of(Quantity::$quantity, Allowed::Positive)
+            };
+            Variable::at::<Plate, Scene>($key, Kind::Number(number))
+                .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))
+                .used_when(is_sprung)
+                .from("none: gamma gives the mass")
+        }};
+    }
+    vec![
+        size!("mass_kg", Mass, Mass)
+            .named("m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it")
+            .also(&["m2"]),
+        size!("face_m", Length, Face).named(
+            "face",
+            "plate side",
+            "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
+        ),
+    ]
+}

@@ -1,0 +1,146 @@
+//! What carries the plate: springs, damper and stop.
+
+use crate::model::mechanism::kinds::{Spring, SpringKind};
+use crate::model::variables::part::{TABLE_9_2, parts};
+use crate::model::variables::visible::{has_stop, has_stop_of};
+use crate::model::worded::worded;
+
+parts! {
+    /// Springs, damper and stop.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Mechanism {
+        /// The damper.
+        pub damper: Damper = Damper::default();
+        /// The first spring.
+        pub spring: Spring = Spring::default();
+        pub combination: Combination = Combination::Alone => "combine", "second spring",
+            "a second spring: none (alone), parallel to the first one, or in series with it",
+            choice().from("thesis section 6.2.8; one spring in chapter 9");
+        /// Without effect where the first spring is alone.
+        pub second: Spring = Spring::default();
+        pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
+            "energy per mass of the spring or absorber, which gives its least mass",
+            optional(SpecificEnergy, Positive, "auto").listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
+            .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
+        /// The stop.
+        pub stop: Stop = Stop::default();
+    }
+
+    /// A power-law damper.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Damper {
+        pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
+            number(DamperCoefficient, NonNegative).searched(0.0, 2000.0).log().from(TABLE_9_2);
+        pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
+            number(Number, Positive).log().used_when(|scene| !scene.mechanism.damper.is_absent())
+            .from("thesis section 9.2.2: 1");
+    }
+
+    /// A mechanical stop, which acts on the plate.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Stop {
+        pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
+            optional(Length, Any, "none").also(&["stop"]).from("thesis sections 9.5.1 and 9.6");
+        pub kind: StopKind = StopKind::Rigid => "stop_kind", "kind of stop",
+            "rigid: an impact with restitution; elastic: a one-sided spring and damper",
+            choice().used_when(has_stop).from("assumption: the thesis names no kind");
+        pub restitution: f64 = 0.0 => "e", "restitution", "restitution of a rigid stop: w becomes -e w",
+            number(Number, Between(0.0, 1.0)).used_when(|scene| has_stop_of(scene, StopKind::Rigid));
+        pub stiffness_n_m: f64 = 1e8 => "k_stop", "stop stiffness", "stiffness of an elastic stop",
+            number(Stiffness, Positive).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
+        pub damping_n_s_m: f64 = 0.0 => "b_stop", "stop damping", "damping of an elastic stop (it only pushes)",
+            number(Damping, NonNegative).log().used_when(|scene| has_stop_of(scene, StopKind::Elastic));
+    }
+
+    /// The material a spring is wound of: spring steel.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Wire {
+        pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
+            number(Density, Positive).from("spring steel");
+        pub shear_modulus_pa: f64 = 79.3e9 => "G_wire", "shear modulus", "shear modulus of the wire",
+            number(Pressure, Positive).from("spring steel");
+        pub shear_strength_pa: f64 = 700e6 => "tau_wire", "wire strength", "shear stress the wire may have",
+            number(Pressure, Positive).from("spring steel");
+    }
+}
+
+worded! {
+    /// How the first and the second spring act together.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Combination: word {
+        #[default]
+        Alone = "alone",
+        /// Both are displaced alike: their forces add.
+        Parallel = "parallel",
+        /// Both carry the same force: their displacements add.
+        Series = "series",
+    }
+}
+
+worded! {
+    /// Whether a spring's own mass counts.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum OwnMass: word {
+        #[default]
+        Ignored = "ignored",
+        /// The part that moves with the plate adds to the plate's.
+        Counted = "counted",
+    }
+}
+
+worded! {
+    /// The kind of stop.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum StopKind: word {
+        #[default]
+        Rigid = "rigid",
+        Elastic = "elastic",
+    }
+}
+
+impl Damper {
+    /// Whether there is none.
+    pub fn is_absent(&self) -> bool {
+        self.coefficient == 0.0
+    }
+}
+
+impl Mechanism {
+    /// Leave the springs out, and with them what they weigh and turn.
+    pub fn remove_springs(&mut self) {
+        self.combination = Combination::Alone;
+        self.spring.kind = SpringKind::PowerLaw;
+        self.spring.coefficient = 0.0;
+        self.spring.own_mass = OwnMass::Ignored;
+    }
+
+    /// Whether there is a spring at all.
+    pub fn has_springs(&self) -> bool {
+        self.combination != Combination::Alone || !self.spring.is_absent()
+    }
+
+    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion.
+    pub fn specific_energy_j_kg(&self) -> f64 {
+        let wire = self.spring.wire;
+        let coil = wire.shear_strength_pa * wire.shear_strength_pa
+            / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa);
+        self.energy_j_kg.unwrap_or(coil)
+    }
+
+    /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.
+    pub fn is_plain(&self) -> bool {
+        let spring = &self.spring;
+        self.combination == Combination::Alone
+            && spring.kind == SpringKind::PowerLaw
+            && spring.own_mass == OwnMass::Ignored
+            && spring.is_single()
+    }
+
+    /// Whether it is plain and neither spring, damper nor stop is there.
+    pub fn is_nothing(&self) -> bool {
+        self.is_plain()
+            && self.spring.coefficient == 0.0
+            && self.damper.is_absent()
+            && self.stop.position_m.is_none()
+    }
+}

@@ -1,0 +1,246 @@
+//! Parts of a scene: structs that have beside each field its default value and its row of the table of variables.
+
+use super::visible::Visible;
+use super::{Allowed, Group, Kind, Number, Step, Variable};
+use crate::model::scene::Scene;
+use crate::model::units::Quantity;
+
+/// Sources of many defaults.
+pub(in crate::model) const TABLE_9_1: &str = "thesis Table 9.1";
+pub(in crate::model) const TABLE_9_2: &str = "thesis Table 9.2 (range searched)";
+/// The source of most defaults of the springs.
+pub(in crate::model) const NO_VALUES: &str = "assumption: the thesis gives no values";
+
+/// A place of a scene at which a part `T` stands.
+pub(in crate::model) trait Place<T> {
+    /// The group of the editor that its fields stand in.
+    const GROUP: Group;
+
+    /// The start of the keys of its fields, for example `mechanism.damper`.
+    fn path() -> String;
+
+    fn part(scene: &Scene) -> &T;
+
+    fn part_mut(scene: &mut Scene) -> &mut T;
+
+    /// Whether a list shows its fields at all.
+    fn is_listed(_: &Scene) -> bool {
+        true
+    }
+
+    /// Whether its fields have any effect.
+    fn is_used(_: &Scene) -> bool {
+        true
+    }
+}
+
+/// Defines structs whose fields are variables. A field has its type, its default value, its symbol, its label (a noun of at most
+/// sixteen letters), its meaning, the kind of its value, and what else there is to say of it:
+///
+/// ```text
+/// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).from(TABLE_9_1);
+/// ```
+///
+/// A field without a row is a part by itself, or `each(function)` lists rows for it. In the expressions `P` is the [`Place`].
+macro_rules! parts {
+    ($(
+        $(#[$meta:meta])*
+        pub struct $name:ident {
+            $(
+                $(#[$doc:meta])*
+                pub $field:ident: $type:ty = $default:expr
+                    $(=> $($symbol:literal, $label:literal, $meaning:literal,)?
+                        $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*)?;
+            )+
+        }
+    )+) => {$(
+        $(#[$meta])*
+        pub struct $name {
+            $(
+                $(#[$doc])*
+                $($(#[doc = concat!($meaning, ".")])?)?
+                pub $field: $type,
+            )+
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default,)+ }
+            }
+        }
+
+        impl $name {
+            /// The rows of its fields, in order.
+            pub(in crate::model) fn rows<P: $crate::model::variables::part::Place<Self>>(
+            ) -> Vec<$crate::model::variables::Variable> {
+                let rows: Vec<Vec<$crate::model::variables::Variable>> = vec![
+                    $($($crate::model::variables::part::row! {
+                        P, $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
+                        $(.$more($($value),*))*
+                    },)?)+
+                ];
+                rows.concat()
+            }
+        }
+    )+};
+}
+
+/// The rows that belong to a field: one with a symbol, or those a function lists.
+macro_rules! row {
+    ($place:ident, $field:ident: $type:ty, [], each($rows:expr)) => {
+        $rows()
+    };
+    (
+        $place:ident, $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
+        $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
+    ) => {
+        vec![
+            $crate::model::variables::Variable::at::<Self, $place>(
+                stringify!($field),
+                $crate::model::variables::part::kind!($place, $field: $type, $kind($($of_kind)*)),
+            )
+            .named($symbol, $label, $meaning)
+            $(.$more($($value),*))*
+        ]
+    };
+}
+
+/// The kind of a variable that is a field of a part, with its access.
+macro_rules! kind {
+    // A required number.
+    ($place:ident, $field:ident: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number};
+        Kind::Number(Number {
+            get: |scene| Some($place::part(scene).$field),
+            set: |scene, value| $place::part_mut(scene).$field = value.unwrap_or_default(),
+            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$($allowed)+)
+        })
+    }};
+    // A required number on which the plate's mass ratio may depend.
+    ($place:ident, $field:ident: $type:ty, sizing($quantity:ident)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number};
+        Kind::Number(Number {
+            get: |scene| Some($place::part(scene).$field),
+            set: |scene, value| {
+                $place::part_mut(scene).$field = value.unwrap_or_default();
+                scene.follow_size();
+            },
+            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::Positive)
+        })
+    }};
+    // An optional number, with the word for its absence.
+    ($place:ident, $field:ident: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
+        use $crate::model::variables::{Allowed, Kind, Number};
+        Kind::Number(Number {
+            absent: Some($absent),
+            get: |scene| $place::part(scene).$field,
+            set: |scene, value| $place::part_mut(scene).$field = value,
+            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$allowed)
+        })
+    }};
+    // One of a few words.
+    ($place:ident, $field:ident: $type:ty, choice()) => {{
+        use $crate::model::variables::{Choice, Kind};
+        Kind::Choice(Choice {
+            words: &<$type>::WORDS,
+            get: |scene| $place::part(scene).$field as usize,
+            set: |scene, index| {
+                $place::part_mut(scene).$field = <$type>::ALL[index.min(<$type>::ALL.len() - 1)];
+            },
+        })
+    }};
+    // Anything else.
+    ($place:ident, $field:ident: $type:ty, is($kind:expr)) => {
+        $kind
+    };
+}
+
+pub(in crate::model) use {kind, parts, row};
+
+impl Variable {
+    /// A variable that is a field of a part, or goes with one; what else there is to say of it follows.
+    pub(in crate::model) fn at<T, P: Place<T>>(field: &str, kind: Kind) -> Self {
+        Self {
+            key: [P::path().as_str(), field].join(".").leak(),
+            symbol: "",
+            label: "",
+            aliases: &[],
+            part: Visible { listed: P::is_listed, used: P::is_used },
+            visible: Visible::ALWAYS,
+            group: P::GROUP,
+            meaning: "",
+            source: "assumption",
+            kind,
+        }
+    }
+
+    pub(in crate::model) fn named(
+        self,
+        symbol: &'static str,
+        label: &'static str,
+        meaning: &'static str,
+    ) -> Self {
+        Self { symbol, label, meaning, ..self }
+    }
+
+    pub(in crate::model) fn also(self, aliases: &'static [&'static str]) -> Self {
+        Self { aliases, ..self }
+    }
+
+    /// Where the default comes from.
+    pub(in crate::model) fn from(self, source: &'static str) -> Self {
+        Self { source, ..self }
+    }
+
+    /// Listed only here, and with an effect only here.
+    pub(in crate::model) fn when(self, used: fn(&Scene) -> bool) -> Self {
+        self.listed_when(used).used_when(used)
+    }
+
+    /// With an effect only here.
+    pub(in crate::model) fn used_when(self, used: fn(&Scene) -> bool) -> Self {
+        Self { visible: Visible { used, ..self.visible }, ..self }
+    }
+
+    /// Listed only here.
+    pub(in crate::model) fn listed_when(self, listed: fn(&Scene) -> bool) -> Self {
+        Self { visible: Visible { listed, ..self.visible }, ..self }
+    }
+
+    /// The range the thesis searched.
+    pub(in crate::model) fn searched(mut self, low: f64, high: f64) -> Self {
+        if let Kind::Number(number) = &mut self.kind {
+            number.thesis_range = Some((low, high));
+        }
+        self
+    }
+
+    /// The same row of a part that the thesis did not search.
+    pub(in crate::model) fn unsearched(mut self) -> Self {
+        if let Kind::Number(number) = &mut self.kind {
+            number.thesis_range = None;
+        }
+        self
+    }
+
+    /// The same row of another part of the same kind, whose symbols end in this.
+    pub(in crate::model) fn with_suffix(self, suffix: &str) -> Self {
+        Self { symbol: [self.symbol, suffix].concat().leak(), ..self }
+    }
+
+    /// The editor's arrow keys multiply it.
+    pub(in crate::model) fn log(mut self) -> Self {
+        if let Kind::Number(number) = &mut self.kind {
+            number.step = Step::Log;
+        }
+        self
+    }
+}
+
+impl Number {
+    /// A number that is required; its access follows.
+    pub(in crate::model) const fn of(quantity: Quantity, allowed: Allowed) -> Self {
+        let (thesis_range, step, absent) = (None, Step::Linear, None);
+        Self { quantity, allowed, thesis_range, step, absent, get: |_| None, set: |_, _| {} }
+    }
+}
