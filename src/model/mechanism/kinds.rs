@@ -8,7 +8,7 @@ use crate::model::mechanism::curve::Curve;
 use crate::model::scene::{Combination, Mechanism, OwnMass, Scene, Wire};
 use crate::model::variables::part::{Place, parts};
 use crate::model::variables::visible::is_sprung;
-use crate::model::variables::{Group, Variable, VariableError};
+use crate::model::variables::{Group, Kind, Variable, VariableError};
 use crate::model::worded::worded;
 
 mod beam;
@@ -80,9 +80,11 @@ macro_rules! kinds {
             }
         })+
 
-        /// The rows of one of the two springs.
-        fn rows_of<W: Which>() -> Vec<Variable> {
-            [Spring::rows::<W>(), $($field::$part::rows::<W>(),)+ Wire::rows::<W>()].concat()
+        /// Adds the rows of one of the two springs.
+        fn add_rows_of<W: Which>(rows: &mut Vec<Variable>) {
+            Spring::add_rows::<W>(rows);
+            $($field::$part::add_rows::<W>(rows);)+
+            Wire::add_rows::<W>(rows);
         }
     };
 }
@@ -328,10 +330,7 @@ impl Which for Second {
 
 impl<W: Which, T: SpringPart> Place<T> for W {
     const GROUP: Group = Group::Mechanism;
-
-    fn path() -> String {
-        [W::PATH, T::FIELD].concat()
-    }
+    const PATH: [&'static str; 2] = [W::PATH, T::FIELD];
 
     fn part(scene: &Scene) -> &T {
         T::of(W::of(&scene.mechanism))
@@ -350,12 +349,19 @@ impl<W: Which, T: SpringPart> Place<T> for W {
     }
 }
 
-/// The rows of the first spring.
-pub(in crate::model) fn first_rows() -> Vec<Variable> {
-    rows_of::<First>()
+/// Adds the rows of the first spring.
+pub(in crate::model) fn add_first_rows(rows: &mut Vec<Variable>) {
+    add_rows_of::<First>(rows);
 }
 
-/// The rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
-pub(in crate::model) fn second_rows() -> Vec<Variable> {
-    rows_of::<Second>().into_iter().map(|row| row.with_suffix("_2").unsearched()).collect()
+/// Adds the rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
+pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
+    let first = rows.len();
+    add_rows_of::<Second>(rows);
+    for row in &mut rows[first..] {
+        row.symbol = [row.symbol, "_2"].concat().leak();
+        if let Kind::Number(number) = &mut row.kind {
+            number.thesis_range = None;
+        }
+    }
 }

@@ -16,8 +16,8 @@ pub(in crate::model) trait Place<T> {
     /// The group of the editor that its fields stand in.
     const GROUP: Group;
 
-    /// The start of the keys of its fields, for example `mechanism.damper`.
-    fn path() -> String;
+    /// The start of the keys of its fields, in two pieces, for example `mechanism.damper` and nothing.
+    const PATH: [&'static str; 2];
 
     fn part(scene: &Scene) -> &T;
 
@@ -70,16 +70,15 @@ macro_rules! parts {
         }
 
         impl $name {
-            /// The rows of its fields, in order.
-            pub(in crate::model) fn rows<P: $crate::model::variables::part::Place<Self>>(
-            ) -> Vec<$crate::model::variables::Variable> {
-                let rows: Vec<Vec<$crate::model::variables::Variable>> = vec![
-                    $($($crate::model::variables::part::row! {
-                        P, $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
-                        $(.$more($($value),*))*
-                    },)?)+
-                ];
-                rows.concat()
+            /// Adds the rows of its fields, in order.
+            pub(in crate::model) fn add_rows<P: $crate::model::variables::part::Place<Self>>(
+                rows: &mut Vec<$crate::model::variables::Variable>,
+            ) {
+                rows.reserve([$(stringify!($field)),+].len());
+                $($(rows.extend($crate::model::variables::part::row! {
+                    P, $field: $type, [$($symbol, $label, $meaning)?], $kind($($of_kind)*)
+                    $(.$more($($value),*))*
+                });)?)+
             }
         }
     )+};
@@ -94,7 +93,7 @@ macro_rules! row {
         $place:ident, $field:ident: $type:ty, [$symbol:literal, $label:literal, $meaning:literal],
         $kind:ident($($of_kind:tt)*) $(.$more:ident($($value:expr),*))*
     ) => {
-        vec![
+        [
             $crate::model::variables::Variable::at::<Self, $place>(
                 stringify!($field),
                 $crate::model::variables::part::kind!($place, $field: $type, $kind($($of_kind)*)),
@@ -160,8 +159,13 @@ pub(in crate::model) use {kind, parts, row};
 impl Variable {
     /// A variable that is a field of a part, or goes with one; what else there is to say of it follows.
     pub(in crate::model) fn at<T, P: Place<T>>(field: &str, kind: Kind) -> Self {
+        let [path, of_path] = P::PATH;
+        let mut key = String::with_capacity(path.len() + of_path.len() + 1 + field.len());
+        for piece in [path, of_path, ".", field] {
+            key.push_str(piece);
+        }
         Self {
-            key: [P::path().as_str(), field].join(".").leak(),
+            key: key.leak(),
             symbol: "",
             label: "",
             aliases: &[],
@@ -213,19 +217,6 @@ impl Variable {
             number.thesis_range = Some((low, high));
         }
         self
-    }
-
-    /// The same row of a part that the thesis did not search.
-    pub(in crate::model) fn unsearched(mut self) -> Self {
-        if let Kind::Number(number) = &mut self.kind {
-            number.thesis_range = None;
-        }
-        self
-    }
-
-    /// The same row of another part of the same kind, whose symbols end in this.
-    pub(in crate::model) fn with_suffix(self, suffix: &str) -> Self {
-        Self { symbol: [self.symbol, suffix].concat().leak(), ..self }
     }
 
     /// The editor's arrow keys multiply it.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use super::part::Place;
 use super::visible::{is_hydrodynamic, is_listing, is_sprung, may_stop, uses_target};
 use super::{Group, Variable};
-use crate::model::mechanism::kinds::{first_rows, second_rows};
+use crate::model::mechanism::kinds::{add_first_rows, add_second_rows};
 use crate::model::scene::{
     Combination, Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings,
     Scene, Stack, Stop, Target,
@@ -13,20 +13,17 @@ use crate::model::scene::{
 
 /// Defines where parts stand in a scene: their group, their path, and when they are listed and used.
 macro_rules! places {
-    ($($group:ident, $($field:ident).+: $part:ident $(, listed $listed:ident)? $(, used $used:ident)?;)+) => {$(
+    ($($group:ident, $first:ident $(. $field:ident)*: $part:ident $(, listed $listed:ident)? $(, used $used:ident)?;)+) => {$(
         impl Place<$part> for Scene {
             const GROUP: Group = Group::$group;
-
-            fn path() -> String {
-                [$(stringify!($field)),+].join(".")
-            }
+            const PATH: [&'static str; 2] = [concat!(stringify!($first) $(, ".", stringify!($field))*), ""];
 
             fn part(scene: &Self) -> &$part {
-                &scene.$($field).+
+                &scene.$first$(.$field)*
             }
 
             fn part_mut(scene: &mut Self) -> &mut $part {
-                &mut scene.$($field).+
+                &mut scene.$first$(.$field)*
             }
 
             $(fn is_listed(scene: &Self) -> bool {
@@ -54,24 +51,26 @@ places! {
     Run, run: RunSettings;
 }
 
+/// Room for all rows without growing.
+const COUNT_ABOUT: usize = 128;
+
 /// Every variable there is.
 pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
-    [
-        Projectile::rows::<Scene>(),
-        Target::rows::<Scene>(),
-        Plate::rows::<Scene>(),
-        Damper::rows::<Scene>(),
-        first_rows(),
-        Mechanism::rows::<Scene>(),
-        second_rows(),
-        Stop::rows::<Scene>(),
-        Stack::rows::<Scene>(),
-        Contact::rows::<Scene>(),
-        Listing::rows::<Scene>(),
-        Interface::rows::<Scene>(),
-        RunSettings::rows::<Scene>(),
-    ]
-    .concat()
+    let mut rows = Vec::with_capacity(COUNT_ABOUT);
+    Projectile::add_rows::<Scene>(&mut rows);
+    Target::add_rows::<Scene>(&mut rows);
+    Plate::add_rows::<Scene>(&mut rows);
+    Damper::add_rows::<Scene>(&mut rows);
+    add_first_rows(&mut rows);
+    Mechanism::add_rows::<Scene>(&mut rows);
+    add_second_rows(&mut rows);
+    Stop::add_rows::<Scene>(&mut rows);
+    Stack::add_rows::<Scene>(&mut rows);
+    Contact::add_rows::<Scene>(&mut rows);
+    Listing::add_rows::<Scene>(&mut rows);
+    Interface::add_rows::<Scene>(&mut rows);
+    RunSettings::add_rows::<Scene>(&mut rows);
+    rows
 });
 
 /// Where rows of springs stand in the table.
