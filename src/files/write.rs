@@ -211,20 +211,10 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    // What is hardly ever there stands in a file only where it is.
-    let seldom = [
-        "target.closure",
-        "target.yield_pa",
-        "target.modulus_pa",
-        "mechanism.energy_j_kg",
-        "projectile.nose",
-        "plate.mass_kg",
-        "plate.face_m",
-    ];
     if variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio {
         return false;
     }
-    if variable.group == Group::Stack || seldom.contains(&variable.key) {
+    if variable.is_seldom {
         return !same(variable.value(scene), variable.value(&Scene::default()));
     }
     variable.group != Group::Stop

@@ -59,16 +59,16 @@ parts! {
     pub struct Stack {
         pub base_thickness_m: Option<f64> = None => "h_base", "base thickness",
             "thickness of a base plate behind the elements, on a rigid mount",
-            optional(Length, Positive, "none").also(&["base"])
+            optional(Length, Positive, "none").also(&["base"]).seldom()
             .from("thesis section 6.2.8; no value there. none: the plate stands alone");
         pub base_strength_pa: Option<f64> = None => "S_base", "base strength", "flow strength of the base plate",
-            optional(Pressure, NonNegative, "plate").listed_when(is_stack).from("plate: that of the scene's plate");
+            optional(Pressure, NonNegative, "plate").seldom().listed_when(is_stack).from("plate: that of the scene's plate");
         pub elements: f64 = 1.0 => "elements", "elements",
             "how many equal elements, each a plate on its mechanism, stand one behind the other",
-            number(Number, Between(1.0, 50.0)).listed_when(is_stack).from("thesis section 6.2.8; 1 throughout chapter 9");
+            number(Number, Between(1.0, 50.0)).seldom().listed_when(is_stack).from("thesis section 6.2.8; 1 throughout chapter 9");
         pub gap_m: Option<f64> = None => "gap", "gap",
             "clear distance behind each plate: a warning where a plate travels farther",
-            optional(Length, Positive, "none").listed_when(is_stack).from("none: enough");
+            optional(Length, Positive, "none").seldom().listed_when(is_stack).from("none: enough");
         /// Further elements that are not like the first, in order.
         pub layers: Vec<Layer> = Vec::new();
     }

@@ -36,8 +36,12 @@ pub struct Variable {
     pub symbol: &'static str,
     /// The noun for it, of at most sixteen letters: `mass ratio`.
     pub label: &'static str,
+    /// Its name in words where its key does not give it; else empty.
+    pub own_name: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
+    /// Whether a file has it only where its value is not the default.
+    pub is_seldom: bool,
     /// When the part of the scene that it belongs to matters.
     pub part: Visible,
     /// When it matters in that part.

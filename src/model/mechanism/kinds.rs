@@ -94,9 +94,9 @@ kinds! {
     #[derive(Clone, Debug, PartialEq)]
     pub struct Spring {
         pub kind: SpringKind = SpringKind::PowerLaw => "spring", "force law", "the spring's force law",
-            choice().from("thesis equation 9.3, chapters 5 and 6");
+            choice().called("spring_kind").from("thesis equation 9.3, chapters 5 and 6");
         pub coefficient: f64 = 1e5 => "k", "stiffness", "spring coefficient: the spring's force is k |x|^n sgn(x)",
-            number(SpringCoefficient, NonNegative).searched(0.0, 7.5e6).log()
+            number(SpringCoefficient, NonNegative).called("stiffness").searched(0.0, 7.5e6).log()
             .when(|scene| P::part(scene).kind == SpringKind::PowerLaw)
             .from("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
@@ -359,6 +359,7 @@ pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
     let first = rows.len();
     add_rows_of::<Second>(rows);
     for row in &mut rows[first..] {
+        row.own_name = "";
         row.symbol = [row.symbol, "_2"].concat().leak();
         if let Kind::Number(number) = &mut row.kind {
             number.thesis_range = None;

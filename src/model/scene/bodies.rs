@@ -11,20 +11,21 @@ parts! {
     /// A rigid projectile with a hemispherical nose.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile {
-        pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass", sizing(Mass).from(TABLE_9_1);
+        pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
+            sizing(Mass).called("projectile_mass").from(TABLE_9_1);
         pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
-            number(Length, Positive).from(TABLE_9_1);
+            number(Length, Positive).called("radius").from(TABLE_9_1);
         pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity",
             number(Velocity, Positive).also(&["vi"]).from(TABLE_9_1);
         pub obliquity_deg: f64 = 0.0 => "theta", "obliquity", "obliquity, between the projectile's axis and the plate's normal",
             number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
         pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, used for the ricochet warning only",
-            number(Density, Positive).when(is_oblique).from("assumption: steel");
+            number(Density, Positive).called("projectile_density").when(is_oblique).from("assumption: steel");
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
-            number(Pressure, Positive).when(is_oblique).from("assumption: 1 GPa");
+            number(Pressure, Positive).called("projectile_strength").when(is_oblique).from("assumption: 1 GPa");
         pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
             "shape of the nose; the law is for a hemisphere, other shapes cause a warning",
-            choice().listed_when(|scene| scene.projectile.nose != Nose::Hemispherical).from("assumption of the model");
+            choice().seldom().listed_when(|scene| scene.projectile.nose != Nose::Hemispherical).from("assumption of the model");
     }
 
     /// The plate as a target.
@@ -39,12 +40,13 @@ parts! {
             .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
             "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
-            choice().from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
+            choice().seldom().from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
-            number(Pressure, Positive).listed_when(|scene| scene.target.closure != Closure::Given)
+            number(Pressure, Positive).called("yield_strength").seldom()
+            .listed_when(|scene| scene.target.closure != Closure::Given)
             .from("thesis Appendix A.1: 75.8 MPa");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
-            number(Pressure, Positive).listed_when(|scene| scene.target.closure == Closure::Cavity)
+            number(Pressure, Positive).seldom().listed_when(|scene| scene.target.closure == Closure::Cavity)
             .from("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
@@ -152,12 +154,14 @@ fn sizes() -> Vec<Variable> {
             Variable::at::<Plate, Scene>($key, Kind::Number(number))
                 .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))
                 .used_when(is_sprung)
+                .seldom()
                 .from("none: gamma gives the mass")
         }};
     }
     vec![
         size!("mass_kg", Mass, Mass)
             .named("m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it")
+            .called("plate_mass")
             .also(&["m2"]),
         size!("face_m", Length, Face).named(
             "face",

@@ -24,7 +24,7 @@ parts! {
             optional(Stiffness, Positive, "auto").when(|scene| scene.contact.model == Lumped)
             .from("thesis Figure 8.6; auto: 100 k_load, an assumption");
         pub damping_n_s_m: f64 = 0.0 => "b_2", "interface damper", "damper of the lumped interface",
-            number(Damping, NonNegative).log().when(|scene| scene.contact.model == Lumped)
+            number(Damping, NonNegative).called("interface_damping").log().when(|scene| scene.contact.model == Lumped)
             .from("thesis Figure 8.4; Wu has none");
         /// The listing of Appendix A.
         pub appendix: Listing = Listing::default();
@@ -62,7 +62,7 @@ parts! {
     pub struct Interface {
         pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
             "fused: joined for good after the first arrest; plastic: carries forces up to its strength",
-            choice().also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
+            choice().called("interface_law").also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
         pub grip: f64 = 0.1 => "g", "grip", "grip: the greatest tension of the interface is g A S_y",
             number(Number, NonNegative).also(&["grip"])
             .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic).from("assumption: 0.1");

@@ -20,7 +20,7 @@ parts! {
         pub second: Spring = Spring::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass",
-            optional(SpecificEnergy, Positive, "auto").listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
+            optional(SpecificEnergy, Positive, "auto").seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
             .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
@@ -30,7 +30,7 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Damper {
         pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
-            number(DamperCoefficient, NonNegative).searched(0.0, 2000.0).log().from(TABLE_9_2);
+            number(DamperCoefficient, NonNegative).called("damping").searched(0.0, 2000.0).log().from(TABLE_9_2);
         pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
             number(Number, Positive).log().used_when(|scene| !scene.mechanism.damper.is_absent())
             .from("thesis section 9.2.2: 1");

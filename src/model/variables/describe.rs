@@ -3,20 +3,6 @@
 use super::{Kind, VARIABLES, Variable, is_listed, is_used};
 use crate::model::scene::Scene;
 
-/// Names that the key does not give.
-const NAMES: [(&str, &str); 11] = [
-    ("projectile.mass_kg", "projectile_mass"),
-    ("projectile.tip_radius_m", "radius"),
-    ("projectile.density_kg_m3", "projectile_density"),
-    ("projectile.strength_pa", "projectile_strength"),
-    ("target.yield_pa", "yield_strength"),
-    ("plate.mass_kg", "plate_mass"),
-    ("mechanism.spring.coefficient", "stiffness"),
-    ("mechanism.spring.kind", "spring_kind"),
-    ("mechanism.damper.coefficient", "damping"),
-    ("interface.law", "interface_law"),
-    ("contact.damping_n_s_m", "interface_damping"),
-];
 /// How keys end in their units, the longer before its own end.
 const UNITS: [&str; 18] = [
     "_kg_m3", "_kg_m2", "_n_s_m", "_rad_m", "_n_m", "_m_s", "_deg", "_kg", "_pa", "_m2", "_hz",
@@ -26,8 +12,8 @@ const UNITS: [&str; 18] = [
 impl Variable {
     /// Its name in words: `velocity`, `thickness`, `stop_position`. Accepted wherever the symbol is.
     pub fn name(&self) -> String {
-        if let Some((_, name)) = NAMES.iter().find(|(key, _)| *key == self.key) {
-            return (*name).to_owned();
+        if !self.own_name.is_empty() {
+            return self.own_name.to_owned();
         }
         let parts: Vec<&str> = self.key.split('.').skip(1).collect();
         let name = parts.join("_");

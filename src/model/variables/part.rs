@@ -168,7 +168,9 @@ impl Variable {
             key: key.leak(),
             symbol: "",
             label: "",
+            own_name: "",
             aliases: &[],
+            is_seldom: false,
             part: Visible { listed: P::is_listed, used: P::is_used },
             visible: Visible::ALWAYS,
             group: P::GROUP,
@@ -187,6 +189,11 @@ impl Variable {
         Self { symbol, label, meaning, ..self }
     }
 
+    /// Its name in words where its key does not give it.
+    pub(in crate::model) fn called(self, own_name: &'static str) -> Self {
+        Self { own_name, ..self }
+    }
+
     pub(in crate::model) fn also(self, aliases: &'static [&'static str]) -> Self {
         Self { aliases, ..self }
     }
@@ -194,6 +201,11 @@ impl Variable {
     /// Where the default comes from.
     pub(in crate::model) fn from(self, source: &'static str) -> Self {
         Self { source, ..self }
+    }
+
+    /// A file has it only where its value is not the default.
+    pub(in crate::model) fn seldom(self) -> Self {
+        Self { is_seldom: true, ..self }
     }
 
     /// Listed only here, and with an effect only here.
