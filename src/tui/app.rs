@@ -14,7 +14,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use find::Find;
-use history::History;
+use history::{History, Snapshot};
 use jobs::Jobs;
 use layout::Layout;
 use notice::{Notice, Severity};
@@ -135,6 +135,17 @@ impl App {
             auto_run: true,
             directory,
             ..Self::default()
+        }
+    }
+
+    /// All that edits change, as it is now.
+    pub(crate) fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            scene: Arc::clone(&self.scene),
+            base: self.base.clone(),
+            search: Arc::clone(&self.pages.search.setup),
+            plan: self.pages.explore.plan,
+            weights: self.pages.thesis.weights,
         }
     }
 

@@ -8,12 +8,18 @@ use crate::tui::pages::explore::state::SamplingPlan;
 use crate::tui::pages::run::runs::Pin;
 use crate::tui::pages::search::setup::Setup;
 
-/// The scene and what it is compared with, at one moment.
+/// All that edits change but for the pins, at one moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub scene: Arc<Scene>,
     /// The preset it is compared with.
     pub base: Base,
+    /// The setup of the Search tab.
+    pub search: Arc<Setup>,
+    /// The points that the Explore tab computes.
+    pub plan: SamplingPlan,
+    /// The weights of the screening matrix, percent.
+    pub weights: [f64; 7],
 }
 
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
@@ -25,21 +31,10 @@ const RESULTS_KEPT: usize = 8;
 /// A result with more rows in its series is not kept at all.
 const ROWS_MAX: usize = 100_000;
 
-/// The settings of a tab besides the scene.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Setting {
-    Search(Box<Setup>),
-    /// The points that the Sweep and Surface tabs visit.
-    SamplingPlan(SamplingPlan),
-    /// The weights of the screening matrix, percent.
-    Weights([f64; 7]),
-}
-
-/// The change of an edit, before and after.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    Scene(Snapshot, Snapshot),
-    Setting(Setting, Setting),
+    /// From one state to another.
+    State(Box<(Snapshot, Snapshot)>),
     Unpinned(Pin),
 }
 
@@ -56,7 +51,7 @@ impl Edit {
     fn pin(&mut self) -> Option<&mut Pin> {
         match &mut self.change {
             Change::Unpinned(pin) => Some(pin),
-            Change::Scene(..) | Change::Setting(..) => None,
+            Change::State(_) => None,
         }
     }
 }
@@ -82,8 +77,7 @@ impl History {
         {
             last.label = edit.label;
             match (&mut last.change, edit.change) {
-                (Change::Scene(_, after), Change::Scene(_, new)) => *after = new,
-                (Change::Setting(_, after), Change::Setting(_, new)) => *after = new,
+                (Change::State(kept), Change::State(new)) => kept.1 = new.1,
                 (_, change) => last.change = change,
             }
             return;
@@ -97,10 +91,13 @@ impl History {
         }
     }
 
-    /// What the edit changed that a further step of this variable extends.
-    pub fn extended(&self, stepping: Option<usize>) -> Option<&Change> {
+    /// The state before the edit that a further step of this variable extends: held arrows count from where they began.
+    pub fn extended(&self, stepping: Option<usize>) -> Option<&Snapshot> {
         let last = self.edits.last()?;
-        (stepping.is_some() && last.stepping == stepping).then_some(&last.change)
+        match &last.change {
+            Change::State(kept) if stepping.is_some() && last.stepping == stepping => Some(&kept.0),
+            Change::State(_) | Change::Unpinned(_) => None,
+        }
     }
 
     /// Further steps start a new edit.
@@ -128,17 +125,15 @@ impl History {
 mod tests {
     use super::*;
     use crate::model::simulate::{Settings, simulate};
-    use crate::tui::app::Origin;
+    use crate::tui::app::App;
 
     #[test]
     fn of_very_many_edits_the_last_thousand_are_kept() {
-        let scene = Arc::new(Scene::default());
-        let base = Base { name: String::new(), origin: Origin::Bundled, scene: Arc::clone(&scene) };
-        let at = Snapshot { scene, base };
+        let at = App::default().snapshot();
         let mut history = History::default();
         for number in 0..2500 {
-            let (change, label) = (Change::Scene(at.clone(), at.clone()), number.to_string());
-            history.push(Edit { label, change, stepping: None });
+            let change = Change::State(Box::new((at.clone(), at.clone())));
+            history.push(Edit { label: number.to_string(), change, stepping: None });
         }
         assert_eq!((history.edits.len(), history.done), (EDITS_MAX, EDITS_MAX));
         assert_eq!(history.edits[0].label, "1500");

@@ -11,14 +11,14 @@ use crate::study::quantities::named;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::find::quantity_called;
-use crate::tui::app::history::{Change, Setting};
+use crate::tui::app::history::Snapshot;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::{NARROW, setup_width, split_left};
 use crate::tui::dialogs::wrap;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::search::setup::{Setup, read_bound};
+use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Request, Row};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Table};
 use crate::tui::prelude::*;
@@ -169,7 +169,7 @@ impl Page for SearchTab {
 
     fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
         let row = app.search_choices()[row];
-        let before = app.pages.search.setup.clone();
+        let before = app.snapshot();
         change(app, row, press)?;
         note(app, row, before, true);
         after_edit(app);
@@ -201,7 +201,7 @@ impl Page for SearchTab {
 
     fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
         let row = app.search_choices()[row];
-        let before = app.pages.search.setup.clone();
+        let before = app.snapshot();
         read(app, row, text)?;
         note(app, row, before, false);
         after_edit(app);
@@ -238,8 +238,8 @@ fn view(app: &mut App) {
         return app.tell("only one view here: the Pareto front has a choice of axes");
     }
     let count = app.chosen_objectives().len();
-    let before = app.pages.search.setup.clone();
-    let setup = &mut app.pages.search.setup;
+    let before = app.snapshot();
+    let setup = Arc::make_mut(&mut app.pages.search.setup);
     let (across, up) = setup.axes;
     setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
     if setup.axes.1 >= count {
@@ -283,20 +283,16 @@ fn after_edit(app: &mut App) {
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
-fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
-    if app.pages.search.setup == before {
+fn note(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
+    if app.pages.search.setup == before.search {
         return;
     }
     let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
     let stepping = stepped.then_some(STEPPING + 100 * app.pages.search.page as usize + at);
-    // Held arrows: from where they began.
-    let first = match app.history.extended(stepping) {
-        Some(Change::Setting(Setting::Search(first), _)) => Setup::clone(first),
-        _ => before.clone(),
-    };
+    let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
     let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_line(row, &app.search_bounds());
-    app.pages.search.setup = after.clone();
+    app.pages.search.setup = after;
     let new = app.search_line(row, &app.search_bounds());
     let label = if new.value.is_empty() {
         // A result stands in the place of its label.
@@ -304,14 +300,13 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
     } else {
         format!("search: {} {} -> {}", new.label, old.value, new.value)
     };
-    let setting = (Setting::Search(Box::new(before)), Setting::Search(Box::new(after)));
-    edit::note_setting(app, setting, label, stepping);
+    edit::note(app, before, label, stepping);
 }
 
 fn change(app: &mut App, row: Row, press: Press) -> Result<(), String> {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
-    let setup = &mut app.pages.search.setup;
+    let setup = Arc::make_mut(&mut app.pages.search.setup);
     let (up, by) = (press.up, press.by());
     let within = |value: usize, (least, most, each): (usize, usize, usize)| {
         let moved = if up { value + each } else { value.saturating_sub(each) };
@@ -360,7 +355,7 @@ fn checked(axis: SweepAxis) -> Result<SweepAxis, String> {
 fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
-    let setup = &mut app.pages.search.setup;
+    let setup = Arc::make_mut(&mut app.pages.search.setup);
     let name = |text: &str| quantity_called(text).map(|column| column.name);
     match row {
         Row::Axis(part) => {

@@ -14,7 +14,6 @@ use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::sweep::Sampling;
 use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::history::{Change, Setting};
 use crate::tui::app::jobs::Running;
 use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
@@ -215,25 +214,21 @@ const WEIGHT_MAX: f64 = 100.0;
 
 /// Other weights, as one edit; steps of one criterion join.
 fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
-    let before = std::mem::replace(&mut app.pages.thesis.weights, weights);
-    if weights.map(f64::to_bits) == before.map(f64::to_bits) {
+    let before = app.snapshot();
+    app.pages.thesis.weights = weights;
+    if weights.map(f64::to_bits) == before.weights.map(f64::to_bits) {
         return;
     }
     let stepping = stepped.map(|at| STEPPING + at);
     let label = match stepped {
         None => "printed weights".to_owned(),
         Some(at) => {
-            // Held arrows: from where they began.
-            let first = match app.history.extended(stepping) {
-                Some(Change::Setting(Setting::Weights(first), _)) => first[at],
-                _ => before[at],
-            };
+            let first = app.history.extended(stepping).unwrap_or(&before).weights[at];
             let percent = |weight| significant(weight, 4);
             format!("{} {} -> {} %", CRITERIA[at], percent(first), percent(weights[at]))
         }
     };
-    let setting = (Setting::Weights(before), Setting::Weights(weights));
-    edit::note_setting(app, setting, label, stepping);
+    edit::note(app, before, label, stepping);
 }
 
 /// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.

@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
-use crate::tui::app::history::{Change, Edit, Setting, Snapshot};
+use crate::tui::app::history::{Change, Edit, Snapshot};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::explore;
 use crate::tui::pages::run::editor::shown_value;
@@ -35,11 +35,7 @@ pub(crate) fn set(
     if scene == *app.scene {
         return Ok(());
     }
-    let old = match app.history.extended(stepping) {
-        // Held arrows: from where they began.
-        Some(Change::Scene(first, _)) => &first.scene,
-        _ => &app.scene,
-    };
+    let old = app.history.extended(stepping).map_or(&app.scene, |first| &first.scene);
     let old = shown_value(variable, old, WIDE);
     let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene, WIDE));
     // What was outside before is marked in the list; what comes to be outside is reported.
@@ -65,8 +61,7 @@ pub(crate) fn type_value(app: &mut App, index: usize, text: &str) -> Result<(), 
 
 /// Make another scene the current one, as one edit.
 pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
-    let after = Snapshot { scene: Arc::new(scene), base: app.base.clone() };
-    commit(app, after, label, stepping);
+    commit(app, Arc::new(scene), app.base.clone(), label, stepping);
 }
 
 /// Make the design under a cursor the current scene, or say why there is none.
@@ -89,22 +84,17 @@ pub(crate) fn load_scene(app: &mut App, scene: Scene, label: &str) {
 /// Make another scene current and compare it with another preset, as one edit.
 pub(crate) fn load(app: &mut App, base: Base) {
     let label = format!("load {}", base.name);
-    let after = Snapshot { scene: Arc::clone(&base.scene), base };
     app.charts.zoom_s = None;
     app.charts.cursor_s = None;
-    commit(app, after, label, None);
+    commit(app, Arc::clone(&base.scene), base, label, None);
 }
 
-fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) {
-    let change = Change::Scene(snapshot(app), after.clone());
-    app.history.push(Edit { label, change, stepping });
+fn commit(app: &mut App, scene: Arc<Scene>, base: Base, label: String, stepping: Option<usize>) {
+    let before = app.snapshot();
+    (app.scene, app.base) = (scene, base);
+    note(app, before, label, stepping);
     app.first_run = false;
-    (app.scene, app.base) = (after.scene, after.base);
     follow(app);
-}
-
-fn snapshot(app: &App) -> Snapshot {
-    Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() }
 }
 
 /// Updates after a change of the scene.
@@ -120,29 +110,26 @@ pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
     app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
 }
 
-/// Note that the setup of a tab was changed, as one edit; `stepping` joins it with the steps just before.
-pub(crate) fn note_setting(
-    app: &mut App,
-    (before, after): (Setting, Setting),
-    label: String,
-    stepping: Option<usize>,
-) {
-    app.history.push(Edit { label, change: Change::Setting(before, after), stepping });
+/// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
+pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
+    let change = Change::State(Box::new((before, app.snapshot())));
+    app.history.push(Edit { label, change, stepping });
 }
 
-/// Set a tab up as it was, or will be again.
-fn set_up(app: &mut App, setting: Setting) {
-    match setting {
-        Setting::Search(setup) => {
-            app.pages.search.setup = *setup;
-            app.pages.search.problem = None;
-        }
-        Setting::SamplingPlan(plan) => {
-            app.pages.explore.plan = plan;
-            explore::after_edit(app);
-        }
-        Setting::Weights(weights) => app.pages.thesis.weights = weights,
+/// Make the change of an edit: what it left alone stays as it is now.
+fn change(app: &mut App, from: &Snapshot, to: Snapshot) {
+    if (&from.scene, &from.base) != (&to.scene, &to.base) {
+        (app.scene, app.base) = (to.scene, to.base);
     }
+    if from.search != to.search {
+        app.pages.search.setup = to.search;
+        app.pages.search.problem = None;
+    }
+    if from.plan != to.plan {
+        app.pages.explore.plan = to.plan;
+        explore::after_edit(app);
+    }
+    app.pages.thesis.weights = to.weights;
 }
 
 /// Take the last edit back.
@@ -177,24 +164,19 @@ pub(crate) fn travel(app: &mut App, done: usize) {
 
 /// Undo or redo until the first `done` edits are in force.
 fn go_to(app: &mut App, done: usize) {
-    let before = snapshot(app);
+    let before = (Arc::clone(&app.scene), app.base.clone());
     while app.history.done != done {
         let forward = app.history.done < done;
         let edit = if forward { app.history.redo() } else { app.history.undo() };
-        let Some(change) = edit.map(|edit| edit.change.clone()) else { break };
-        match change {
-            Change::Scene(before, after) => {
-                let there = if forward { after } else { before };
-                (app.scene, app.base) = (there.scene, there.base);
-            }
-            Change::Setting(before, after) => {
-                set_up(app, if forward { after } else { before });
-            }
+        let Some(made) = edit.map(|edit| edit.change.clone()) else { break };
+        match made {
+            Change::State(states) if forward => change(app, &states.0, states.1),
+            Change::State(states) => change(app, &states.1, states.0),
             Change::Unpinned(pin) if forward => runs::take_away(app, &pin),
             Change::Unpinned(pin) => runs::put_back(app, pin),
         }
     }
-    if snapshot(app) != before {
+    if (&app.scene, &app.base) != (&before.0, &before.1) {
         follow(app);
     }
 }

@@ -8,7 +8,6 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{Axis, Sampling};
 use crate::tui::app::find::quantity_called;
-use crate::tui::app::history::Setting;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, has_family, sweep_of};
 use crate::tui::pages::run::editor::shown_value;
@@ -272,13 +271,14 @@ fn tried(
     picture: Picture,
     change: impl FnOnce(&mut Sweeping),
 ) -> Result<(), String> {
-    let (before, old) = (app.pages.explore.plan, app.pages.explore.sampling(picture));
+    let (state, old) = (app.snapshot(), app.pages.explore.sampling(picture));
     change(&mut app.pages.explore);
     if let Err(error) = app.sweep_plan(picture) {
-        app.pages.explore.plan = before;
+        app.pages.explore.plan = state.plan;
         return Err(error.to_string());
     }
-    let (after, new) = (app.pages.explore.plan, app.pages.explore.sampling(picture));
+    let (before, after) = (state.plan, app.pages.explore.plan);
+    let new = app.pages.explore.sampling(picture);
     if after == before {
         return Ok(());
     }
@@ -290,8 +290,7 @@ fn tried(
     } else {
         format!("design {} -> {}", old.label(), new.label())
     };
-    let setting = (Setting::SamplingPlan(before), Setting::SamplingPlan(after));
-    edit::note_setting(app, setting, label, None);
+    edit::note(app, state, label, None);
     explore::after_edit(app);
     Ok(())
 }

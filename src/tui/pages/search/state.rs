@@ -70,7 +70,7 @@ pub struct Found {
 pub struct Searching {
     pub page: Page,
     pub row: Row,
-    pub setup: Setup,
+    pub setup: Arc<Setup>,
     /// The results, page by page.
     pub found: [Option<Found>; 4],
     /// Why the present page cannot be computed.
