@@ -12,6 +12,7 @@ use crate::files::clean;
 
 mod accuracy;
 mod again;
+mod amount;
 mod commands;
 mod compare;
 mod completions;

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::amount::{amount, read};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
@@ -16,7 +17,7 @@ use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
-use crate::model::units::{self, Bare, Quantity};
+use crate::model::units::Quantity;
 use crate::report::compare as tables;
 use crate::report::figures::efficiency;
 use crate::report::svg::Picture;
@@ -169,24 +170,6 @@ fn mass(option: &str, text: &str) -> Result<f64, CliError> {
         return Ok(value);
     }
     Err(CliError::Option(format!("{option} {text}: a mass is 0 kg or more, for example 20g")))
-}
-
-/// A quantity above zero.
-fn amount(option: &str, text: &str, quantity: Quantity, example: &str) -> Result<f64, CliError> {
-    let value = read(option, text, quantity)?;
-    if value > 0.0 {
-        return Ok(value);
-    }
-    Err(CliError::Option(format!("{option} {text}: must be greater than 0, for example {example}")))
-}
-
-fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, CliError> {
-    let value = units::parse(text, quantity, Bare::Si)
-        .map_err(|problem| CliError::Option(format!("{option} {text}: {problem}")))?;
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(CliError::Option(format!("{option} {text}: must be a finite number")))
 }
 
 #[cfg(test)]

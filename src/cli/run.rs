@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
+use crate::cli::amount::amount;
 use crate::cli::models;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
@@ -20,7 +21,7 @@ use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::simulate::{self, Settings};
-use crate::model::units::{self, Bare, Engineering, Quantity};
+use crate::model::units::{Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
@@ -105,17 +106,6 @@ fn at_equal_steps(preset: Preset, dt_s: f64) -> Result<Computed, CliError> {
     Ok(computed)
 }
 
-/// A time step, s.
-fn time_step(text: &str) -> Result<f64, CliError> {
-    let refuse = |why: String| CliError::Option(format!("--dt {text}: {why}"));
-    let dt_s =
-        units::parse(text, Quantity::Time, Bare::Si).map_err(|why| refuse(why.to_string()))?;
-    if dt_s > 0.0 && dt_s.is_finite() {
-        return Ok(dt_s);
-    }
-    Err(refuse("must be greater than 0, for example 1us".to_owned()))
-}
-
 fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
     let settings = Settings { series: true, estimate: true };
@@ -149,6 +139,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
+    let time_step = |text| amount("--dt", text, Quantity::Time, "1us");
     let dt_s = arguments.dt.as_deref().map(time_step).transpose()?;
     let computed = match dt_s {
         None => compute(arguments.scene.load()?)?,

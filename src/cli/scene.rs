@@ -12,7 +12,8 @@ use crate::files::bundled;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
-use crate::files::{clean, read, read_table};
+use crate::files::read::{self, Accepts};
+use crate::files::{clean, read_table};
 use crate::model::library::{Library, choose_closure};
 use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
@@ -204,7 +205,7 @@ fn is_curve(name: &str) -> Option<bool> {
 
 /// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
 fn take_curve(scene: &mut Scene, second: bool, file: &str) -> Result<(), CliError> {
-    let points = read_table::curve(Path::new(file))?;
+    let points = read_table::curve(Path::new(file), Accepts::Handed)?;
     let mechanism = &mut scene.mechanism;
     let spring = if second { &mut mechanism.second } else { &mut mechanism.spring };
     spring.kind = SpringKind::Table;
@@ -217,7 +218,7 @@ pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
     let mut preset = match name.to_str() {
         Some(name) => preset::resolve(name, Paths::of_user().ok().as_ref())?,
         // Only a file can have such a name.
-        None => preset::from_file(Path::new(name))?,
+        None => preset::from_file(Path::new(name), Accepts::Handed)?,
     };
     // Every page, table and message has it.
     preset.name = clean::line(&preset.name).into_owned();
@@ -226,6 +227,6 @@ pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
 
 fn from_stdin() -> Result<Preset, CliError> {
     let name = "standard input";
-    let text = read::text_from(io::stdin().lock(), Path::new(name))?;
+    let text = read::text_from(io::stdin().lock(), Path::new(name), read::BYTES_MAX)?;
     Ok(preset::from_text(name.to_owned(), Origin::Text, text)?)
 }

@@ -148,35 +148,23 @@ fn lock(file: &File) -> bool {
     flock(file, FlockOperation::NonBlockingLockExclusive).is_ok()
 }
 
-/// A lock that one program has at a time: held until it is dropped, or until the program ends, however it ends.
-pub struct Lock(Option<File>);
-
 /// How often a lock that another program holds is tried again, and for how long.
 const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
 const LOCK_TRIES: u32 = 100;
 
-impl Lock {
-    /// Wait for the lock of this file. Where it cannot be had (the file system has no locks, its holder was stopped), the work
-    /// goes on without it: what it guards matters less than the work.
-    pub fn wait(path: &Path) -> Self {
-        let mut options = OpenOptions::new();
-        let Ok(file) = options.create(true).truncate(false).write(true).open(path) else {
-            return Self(None);
-        };
-        for _ in 0..LOCK_TRIES {
-            if lock(&file) {
-                return Self(Some(file));
-            }
-            // Waits for no event at all: until the time is over.
-            let _ = poll(&mut [], Some(&LOCK_EVERY));
+/// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
+/// ends. Where it cannot be had (the file system has no locks, its holder was stopped), the work goes on without it: what it guards
+/// matters less than the work.
+pub fn wait_for_lock(path: &Path) -> Option<File> {
+    let file = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
+    for _ in 0..LOCK_TRIES {
+        if lock(&file) {
+            return Some(file);
         }
-        Self(None)
+        // Waits for no event at all: until the time is over.
+        let _ = poll(&mut [], Some(&LOCK_EVERY));
     }
-
-    /// Whether this program has it.
-    pub fn is_held(&self) -> bool {
-        self.0.is_some()
-    }
+    None
 }
 
 /// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
@@ -480,11 +468,11 @@ mod tests {
     fn one_has_a_lock_at_a_time() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("session.lock");
-        let first = Lock::wait(&path);
-        assert!(first.is_held() && !Lock::wait(&path).is_held());
+        let first = wait_for_lock(&path);
+        assert!(first.is_some() && wait_for_lock(&path).is_none());
         drop(first);
-        assert!(Lock::wait(&path).is_held());
+        assert!(wait_for_lock(&path).is_some());
         // Where there can be none, the work goes on.
-        assert!(!Lock::wait(&place.path().join("absent/session.lock")).is_held());
+        assert!(wait_for_lock(&place.path().join("absent/session.lock")).is_none());
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::files::error::FileError;
-use crate::files::read;
+use crate::files::read::{self, Accepts};
 
 /// The allowed keys; all are optional.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
@@ -46,7 +46,7 @@ impl Config {
 /// # Errors
 /// A sentence with the place, the problem and what is allowed.
 pub fn load(path: &Path) -> Result<Config, String> {
-    let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
+    let text = match read::text_file(path, Accepts::Ordinary, read::BYTES_MAX) {
         Ok(text) => text,
         Err(FileError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
             return Ok(Config::default());

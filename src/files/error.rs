@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::files::clean;
+use crate::model::variables;
 use crate::report::table::NoColumn;
 
 /// Why a file could not be read, written or found.
@@ -153,23 +154,14 @@ impl fmt::Display for SceneErrors {
 
 /// `did you mean ...?` with the candidates spelled most like `name`; `None` when none is close.
 pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
-    const SHOWN_MAX: usize = 3;
     let lower = name.to_lowercase();
-    let limit = (name.chars().count() / 3).max(1);
-    let mut ranked: Vec<(usize, &str)> = candidates
-        .iter()
-        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), *candidate))
+    let distance = |candidate: &str| {
+        let other = candidate.to_lowercase();
         // The beginning of a long name means that name.
-        .map(|(distance, candidate)| {
-            let begun = lower.len() >= 3 && candidate.to_lowercase().starts_with(&lower);
-            (if begun { 0 } else { distance }, candidate)
-        })
-        .filter(|(distance, _)| *distance <= limit)
-        .collect();
-    ranked.sort_unstable();
-    let close: Vec<String> =
-        ranked.iter().take(SHOWN_MAX).map(|(_, candidate)| format!("`{candidate}`")).collect();
-    (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
+        let is_begun = lower.len() >= 3 && other.starts_with(&lower);
+        if is_begun { 0 } else { strsim::osa_distance(&lower, &other) }
+    };
+    variables::close(name, candidates.iter().map(|it| (distance(it), *it)).collect())
 }
 
 /// The candidates spelled most like `name`, else all of them after some words: `the keys here are a, b`.

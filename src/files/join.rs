@@ -11,7 +11,7 @@ use csv::ReaderBuilder;
 
 use crate::files::error::FileError;
 use crate::files::export::{self, Beside};
-use crate::files::read;
+use crate::files::read::{self, Accepts};
 use crate::files::shard::Part;
 use crate::files::style::Style;
 use crate::model::scene::Scene;
@@ -123,7 +123,7 @@ fn found(path: &Path) -> Result<Found, FileError> {
             shown(&beside)
         )));
     }
-    let text = read::text_file(&beside)?;
+    let text = read::text_file(&beside, Accepts::Handed, read::BYTES_MAX)?;
     let part =
         Part::read(&text).map_err(|problem| refuse(format!("`{}`: {problem}", shown(path))))?;
     let scene = read::scene(&text, &shown(&beside)).map_err(FileError::Scene)?;

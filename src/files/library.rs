@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue};
 use crate::files::clean;
 use crate::files::error::{FileError, SceneErrors, nearest};
 use crate::files::paths::Paths;
-use crate::files::read::{self, Reader};
+use crate::files::read::{self, Accepts, Reader};
 use crate::model::library::{Entry, Library, Status};
 use crate::model::scene::Scene;
 use crate::model::variables::VARIABLES;
@@ -48,7 +48,7 @@ fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError
     let Some(path) = paths.map(|paths| paths.library_file(library.file())) else {
         return (entries, problems);
     };
-    match read::ordinary_text_file(&path, read::BYTES_MAX) {
+    match read::text_file(&path, Accepts::Ordinary, read::BYTES_MAX) {
         Ok(text) => {
             let name = path.display().to_string();
             let (own, wrong) = self::entries(library, &text, (&name, Some(&path)));

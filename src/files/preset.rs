@@ -11,7 +11,8 @@ use crate::files::atomic::{self, Existing};
 use crate::files::bundled::{self, BUNDLED, Bundled};
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::paths::Paths;
-use crate::files::{read, write};
+use crate::files::read::{self, Accepts};
+use crate::files::write;
 use crate::model::scene::Scene;
 use crate::model::variables;
 
@@ -77,7 +78,7 @@ pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<FileError>) {
 /// # Errors
 /// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
-    resolve_by(name, paths, from_file)
+    resolve_by(name, paths, Accepts::Handed)
 }
 
 /// The same for a name that was kept: what has meanwhile become a pipe is not waited for.
@@ -85,14 +86,10 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 /// # Errors
 /// As [`resolve`], and [`FileError::Refused`] of a device or a pipe.
 pub fn resolve_kept(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
-    resolve_by(name, paths, from_ordinary_file)
+    resolve_by(name, paths, Accepts::Ordinary)
 }
 
-fn resolve_by(
-    name: &str,
-    paths: Option<&Paths>,
-    from_file: impl FnOnce(&Path) -> Result<Preset, FileError>,
-) -> Result<Preset, FileError> {
+fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
     }
@@ -106,7 +103,7 @@ fn resolve_by(
     }
     let path = Path::new(name);
     match fs::metadata(path) {
-        Ok(_) => from_file(path),
+        Ok(_) => from_file(path, accepts),
         // It is there, but something is in the way: a loop of links, a folder that may not be entered.
         Err(source)
             if fs::symlink_metadata(path).is_ok() || source.kind() != io::ErrorKind::NotFound =>
@@ -121,16 +118,8 @@ fn resolve_by(
 ///
 /// # Errors
 /// [`FileError`] when it cannot be read.
-pub fn from_file(path: &Path) -> Result<Preset, FileError> {
-    from_text(path.display().to_string(), Origin::File(path.to_owned()), read::text_file(path)?)
-}
-
-/// A scene in an ordinary file, for callers that cannot wait for a pipe.
-///
-/// # Errors
-/// As [`from_file`], and [`FileError::Refused`] of a device or a pipe.
-pub fn from_ordinary_file(path: &Path) -> Result<Preset, FileError> {
-    let text = read::ordinary_text_file(path, read::BYTES_MAX)?;
+pub fn from_file(path: &Path, accepts: Accepts) -> Result<Preset, FileError> {
+    let text = read::text_file(path, accepts, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
@@ -184,7 +173,7 @@ pub fn save(
 /// [`FileError`]; an existing file is unchanged then.
 pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
     variables::validate(scene).map_err(|error| FileError::target(path, &error.to_string()))?;
-    let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
+    let text = match read::text_file(path, Accepts::Ordinary, read::BYTES_MAX) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
         Ok(old) => write::updated(&old, &path.display().to_string(), scene)
             .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
@@ -227,7 +216,7 @@ fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
-    let text = read::ordinary_text_file(&path, read::BYTES_MAX)?;
+    let text = read::text_file(&path, Accepts::Ordinary, read::BYTES_MAX)?;
     from_text(name, Origin::Mine(path), text)
 }
 

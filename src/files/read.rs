@@ -26,50 +26,46 @@ pub const BYTES_MAX: u64 = 1 << 20;
 /// Maximum number of reported problems of one file: a file of another kind has one in each line.
 const PROBLEMS_MAX: usize = 20;
 
-/// The text of a file of reasonable size.
+/// Which files are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accepts {
+    /// Ordinary ones only: a pipe may never have a writer, and a terminal would take the keys of the person who waits.
+    Ordinary,
+    /// Also what a shell hands over, such as `<(...)` and `/dev/stdin`.
+    Handed,
+}
+
+/// The text of a file of at most this many bytes.
 ///
 /// # Errors
-/// [`FileError`] when it cannot be read, is too large, is not UTF-8, or is a pipe that may never have a writer.
-pub fn text_file(path: &Path) -> Result<String, FileError> {
+/// [`FileError`] when it cannot be read, is too large, is not UTF-8, or is not accepted.
+pub fn text_file(path: &Path, accepts: Accepts, bytes_max: u64) -> Result<String, FileError> {
     let failed = |source| FileError::read(path, source);
-    if atomic::is_named_pipe(path, &fs::metadata(path).map_err(failed)?) {
+    let found = fs::metadata(path).map_err(failed)?;
+    let is_refused = match accepts {
+        Accepts::Ordinary => !found.is_file() && !found.is_dir(),
+        Accepts::Handed => atomic::is_named_pipe(path, &found),
+    };
+    if is_refused {
         return Err(FileError::special(path));
     }
-    text_from(fs::File::open(path).map_err(failed)?, path)
+    text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
 }
 
-/// The text of an ordinary file of at most this many bytes. A pipe may never have a writer, and a terminal would take the keys of
-/// the person who waits: neither is opened.
-///
-/// # Errors
-/// As [`text_file`], and [`FileError::Refused`] of a device or a pipe.
-pub fn ordinary_text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
-    let found = fs::metadata(path).map_err(|source| FileError::read(path, source))?;
-    if !found.is_file() && !found.is_dir() {
-        return Err(FileError::special(path));
-    }
-    let file = fs::File::open(path).map_err(|source| FileError::read(path, source))?;
-    text_up_to(file, path, bytes_max)
-}
-
-/// The text that a source of reasonable size gives; `path` is the name used in errors. A device may never end: no more is
+/// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
 /// read than is accepted.
 ///
 /// # Errors
 /// As [`text_file`].
-pub fn text_from(source: impl Read, path: &Path) -> Result<String, FileError> {
-    text_up_to(source, path, BYTES_MAX)
-}
-
-fn text_up_to(source: impl Read, path: &Path, limit: u64) -> Result<String, FileError> {
+pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     source
-        .take(limit + 1)
+        .take(bytes_max + 1)
         .read_to_end(&mut bytes)
         .map_err(|source| FileError::read(path, source))?;
-    if bytes.len() as u64 > limit {
+    if bytes.len() as u64 > bytes_max {
         return Err(FileError::Refused(format!(
-            "`{}` has more than {limit} bytes, which no scene has: is this the right file?",
+            "`{}` has more than {bytes_max} bytes, which no scene has: is this the right file?",
             shown(path)
         )));
     }

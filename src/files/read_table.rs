@@ -9,7 +9,7 @@ use toml::de::{DeValue, ValueDeserializer};
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::read::{self, Reader};
+use crate::files::read::{self, Accepts, Reader};
 
 /// The key of a table of each spring.
 pub(super) const KEYS: [&str; 2] = ["mechanism.spring.table", "mechanism.second.table"];
@@ -28,11 +28,12 @@ pub(super) fn points(
     key: &str,
     value: &Spanned<DeValue<'_>>,
 ) -> Option<Arc<[[f64; 2]]>> {
-    let curve = Curve::deserialize(ValueDeserializer::from(value.clone()));
-    let found = match curve {
+    let read = Curve::deserialize(ValueDeserializer::from(value.clone()));
+    let found = match read {
         Ok(Curve { points: Some(points), file: None }) => Ok(points.into()),
         Ok(Curve { points: None, file: Some(file) }) => {
-            ordinary_curve(&beside(reader.file(), file.get_ref()))
+            // The wait for a pipe named in a scene would be invisible.
+            curve(&beside(reader.file(), file.get_ref()), Accepts::Ordinary)
                 .map_err(|error| (file.span(), error.to_string()))
         }
         Ok(Curve { points: Some(_), file: Some(_) }) => {
@@ -56,16 +57,8 @@ pub(super) fn points(
 ///
 /// # Errors
 /// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
-pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    points_in(&read::text_file(path)?, path).map_err(FileError::Refused)
-}
-
-/// The same of an ordinary file only: the wait for a pipe named in a scene would be invisible.
-///
-/// # Errors
-/// As [`curve`].
-pub fn ordinary_curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
-    let text = read::ordinary_text_file(path, read::BYTES_MAX)?;
+pub fn curve(path: &Path, accepts: Accepts) -> Result<Arc<[[f64; 2]]>, FileError> {
+    let text = read::text_file(path, accepts, read::BYTES_MAX)?;
     points_in(&text, path).map_err(FileError::Refused)
 }
 

@@ -11,9 +11,10 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde::{Deserialize, Serialize};
 
-use crate::files::atomic::{self, Existing, Lock};
+use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
-use crate::files::{read, write};
+use crate::files::read::{self, Accepts};
+use crate::files::write;
 use crate::model::scene::Scene;
 
 /// How many recent files are kept.
@@ -100,10 +101,10 @@ pub fn save(
 ) -> Result<Option<PathBuf>, FileError> {
     atomic::make_folder_of(path)?;
     // Another workbench that saves between the reading and the writing below would be overwritten unseen.
-    let _lock = Lock::wait(&path.with_extension("lock"));
+    let _lock = atomic::wait_for_lock(&path.with_extension("lock"));
     let writer = known.writer.get_or_insert_with(new_writer).clone();
     let text = text(path, session, &writer)?;
-    let there = read::ordinary_text_file(path, BYTES_MAX).ok();
+    let there = read::text_file(path, Accepts::Ordinary, BYTES_MAX).ok();
     // Only the head tells who wrote it.
     let is_saved = known.text.as_deref().map(body) == Some(body(&text));
     if is_saved && there.is_some() {
@@ -150,7 +151,7 @@ pub fn load(path: &Path) -> Loaded {
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
     }
-    let (text, (session, problems)) = match read::ordinary_text_file(path, BYTES_MAX) {
+    let (text, (session, problems)) = match read::text_file(path, Accepts::Ordinary, BYTES_MAX) {
         Ok(text) => {
             let parsed = parse(&text);
             (Some(text), parsed)
@@ -197,7 +198,7 @@ fn body(text: &str) -> &str {
 fn aside(path: &Path, there: &str, own: &str) -> PathBuf {
     let theirs = writer_of(there);
     let is_outdated = |path: &&PathBuf| {
-        let text = read::ordinary_text_file(path, BYTES_MAX).ok();
+        let text = read::text_file(path, Accepts::Ordinary, BYTES_MAX).ok();
         let writer = text.as_deref().and_then(writer_of);
         writer.is_some() && (writer == theirs || writer == Some(own))
     };
@@ -230,7 +231,7 @@ fn free_name(path: &Path) -> PathBuf {
 /// # Errors
 /// [`FileError`].
 pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
-    let text = read::ordinary_text_file(from, BYTES_MAX)?;
+    let text = read::text_file(from, Accepts::Ordinary, BYTES_MAX)?;
     atomic::write(to, text.as_bytes(), Existing::Replace)
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
-use crate::files::read;
+use crate::files::read::{self, Accepts};
 use crate::study::fit::Shot;
 
 /// The columns that are read; the first two are needed.
@@ -25,7 +25,8 @@ pub struct Table {
 /// # Errors
 /// [`FileError`] when it cannot be read, or names the line, the column, what is allowed and the cure.
 pub fn read(path: &Path) -> Result<Table, FileError> {
-    parse(&read::text_file(path)?, &path.to_string_lossy()).map_err(FileError::Refused)
+    let text = read::text_file(path, Accepts::Handed, read::BYTES_MAX)?;
+    parse(&text, &path.to_string_lossy()).map_err(FileError::Refused)
 }
 
 fn parse(text: &str, name: &str) -> Result<Table, String> {

@@ -20,7 +20,7 @@ mod used;
 pub(in crate::model) mod visible;
 
 pub use describe::used_when;
-pub use names::{find, listing, nearest};
+pub use names::{close, find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
 pub use table::VARIABLES;

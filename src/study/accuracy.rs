@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::statistics::slope;
 use crate::numerics::{larger, smaller};
 use crate::study::context::Context;
 
@@ -255,14 +256,8 @@ impl MethodReport {
         let from = (0..=points.len().checked_sub(FIT_POINTS_MIN)?)
             .rev()
             .find(|from| points.len() - from >= FIT_POINTS.min(points.len()) && spans(from))?;
-        let points = &points[from..];
-        let count = points.len() as f64;
-        let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0, y + p.1));
-        let (x, y) = (x / count, y / count);
-        let across: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-        let spread: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
         // An error that grows with the steps shows no order: rounding, in a method that is accurate from its first step on.
-        (spread > 0.0).then_some(-across / spread).filter(|order| *order > -0.5)
+        Some(-slope(&points[from..])).filter(|order| *order > -0.5)
     }
 
     /// The greatest spread of its timings, over their median.

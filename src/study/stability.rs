@@ -16,7 +16,7 @@ use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::reference::stored;
 use crate::study::context::{Context, Stop};
 use cases::Case;
-use others::{Contact, Other, Verdict};
+use others::{Contact, Fault, Other, Verdict};
 
 pub mod cases;
 pub mod map;
@@ -163,7 +163,7 @@ pub fn examine(case: &'static Case, clock: Clock<'_>) -> Option<Row> {
     let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
     let others = Other::ALL.map(|other| {
         if (clock.now_s)() > clock.until_s || clock.stop.is_set() {
-            return Verdict::CutOff;
+            return Verdict::None(Fault::CutOff);
         }
         // Those that the reference may come from are compared with the engine, which shares no code with them.
         let by_engine = Contact::of(&run).filter(|_| basis != Basis::Stored);

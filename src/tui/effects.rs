@@ -21,6 +21,7 @@ use crate::files::export::Destination;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
+use crate::files::read::Accepts;
 use crate::files::read_table;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
@@ -195,12 +196,13 @@ impl FileQueue {
             Task::Export(to, content) => EffectReport::Exported(export(to, &content)),
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
-                preset::from_ordinary_file(&path)
+                preset::from_file(&path, Accepts::Ordinary)
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
             Task::ReadCurve(second, path) => {
-                let points = read_table::ordinary_curve(&path).map_err(|error| error.to_string());
+                let points =
+                    read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
                 EffectReport::Curve(second, path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
@@ -284,7 +286,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is omitted: loading it says why.
-    let recent = recent.iter().filter_map(|path| preset::from_ordinary_file(path).ok());
+    let recent = recent.iter().filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,
@@ -390,7 +392,7 @@ mod tests {
             panic!("not written")
         };
         assert_eq!(files, [path, beside.clone()]);
-        assert_eq!(preset::from_ordinary_file(&beside).unwrap().scene, scene);
+        assert_eq!(preset::from_file(&beside, Accepts::Ordinary).unwrap().scene, scene);
         let alone = Destination { path: place.path().join("claims.csv"), ..to };
         let ExportOutcome::Written(files) = export(alone, &table(None)) else {
             panic!("not written")

@@ -8,7 +8,8 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cmra::files::{read, read_table, session, write};
+use cmra::files::read::{self, Accepts};
+use cmra::files::{read_table, session, write};
 use cmra::model::scene::Scene;
 use cmra::model::units::{self, Bare, Quantity};
 use cmra::model::variables;
@@ -193,7 +194,7 @@ fn read_tolerance(text: &str) -> Result<(), String> {
 
 fn read_points(path: &Path, text: &str) -> Result<(), String> {
     fs::write(path, text).unwrap();
-    let points = read_table::curve(path).map_err(|error| error.to_string())?;
+    let points = read_table::curve(path, Accepts::Handed).map_err(|error| error.to_string())?;
     assert!(points.iter().flatten().all(|number| number.is_finite()), "{points:?}");
     Ok(())
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use assert_cmd::Command;
 use cmra::files::error::FileError;
 use cmra::files::preset;
+use cmra::files::read::Accepts;
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -52,7 +53,7 @@ pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, 
 
 /// The scene of a file.
 pub(crate) fn scene_file(path: &Path) -> Result<Scene, FileError> {
-    preset::from_file(path).map(|preset| preset.scene)
+    preset::from_file(path, Accepts::Handed).map(|preset| preset.scene)
 }
 
 /// A path in the repository.

@@ -44,7 +44,7 @@ pub fn listing() -> String {
 /// A hint that names the variables spelled most like `name`.
 pub fn nearest(name: &str) -> String {
     let lower = name.to_lowercase();
-    let mut ranked: Vec<(usize, &str)> = VARIABLES
+    let ranked: Vec<(usize, &str)> = VARIABLES
         .iter()
         .flat_map(|variable| {
             let last = variable.key.rsplit('.').next().unwrap_or(variable.key);
@@ -56,19 +56,18 @@ pub fn nearest(name: &str) -> String {
             ]
         })
         .collect();
-    ranked.sort_unstable();
+    close(name, ranked)
+        .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra run --help` lists all"))
+}
+
+/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name; `None` when none is close.
+pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
+    const SHOWN_MAX: usize = 3;
     let limit = (name.chars().count() / 3).max(1);
-    let close: Vec<String> = ranked
-        .iter()
-        .take_while(|(distance, _)| *distance <= limit)
-        .take(3)
-        .map(|(_, candidate)| format!("`{candidate}`"))
-        .collect();
-    if close.is_empty() {
-        format!("the usual ones are {USUAL}; `cmra run --help` lists all")
-    } else {
-        format!("did you mean {}?", close.join(" or "))
-    }
+    candidates.sort_unstable();
+    let close = candidates.iter().take_while(|(distance, _)| *distance <= limit).take(SHOWN_MAX);
+    let close: Vec<String> = close.map(|(_, candidate)| format!("`{candidate}`")).collect();
+    (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
 }
 
 #[cfg(test)]

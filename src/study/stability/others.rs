@@ -54,6 +54,30 @@ enumeration! {
     }
 }
 
+enumeration! {
+    /// Why a method has no error on a contact.
+    pub enum Fault in FaultRow {
+        /// One word for files.
+        word: &'static str,
+        /// At most four characters for tables.
+        brief: &'static str,
+    }
+    /// It ends in another way than the reference.
+    WrongEnding { word: "wrong-ending", brief: "end!" }
+    /// Values grow without bound.
+    BlownUp { word: "blown-up", brief: "DIV" }
+    /// Steps too small to move time, or no end.
+    Stuck { word: "stuck", brief: "stop" }
+    /// The step budget was used up.
+    TooManySteps { word: "too-many-steps", brief: "many" }
+    /// It has no equations for this scene.
+    NotApplicable { word: "not-applicable", brief: "-" }
+    /// There is no answer to compare with.
+    NoReference { word: "no-reference", brief: "-" }
+    /// Omitted: time was up.
+    CutOff { word: "cut-off", brief: "late" }
+}
+
 /// How a method fares on a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
@@ -61,20 +85,8 @@ pub enum Verdict {
     Accurate(f64),
     /// It ends, with this relative error.
     Inaccurate(f64),
-    /// It ends in another way than the reference.
-    WrongEnding,
-    /// Values grow without bound.
-    BlownUp,
-    /// Steps too small to move time, or no end.
-    Stuck,
-    /// The step budget was used up.
-    TooManySteps,
-    /// It has no equations for this scene.
-    NotApplicable,
-    /// There is no answer to compare with.
-    NoReference,
-    /// Omitted: time was up.
-    CutOff,
+    /// It has no error.
+    None(Fault),
 }
 
 impl Verdict {
@@ -83,20 +95,17 @@ impl Verdict {
         match self {
             Self::Accurate(_) => "ok".to_owned(),
             Self::Inaccurate(error) => format!("{error:.0e}"),
-            Self::WrongEnding => "end!".to_owned(),
-            Self::BlownUp => "DIV".to_owned(),
-            Self::Stuck => "stop".to_owned(),
-            Self::TooManySteps => "many".to_owned(),
-            Self::NotApplicable | Self::NoReference => "-".to_owned(),
-            Self::CutOff => "late".to_owned(),
+            Self::None(fault) => fault.brief().to_owned(),
         }
     }
 
     /// Words for screens.
     pub fn words(self) -> String {
         match self {
-            Self::BlownUp => "diverged".to_owned(),
-            _ => self.word().replace('-', " "),
+            Self::None(Fault::BlownUp) => "diverged".to_owned(),
+            Self::Accurate(_) | Self::Inaccurate(_) | Self::None(_) => {
+                self.word().replace('-', " ")
+            }
         }
     }
 
@@ -105,13 +114,7 @@ impl Verdict {
         match self {
             Self::Accurate(_) => "accurate",
             Self::Inaccurate(_) => "inaccurate",
-            Self::WrongEnding => "wrong-ending",
-            Self::BlownUp => "blown-up",
-            Self::Stuck => "stuck",
-            Self::TooManySteps => "too-many-steps",
-            Self::NotApplicable => "not-applicable",
-            Self::NoReference => "no-reference",
-            Self::CutOff => "cut-off",
+            Self::None(fault) => fault.word(),
         }
     }
 
@@ -119,13 +122,7 @@ impl Verdict {
     pub fn error(self) -> Option<f64> {
         match self {
             Self::Accurate(error) | Self::Inaccurate(error) => Some(error),
-            Self::WrongEnding
-            | Self::BlownUp
-            | Self::Stuck
-            | Self::TooManySteps
-            | Self::NotApplicable
-            | Self::NoReference
-            | Self::CutOff => None,
+            Self::None(_) => None,
         }
     }
 }
@@ -175,36 +172,30 @@ impl Contact {
 
 /// How a method fares on the contact of a scene that should end like `reference`.
 pub fn judge(other: Other, scene: &Scene, reference: Option<Contact>) -> Verdict {
-    let Some(reference) = reference else {
-        return Verdict::NoReference;
-    };
     let (accurate, steps_max) = match other.knob() {
         Knob::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
         Knob::None | Knob::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
     };
-    match Contact::by(other.method(), other.knob(), scene, steps_max) {
-        Ok(contact) if contact.ending != reference.ending => Verdict::WrongEnding,
-        Ok(contact) => {
-            let error = (contact.value / reference.value - 1.0).abs();
-            if error <= accurate {
-                Verdict::Accurate(error)
-            } else if error < BLOWN_UP {
-                Verdict::Inaccurate(error)
-            } else {
-                Verdict::BlownUp
-            }
-        }
-        Err(refusal) => of_refusal(refusal),
+    let error = reference.ok_or(Fault::NoReference).and_then(|reference| {
+        let contact = Contact::by(other.method(), other.knob(), scene, steps_max).map_err(fault)?;
+        let alike = contact.ending == reference.ending;
+        alike.then_some((contact.value / reference.value - 1.0).abs()).ok_or(Fault::WrongEnding)
+    });
+    match error {
+        Ok(error) if error <= accurate => Verdict::Accurate(error),
+        Ok(error) if error < BLOWN_UP => Verdict::Inaccurate(error),
+        Ok(_) => Verdict::None(Fault::BlownUp),
+        Err(fault) => Verdict::None(fault),
     }
 }
 
-fn of_refusal(refusal: Refusal) -> Verdict {
+fn fault(refusal: Refusal) -> Fault {
     match refusal {
-        Refusal::NonFinite => Verdict::BlownUp,
-        Refusal::Separated | Refusal::OtherEnding => Verdict::WrongEnding,
-        Refusal::StepBudget => Verdict::TooManySteps,
+        Refusal::NonFinite => Fault::BlownUp,
+        Refusal::Separated | Refusal::OtherEnding => Fault::WrongEnding,
+        Refusal::StepBudget => Fault::TooManySteps,
         Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw => {
-            Verdict::NotApplicable
+            Fault::NotApplicable
         }
         Refusal::LeavesStop
         | Refusal::NeedsSimulation
@@ -214,6 +205,6 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         | Refusal::EndedEarly
         | Refusal::Rattles
         | Refusal::NoReference
-        | Refusal::TooSlow => Verdict::Stuck,
+        | Refusal::TooSlow => Fault::Stuck,
     }
 }

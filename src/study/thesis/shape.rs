@@ -1,5 +1,6 @@
 //! Properties of curves that the thesis's sentences assert: rising, falling, levelling off, nearly linear.
 
+pub(super) use crate::numerics::statistics::slope;
 use crate::numerics::{larger, smaller};
 use crate::study::thesis::value::Point;
 
@@ -56,15 +57,6 @@ pub(super) fn curvature(curve: &[Point]) -> f64 {
     let slope = (last.1 - first.1) / (last.0 - first.0);
     let off = |point: &Point| (point.1 - first.1 - slope * (point.0 - first.0)).abs();
     curve.iter().map(off).fold(0.0, larger) / range(curve)
-}
-
-/// The slope of the least-squares line.
-pub(super) fn slope(curve: &[Point]) -> f64 {
-    let n = curve.len() as f64;
-    let mean = |f: fn(&Point) -> f64| curve.iter().map(f).sum::<f64>() / n;
-    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-    let covariance: f64 = curve.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
-    covariance / curve.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
 /// Where a falling curve crosses the middle between its ends.

@@ -7,7 +7,7 @@ use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
-use cmra::study::stability::others::Verdict;
+use cmra::study::stability::others::{Fault, Verdict};
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
 use cmra::tui::theme::GlyphSet;
@@ -51,9 +51,9 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
         stiffness: Stiffness { swings_rad: 40.0, decays: 2.0 },
         others: [
             Verdict::Accurate(1e-9),
-            Verdict::Stuck,
+            Verdict::None(Fault::Stuck),
             Verdict::Inaccurate(0.2),
-            Verdict::BlownUp,
+            Verdict::None(Fault::BlownUp),
         ],
         shortfall: (index == 2).then_some(Shortfall::Energy),
     };

@@ -264,30 +264,9 @@ impl<'f> RootScan<'f> {
             if let Some(edge) =
                 edge.filter(|edge| (edge.value - self.target) * (known.value - self.target) < 0.0)
             {
-                self.close_simply(known, edge)?;
+                self.close(known, edge)?;
             }
         }
-        Ok(())
-    }
-
-    /// Bisection alone, for the rare bracket beside a hole.
-    fn close_simply(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
-        let (mut a, mut b) = (a, b);
-        while (b.at - a.at).abs() > 4.0 * WIDTH {
-            let middle = 0.5 * (a.at + b.at);
-            if middle.to_bits() == a.at.to_bits() || middle.to_bits() == b.at.to_bits() {
-                break;
-            }
-            let Some(point) = self.look(middle)? else { return Ok(()) };
-            if (point.value > self.target) == (b.value > self.target) {
-                b = point;
-            } else {
-                a = point;
-            }
-        }
-        let kind =
-            if (a.value - self.target).abs() <= self.near() { Kind::Solution } else { Kind::Jump };
-        self.crossings.push(Crossing { kind, from: a, to: b });
         Ok(())
     }
 
