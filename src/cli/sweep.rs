@@ -20,6 +20,7 @@ use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output};
+use crate::files::atomic::Growing;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
@@ -84,26 +85,21 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let threads = arguments.threads.count();
     let stop = interruptible();
     let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
+    let file = match &arguments.table.target() {
+        Target::File(to) => Some(to.begin().map_err(exists)?),
+        Target::None | Target::Stdout => None,
+    };
+    job.say_if_long();
     let start = Instant::now();
     let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
-    let ended = if rows_wanted {
-        job.rows(arguments, columns, &mut kept)?
-    } else {
-        let page = job.page(&mut kept)?;
-        if !arguments.pictures.is_stdout() {
-            output::print(&fitted(&(arguments.scene.changed() + &page.text)))?;
-        }
-        page.summary
-    };
+    let ended = job.rows(arguments, columns, file, &mut kept)?;
+    if !rows_wanted && !arguments.pictures.is_stdout() {
+        let text = job.page(&ended, kept.as_ref(), start.elapsed().as_secs_f64());
+        output::print(&fitted(&(arguments.scene.changed() + &text)))?;
+    }
     arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
     Ok(job.ended(&ended, columns, &arguments.table, start))
-}
-
-/// A page for a person, and what it came to.
-struct Page {
-    text: String,
-    summary: Summary,
 }
 
 /// A sweep and who makes it.
@@ -157,37 +153,21 @@ impl Job<'_> {
         ExitCode::SUCCESS
     }
 
-    fn page(&self, kept: &mut Option<Grid>) -> Result<Page, CliError> {
-        self.say_if_long();
-        let name = &self.preset.name;
-        let (columns, texts) = (Columns::Chosen, Texts::default());
-        let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
-        let start = Instant::now();
-        let summary = self.stream(&sheet, |piece| {
-            if let Some(grid) = kept {
-                grid.extend(&piece.rows);
-            }
-            Ok(())
-        })?;
-        let took_s = start.elapsed().as_secs_f64();
-        let head = page::Head { name, threads: self.threads, took_s };
+    fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
+        let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        let text = at_top(&page::text(self.plan, &head, &summary, kept.as_ref()), &warnings);
-        Ok(Page { text, summary })
+        at_top(&page::text(self.plan, &head, summary, kept), &warnings)
     }
 
+    /// Computes all points, and writes their rows where they are to go.
     fn rows(
         &self,
         arguments: &SweepArguments,
         columns: Columns,
+        mut file: Option<Growing>,
         kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
-        let mut file = match &target {
-            Target::File(to) => Some(to.begin().map_err(exists)?),
-            Target::None | Target::Stdout => None,
-        };
-        self.say_if_long();
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
