@@ -335,6 +335,7 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::contact_phase::tests::stored;
     use crate::model::simulate::bare_run;
     use crate::model::variables::scene_without_spring as scene;
 
@@ -437,17 +438,12 @@ mod tests {
         }
     }
 
-    /// Rows S2, S4 and S17 of the stored reference.
     #[test]
     fn valid_the_kernel_against_the_stored_digits() {
-        for (pairs, t_s, depth_m) in [
-            ("k=1e5", 0.000_113_597_172_897_240_72, 0.004_571_788_754_106_379),
-            ("k=1e6 n=0.5", 0.000_197_151_917_116_086_2, 0.006_919_384_198_354_558),
-            ("h=0.003 v_i=400 k=1e5", 0.000_058_297_967_935_076_06, 0.009_35),
-        ] {
-            let found = contact_end(&scene(pairs), 1e-9).unwrap();
-            assert!((found.t_s / t_s - 1.0).abs() < 1e-9, "{pairs}: {found:?}");
-            assert!((found.penetration_m / depth_m - 1.0).abs() < 1e-9, "{pairs}: {found:?}");
+        for row in stored() {
+            let found = contact_end(&row.scene(), 1e-9).unwrap();
+            let errors = row.errors(found.t_s, found.penetration_m);
+            assert!(errors.iter().all(|error| *error < 1e-9), "{}: {errors:?}", row.pairs);
         }
     }
 }

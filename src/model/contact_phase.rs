@@ -200,48 +200,71 @@ impl Phase {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(in crate::model) mod tests {
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
     use crate::numerics::stepper::dop853::Dop853;
     use crate::numerics::stepper::rk4::{Crossing, Rk4};
 
-    pub(super) fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: &Method) -> (f64, f64) {
-        let answer = Phase::of(&scene(pairs)).solve(method, 1_000_000).unwrap();
-        ((answer.t_s / t_s - 1.0).abs(), (answer.depth_m / depth_m - 1.0).abs())
+    /// The row that no explicit method follows.
+    pub(in crate::model) const STIFFEST: &str = "S13";
+
+    /// A row of the stored reference (80-bit Taylor series and 30-digit arithmetic): its name, the changes to the scene, how the
+    /// contact ends, and time, s, and depth, m, in all their digits.
+    pub(in crate::model) struct Stored {
+        pub(in crate::model) name: &'static str,
+        pub(in crate::model) pairs: String,
+        pub(in crate::model) ending: Ending,
+        pub(in crate::model) digits: [&'static str; 3],
     }
 
-    /// Scene, time and depth of the stored reference (80-bit Taylor series and 30-digit arithmetic).
-    pub(super) const STORED: [(&str, (f64, f64)); 8] = [
-        ("", (0.000_113_407_312_427_867_64, 0.004_568_088_344_391_97)),
-        ("k=1e5", (0.000_113_597_172_897_240_72, 0.004_571_788_754_106_379)),
-        ("k=1e6 n=0.5", (0.000_197_151_917_116_086_2, 0.006_919_384_198_354_558)),
-        ("k=1e5 n=0.3", (0.000_145_261_805_493_910_94, 0.005_532_972_624_185_593)),
-        ("b=1000", (0.000_159_594_820_947_785_5, 0.005_836_233_349_205_975)),
-        ("b=2000 k=1e5", (0.000_172_186_175_510_781_17, 0.006_358_209_064_563_398)),
-        ("d=0.5 k=1e5", (0.000_047_606_806_905_173_61, 0.001_658_338_066_423_099)),
-        ("k=1e9", (0.000_184_567_176_552_508_05, 0.007_107_818_207_444_599)),
-    ];
+    impl Stored {
+        pub(in crate::model) fn scene(&self) -> Scene {
+            scene(&self.pairs)
+        }
+
+        /// The relative errors of a time, s, and a depth, m.
+        pub(in crate::model) fn errors(&self, t_s: f64, depth_m: f64) -> [f64; 2] {
+            let digits = |at: usize| self.digits[at].parse::<f64>().unwrap();
+            [(t_s / digits(0) - 1.0).abs(), (depth_m / digits(1) - 1.0).abs()]
+        }
+
+        pub(in crate::model) fn errors_by(&self, method: &Method) -> [f64; 2] {
+            let answer = Phase::of(&self.scene()).solve(method, 1_000_000).unwrap();
+            assert_eq!(answer.ending, self.ending, "{}", self.pairs);
+            self.errors(answer.t_s, answer.depth_m)
+        }
+    }
+
+    pub(in crate::model) fn stored() -> Vec<Stored> {
+        let rows = include_str!("../../tests/cases/reference.csv").lines().skip(1);
+        let row = |line: &'static str| {
+            let fields: Vec<&str> = line.split(',').collect();
+            Stored {
+                name: fields[0],
+                pairs: fields[1].replace("base", "").replace("vi=", "v_i="),
+                ending: if fields[2] == "perf" { Ending::Perforation } else { Ending::Arrest },
+                digits: [fields[3], fields[4], fields[5]],
+            }
+        };
+        rows.map(row).collect()
+    }
 
     #[test]
     fn valid_every_stored_scene_but_the_stiffest_by_dop853() {
-        for (pairs, exact) in STORED {
-            let (time, depth) = errors(pairs, exact, &Dop853 { tolerance: 1e-13 });
-            assert!(time < 2e-12 && depth < 2e-12, "{pairs}: {time:e} {depth:e}");
+        for row in stored().iter().filter(|row| row.name != STIFFEST) {
+            let [time, depth] = row.errors_by(&Dop853 { tolerance: 1e-13 });
+            assert!(time < 2e-12 && depth < 2e-12, "{}: {time:e} {depth:e}", row.pairs);
         }
-        let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
-        let answer = thin.solve(&Dop853 { tolerance: 1e-13 }, 100_000).unwrap();
-        assert_eq!(answer.ending, Ending::Perforation);
-        assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-13);
-        assert!((answer.depth_m / 0.009_35 - 1.0).abs() < 1e-14);
     }
 
     #[test]
     fn located_events_keep_the_order_that_unlocated_ones_lose() {
-        let (pairs, exact) = STORED[5];
-        let unit_s = 1.0 / Phase::of(&scene(pairs)).scaled_time(1.0);
-        let error =
-            |dt_s: f64, crossing| errors(pairs, exact, &Rk4 { step: dt_s / unit_s, crossing }).0;
+        let row = &stored()[5];
+        let phase = Phase::of(&row.scene());
+        let error = |dt_s: f64, crossing| {
+            row.errors_by(&Rk4 { step: phase.scaled_time(dt_s), crossing })[0]
+        };
         let order = |crossing| (error(2e-6, crossing) / error(1.25e-7, crossing)).log2() / 4.0;
         let (with, without) = (order(Crossing::Locate), order(Crossing::Notice));
         assert!((with - 4.0).abs() < 0.4, "{with}");

@@ -11,6 +11,7 @@
 use std::sync::LazyLock;
 
 use crate::numerics::larger;
+use crate::numerics::quadrature::legendre;
 
 /// The power by which the points are drawn together at the singular end.
 const GRADE: i32 = 5;
@@ -196,17 +197,6 @@ impl<const N: usize> Rule<N> {
         });
         Some((end, points))
     }
-}
-
-/// The Legendre polynomials of degree 0 to N, and one more place than that needs, by Bonnet's recurrence.
-fn legendre<const N: usize>(x: f64) -> [f64; 32] {
-    let mut p = [0.0; 32];
-    (p[0], p[1]) = (1.0, x);
-    for n in 1..N {
-        let k = n as f64;
-        p[n + 1] = ((2.0 * k + 1.0) * x * p[n] - k * p[n - 1]) / (k + 1.0);
-    }
-    p
 }
 
 #[cfg(test)]

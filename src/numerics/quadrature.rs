@@ -74,27 +74,24 @@ const fn gauss_16() -> [Node; 8] {
     let mut i = 0;
     while i < 8 {
         let (at, weight) = HALF[i];
-        rule[i] = Node { at, weight, last: legendre_12_to_15(at) };
+        let p = legendre::<15>(at);
+        rule[i] = Node { at, weight, last: [p[12], p[13], p[14], p[15]] };
         i += 1;
     }
     rule
 }
 
-/// Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
-const fn legendre_12_to_15(x: f64) -> [f64; 4] {
-    let (mut before, mut last) = (1.0, x);
-    let mut found = [0.0; 4];
-    let mut n = 1usize;
-    while n < 15 {
-        let order = n as f64;
-        let next = ((2.0 * order + 1.0) * x * last - order * before) / (order + 1.0);
-        (before, last) = (last, next);
+/// The Legendre polynomials of degree 0 to N, below 32, by Bonnet's recurrence (n + 1) P(n+1) = (2n + 1) x P(n) - n P(n-1).
+pub(crate) const fn legendre<const N: usize>(x: f64) -> [f64; 32] {
+    let mut p = [0.0; 32];
+    (p[0], p[1]) = (1.0, x);
+    let mut n = 1;
+    while n < N {
+        let k = n as f64;
+        p[n + 1] = ((2.0 * k + 1.0) * x * p[n] - k * p[n - 1]) / (k + 1.0);
         n += 1;
-        if n >= 12 {
-            found[n - 12] = last;
-        }
     }
-    found
+    p
 }
 
 #[cfg(test)]

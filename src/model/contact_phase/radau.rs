@@ -237,34 +237,26 @@ fn crossed(
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{STORED, errors};
-    use super::super::{Ending, Phase, Refusal};
+    use super::super::tests::stored;
+    use super::super::{Phase, Refusal};
     use super::Radau;
     use crate::model::variables::scene_without_spring as scene;
 
-    /// The stiffest stored scene, which no explicit method follows.
-    const STIFFEST: (&str, (f64, f64)) =
-        ("k=1e6 n=0.1", (0.000_185_011_646_060_482_2, 0.007_113_054_853_423_405));
-
     #[test]
     fn valid_every_stored_scene_with_the_stiffest() {
-        for (pairs, exact) in STORED.into_iter().chain([STIFFEST]) {
-            let (time, depth) = errors(pairs, exact, &Radau { tolerance: 1e-11 });
-            assert!(time < 2e-9 && depth < 2e-9, "{pairs}: {time:e} {depth:e}");
+        for row in stored() {
+            let [time, depth] = row.errors_by(&Radau { tolerance: 1e-11 });
+            assert!(time < 2e-9 && depth < 2e-9, "{}: {time:e} {depth:e}", row.pairs);
         }
-        let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
-        let answer = thin.solve(&Radau { tolerance: 1e-11 }, 100_000).unwrap();
-        assert_eq!(answer.ending, Ending::Perforation);
-        assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-9);
     }
 
     #[test]
     fn the_order_is_five_in_the_steps() {
-        let (pairs, (t_s, _)) = STORED[5];
+        let row = &stored()[5];
         let solve = |tolerance| {
-            let answer = Phase::of(&scene(pairs)).solve(&Radau { tolerance }, 100_000);
+            let answer = Phase::of(&row.scene()).solve(&Radau { tolerance }, 100_000);
             let answer = answer.unwrap();
-            (answer.steps as f64, (answer.t_s / t_s - 1.0).abs())
+            (answer.steps as f64, row.errors(answer.t_s, answer.depth_m)[0])
         };
         let (coarse, fine) = (solve(1e-7), solve(1e-11));
         let order = (coarse.1 / fine.1).ln() / (fine.0 / coarse.0).ln();
