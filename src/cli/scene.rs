@@ -15,7 +15,7 @@ use crate::files::preset::{self, Origin, Preset};
 use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, choose_closure};
-use crate::model::scene::{Closure, Scene, SpringKind, Table};
+use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::Bare;
 use crate::model::variables::{self, VARIABLES};
 
@@ -164,27 +164,26 @@ fn say_changed(before: &Scene, scene: &mut Scene) {
 
 fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     let old = scene.mechanism.clone();
-    let mut curves = [false; 2];
+    let mut with_curve = Vec::new();
     for argument in set {
         let refuse = |why: &str| CliError::Option(format!("--set {argument}: {why}"));
         let (name, value) = argument
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
-        if let Some(second) = is_curve(name.trim()) {
-            take_curve(scene, second, value.trim())?;
-            curves[usize::from(second)] = true;
+        if let Some(which) = whose_curve(name.trim()) {
+            take_curve(scene.mechanism.one_mut(which), value.trim())?;
+            with_curve.push(which);
             continue;
         }
         let set = variables::set_by_name(scene, name, value, Bare::Si);
         set.map_err(|problem| refuse(&problem.to_string()))?;
     }
-    let new = &scene.mechanism;
-    let pairs = [(&old.spring, &new.spring), (&old.second, &new.second)];
-    for (second, (old, new)) in pairs.into_iter().enumerate() {
+    for which in WhichSpring::ALL {
+        let (old, new) = (old.one(which), scene.mechanism.one(which));
         let begins = new.kind == SpringKind::Table && old.kind != SpringKind::Table;
         // The scene may have the points of a curve that it did not use.
-        if begins && !curves[second] && new.table == Table::default() {
-            let suffix = if second == 0 { "" } else { "_2" };
+        if begins && !with_curve.contains(&which) && new.table == Table::default() {
+            let suffix = which.suffix();
             return Err(CliError::Option(format!(
                 "--set spring{suffix}=table: the table has no measured curve: add --set table{suffix}=FILE, a CSV file of \
                  displacement (m) and force (N)"
@@ -194,22 +193,19 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Whether a name means the measured curve of a spring, and whether of the second one.
-fn is_curve(name: &str) -> Option<bool> {
-    match name {
-        "table" | "mechanism.spring.table" | "mechanism.spring.table.file" => Some(false),
-        "table_2" | "mechanism.second.table" | "mechanism.second.table.file" => Some(true),
-        _ => None,
-    }
+/// The spring whose measured curve a name means.
+fn whose_curve(name: &str) -> Option<WhichSpring> {
+    let short = |which: &WhichSpring| name.strip_prefix("table") == Some(which.suffix());
+    WhichSpring::ALL.into_iter().find(short).or_else(|| {
+        let (which, row) = WhichSpring::of_key(name)?;
+        matches!(row, "table" | "table.file").then_some(which)
+    })
 }
 
 /// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
-fn take_curve(scene: &mut Scene, second: bool, file: &str) -> Result<(), CliError> {
-    let points = read_table::curve(Path::new(file), Accepts::Handed)?;
-    let mechanism = &mut scene.mechanism;
-    let spring = if second { &mut mechanism.second } else { &mut mechanism.spring };
+fn take_curve(spring: &mut Spring, file: &str) -> Result<(), CliError> {
+    spring.table.points = read_table::curve(Path::new(file), Accepts::Handed)?;
     spring.kind = SpringKind::Table;
-    spring.table.points = points;
     Ok(())
 }
 

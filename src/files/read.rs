@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
 use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
-use crate::model::scene::{Scene, SpringKind};
+use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
@@ -174,9 +174,9 @@ impl<'t> Reader<'t> {
 
     /// A spring that is a table needs its points: the example in their place was not measured.
     fn measured_curves(&mut self, scene: &Scene, document: &DeTable<'_>) {
-        let springs = [&scene.mechanism.spring, &scene.mechanism.second];
-        for (spring, key) in springs.into_iter().zip(read_table::KEYS) {
-            let kind = key.replace(".table", ".kind");
+        for (which, key) in WhichSpring::ALL.into_iter().zip(read_table::KEYS) {
+            let spring = scene.mechanism.one(which);
+            let kind = format!("{}.kind", which.key());
             let Some(span) = find(document, &kind) else { continue };
             if spring.kind == SpringKind::Table && find(document, key).is_none() {
                 self.problem(
@@ -221,8 +221,11 @@ impl<'t> Reader<'t> {
         if self.is_full() {
             return;
         }
-        if read_table::KEYS.contains(&path) {
-            return self.table(scene, path, value);
+        if let Some((which, "table")) = WhichSpring::of_key(path) {
+            if let Some(points) = read_table::points(self, path, value) {
+                scene.mechanism.one_mut(which).table.points = points;
+            }
+            return;
         }
         if path == read_stack::KEY {
             return;
@@ -253,15 +256,6 @@ impl<'t> Reader<'t> {
                 let text = unknown(path, matches!(value.get_ref(), DeValue::Table(_)));
                 self.problem(key_span, text);
             }
-        }
-    }
-
-    fn table(&mut self, scene: &mut Scene, path: &str, value: &Spanned<DeValue<'_>>) {
-        if let Some(points) = read_table::points(self, path, value) {
-            let mechanism = &mut scene.mechanism;
-            let first = path == read_table::KEYS[0];
-            let spring = if first { &mut mechanism.spring } else { &mut mechanism.second };
-            spring.table.points = points;
         }
     }
 
@@ -473,7 +467,7 @@ fn keys_below(table: &str) -> String {
             names.push(name);
         }
     }
-    if read_table::KEYS.iter().any(|key| key.rsplit_once('.').is_some_and(|(it, _)| it == table)) {
+    if WhichSpring::WORDS.contains(&table) {
         names.push("table");
     }
     names.join(", ")

@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
-use crate::files::read;
-use crate::model::scene::{Layer, PlateSize, Scene, Spring, SpringKind, Sweep};
+use crate::files::{read, read_table};
+use crate::model::scene::{Layer, PlateSize, Scene, Spring, SpringKind, Sweep, WhichSpring};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -179,14 +179,13 @@ fn put_layers(root: &mut Table, scene: &Scene) {
 
 /// The tables of measured points that differ from another scene's, as TOML.
 fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
-    let (was, is) = (&old.mechanism, &scene.mechanism);
-    let pairs = [
-        ("mechanism.spring.table", &was.spring, &is.spring),
-        ("mechanism.second.table", &was.second, &is.second),
-    ];
+    let springs = WhichSpring::ALL
+        .into_iter()
+        .zip(read_table::KEYS)
+        .map(|(which, key)| (key, old.mechanism.one(which), scene.mechanism.one(which)));
     // A spring that has become a table needs its points, whatever they are.
     let begins = |was: &Spring, is: &Spring| is.kind == SpringKind::Table && was.kind != is.kind;
-    let changed = pairs.into_iter().filter(|(_, was, is)| was.table != is.table || begins(was, is));
+    let changed = springs.filter(|(_, was, is)| was.table != is.table || begins(was, is));
     changed
         .map(|(key, _, is)| {
             let points: Vec<String> = is
@@ -225,9 +224,7 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
 
 /// Whether a variable belongs to a spring or to how two act together.
 fn is_spring(variable: &Variable) -> bool {
-    ["mechanism.spring.", "mechanism.second.", "mechanism.combination"]
-        .iter()
-        .any(|start| variable.key.starts_with(start))
+    WhichSpring::of_key(variable.key).is_some() || variable.key == "mechanism.combination"
 }
 
 fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {

@@ -15,7 +15,7 @@ mod mechanism;
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use bodies::{Closure, Mount, Nose, Plate, PlateSize, Projectile, Target};
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Jumps, Listing, Reading};
-pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Stop, StopKind, Wire};
+pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Stop, StopKind, WhichSpring, Wire};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]

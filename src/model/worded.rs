@@ -21,7 +21,7 @@ macro_rules! worded {
             pub const WORDS: [&'static str; Self::ALL.len()] = [$($word),+];
 
             /// The word, or the words, in files and on screens.
-            pub fn $method(self) -> &'static str {
+            pub const fn $method(self) -> &'static str {
                 Self::WORDS[self as usize]
             }
         }

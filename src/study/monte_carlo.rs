@@ -5,7 +5,7 @@
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
-use crate::model::scene::{PlateSize, Scene, SpringKind};
+use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
@@ -137,13 +137,11 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
 
 /// Whether a key is a parameter of a spring that scatters.
 fn is_springs_own(key: &str, scene: &Scene) -> bool {
-    let first = key.strip_prefix("mechanism.spring.").map(|row| (row, &scene.mechanism.spring));
-    let second = || key.strip_prefix("mechanism.second.").map(|row| (row, &scene.mechanism.second));
-    let Some((row, spring)) = first.or_else(second) else { return false };
+    let Some((which, row)) = WhichSpring::of_key(key) else { return false };
     match row {
         "exponent" | "mass_kg" => false,
         // A measured curve scatters in force.
-        "count" => spring.kind == SpringKind::Table,
+        "count" => scene.mechanism.one(which).kind == SpringKind::Table,
         _ => true,
     }
 }

@@ -10,6 +10,7 @@ pub(crate) mod presets;
 
 use ratatui::widgets::{Clear, Widget};
 
+use crate::model::scene::WhichSpring;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::dialogs::export::Export;
 use crate::tui::keymap::{LINES, Line, Scope};
@@ -86,8 +87,8 @@ pub enum Purpose {
     Preset,
     /// The file to write the page's table to; what the table is.
     Table(&'static str),
-    /// The file that has a spring's measured curve (of the second spring: true).
-    Curve(bool),
+    /// The file that has a spring's measured curve.
+    Curve(WhichSpring),
 }
 
 /// The one by this many places further on, round and round.

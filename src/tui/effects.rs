@@ -200,10 +200,10 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
-            Task::ReadCurve(second, path) => {
+            Task::ReadCurve(which, path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
-                EffectReport::Curve(second, path, points)
+                EffectReport::Curve(which, path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
             Task::KeepCopy(text, sent) => {

@@ -10,7 +10,7 @@ use crossterm::event::KeyEvent;
 use crate::files::error::FileError;
 use crate::files::export::{Beside, Destination, Meta, RunTable};
 use crate::model::library::Entry;
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, WhichSpring};
 use crate::model::variables::{self, VariableError};
 use crate::tui::prelude::*;
 use crate::worker::{Report, Task};
@@ -73,8 +73,8 @@ pub enum EffectReport {
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
     Completions(Vec<String>),
-    /// A spring's measured curve was read: whether the second one's, the file, and its points.
-    Curve(bool, PathBuf, Result<Arc<[[f64; 2]]>, String>),
+    /// A spring's measured curve was read: whose, the file, and its points.
+    Curve(WhichSpring, PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -176,8 +176,8 @@ pub enum FileTask {
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// Read a measured curve for a spring (the second one: true).
-    ReadCurve(bool, PathBuf),
+    /// Read a measured curve for a spring.
+    ReadCurve(WhichSpring, PathBuf),
     Complete(String),
     /// Write copied text to a file; the second text says where else it went.
     KeepCopy(String, String),

@@ -340,7 +340,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
         EffectReport::Completions(names) => list::complete(app, names),
-        EffectReport::Curve(second, path, points) => ask::read(app, second, &path, points),
+        EffectReport::Curve(which, path, points) => ask::read(app, which, &path, points),
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
-use crate::model::mechanism::{Spring, inertia};
+use crate::model::mechanism::Spring;
 use crate::numerics::larger;
 
 /// Crushing below this part of the displacement is rounding.
@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-12;
 impl Problem {
     pub(super) fn has_absorber(&self) -> bool {
         let sprung = self.mechanism.spring.curve().is_some();
-        sprung && inertia::acting(&self.scene.mechanism).any(|one| one.law().absorber().is_some())
+        sprung && self.scene.mechanism.acting().any(|one| one.law().absorber().is_some())
     }
 
     /// The impact with absorbers as they were at first contact, for another run.
@@ -28,7 +28,7 @@ impl Problem {
     fn crushed_by(&self, x: f64) -> Option<[f64; 2]> {
         let mut crushed_m = self.crushed_m;
         let mut farther = false;
-        for (spring, crushed_m) in inertia::acting(&self.scene.mechanism).zip(&mut crushed_m) {
+        for (spring, crushed_m) in self.scene.mechanism.acting().zip(&mut crushed_m) {
             let Some(absorber) = spring.law().absorber() else { continue };
             let reached = larger(*crushed_m, absorber.rise_m()) * (1.0 + ROUNDING);
             if *crushed_m < absorber.stroke_m && x > reached {

@@ -8,7 +8,7 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, Combination, Mount, OwnMass, Scene};
+use crate::model::scene::{self, Mount, OwnMass, Scene};
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -24,12 +24,11 @@ pub struct Inertia {
 impl Inertia {
     /// Of a valid scene; nothing on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
-        let mechanism = &scene.mechanism;
         if scene.plate.mount == Mount::Rigid {
             return Self::default();
         }
         let mut sum = Self::default();
-        for spring in acting(mechanism) {
+        for spring in scene.mechanism.acting() {
             sum.rotation_kg += spring.law().rotation_kg();
             if let Some(mass_kg) = mass_kg(scene, spring) {
                 sum.spring_mass_kg = Some(sum.spring_mass_kg.unwrap_or(0.0) + mass_kg);
@@ -45,15 +44,6 @@ impl Inertia {
     pub fn added_kg(&self) -> f64 {
         self.rotation_kg + self.springs_kg
     }
-}
-
-/// The springs that act: one, or both.
-pub fn acting(mechanism: &scene::Mechanism) -> impl Iterator<Item = &scene::Spring> {
-    let second = match mechanism.combination {
-        Combination::Alone => None,
-        Combination::Parallel | Combination::Series => Some(&mechanism.second),
-    };
-    std::iter::once(&mechanism.spring).chain(second)
 }
 
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.

@@ -5,7 +5,7 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{Combination, Mechanism, OwnMass, Scene, Wire};
+use crate::model::scene::{OwnMass, Scene, WhichSpring, Wire};
 use crate::model::variables::part::{Place, parts};
 use crate::model::variables::visible::is_sprung;
 use crate::model::variables::{Group, Kind, Variable, VariableError};
@@ -81,10 +81,10 @@ macro_rules! kinds {
         })+
 
         /// Adds the rows of one of the two springs.
-        fn add_rows_of<W: Which>(rows: &mut Vec<Variable>) {
-            Spring::add_rows::<W>(rows);
-            $($field::$part::add_rows::<W>(rows);)+
-            Wire::add_rows::<W>(rows);
+        fn add_rows_of<N: Numbered>(rows: &mut Vec<Variable>) {
+            Spring::add_rows::<N>(rows);
+            $($field::$part::add_rows::<N>(rows);)+
+            Wire::add_rows::<N>(rows);
         }
     };
 }
@@ -280,68 +280,38 @@ impl SpringPart for Wire {
     }
 }
 
-/// One of the two springs of a mechanism.
-trait Which {
-    /// The key of its table.
-    const PATH: &'static str;
-
-    fn of(mechanism: &Mechanism) -> &Spring;
-
-    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring;
-
-    fn acts(mechanism: &Mechanism) -> bool;
+/// One of the two springs, as a type.
+trait Numbered {
+    const WHICH: WhichSpring;
 }
 
 enum First {}
 
 enum Second {}
 
-impl Which for First {
-    const PATH: &'static str = "mechanism.spring";
-
-    fn of(mechanism: &Mechanism) -> &Spring {
-        &mechanism.spring
-    }
-
-    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring {
-        &mut mechanism.spring
-    }
-
-    fn acts(_: &Mechanism) -> bool {
-        true
-    }
+impl Numbered for First {
+    const WHICH: WhichSpring = WhichSpring::First;
 }
 
-impl Which for Second {
-    const PATH: &'static str = "mechanism.second";
-
-    fn of(mechanism: &Mechanism) -> &Spring {
-        &mechanism.second
-    }
-
-    fn of_mut(mechanism: &mut Mechanism) -> &mut Spring {
-        &mut mechanism.second
-    }
-
-    fn acts(mechanism: &Mechanism) -> bool {
-        mechanism.combination != Combination::Alone
-    }
+impl Numbered for Second {
+    const WHICH: WhichSpring = WhichSpring::Second;
 }
 
-impl<W: Which, T: SpringPart> Place<T> for W {
+impl<N: Numbered, T: SpringPart> Place<T> for N {
     const GROUP: Group = Group::Mechanism;
-    const PATH: [&'static str; 2] = [W::PATH, T::FIELD];
+    const PATH: [&'static str; 2] = [N::WHICH.key(), T::FIELD];
 
     fn part(scene: &Scene) -> &T {
-        T::of(W::of(&scene.mechanism))
+        T::of(scene.mechanism.one(N::WHICH))
     }
 
     fn part_mut(scene: &mut Scene) -> &mut T {
-        T::of_mut(W::of_mut(&mut scene.mechanism))
+        T::of_mut(scene.mechanism.one_mut(N::WHICH))
     }
 
     fn is_listed(scene: &Scene) -> bool {
-        W::acts(&scene.mechanism) && T::matters(W::of(&scene.mechanism))
+        let mechanism = &scene.mechanism;
+        mechanism.acts(N::WHICH) && T::matters(mechanism.one(N::WHICH))
     }
 
     fn is_used(scene: &Scene) -> bool {
@@ -360,7 +330,7 @@ pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
     add_rows_of::<Second>(rows);
     for row in &mut rows[first..] {
         row.own_name = "";
-        row.symbol = [row.symbol, "_2"].concat().leak();
+        row.symbol = [row.symbol, WhichSpring::Second.suffix()].concat().leak();
         if let Kind::Number(number) = &mut row.kind {
             number.thesis_range = None;
         }

@@ -1,6 +1,5 @@
 //! The load of the springs at a displacement: bending stress, yield margin, and whether the law still holds there.
 
-use crate::model::mechanism::inertia::acting;
 use crate::model::mechanism::kinds::Bounds;
 use crate::model::mechanism::piece::Piece;
 use crate::model::scene::{self, Combination, Scene};
@@ -20,7 +19,7 @@ pub struct Limit {
 /// The greatest bending stress of the beams at a plate displacement, over their yield strength; `None` without beams.
 pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
     let shares = shares(&scene.mechanism, x_m);
-    let ratios = acting(&scene.mechanism).zip(shares);
+    let ratios = scene.mechanism.acting().zip(shares);
     ratios.filter_map(|(spring, x)| spring.law().stress_ratio(spring, x)).reduce(larger)
 }
 
@@ -33,7 +32,7 @@ pub fn yields_at_m(spring: &scene::Spring) -> Option<f64> {
 pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
     let shares = shares(&scene.mechanism, x_m);
     let mut found = Vec::new();
-    for (spring, required_m) in acting(&scene.mechanism).zip(shares) {
+    for (spring, required_m) in scene.mechanism.acting().zip(shares) {
         for Bounds { what, low_m, high_m } in spring.law().bounds(spring) {
             let limit_m = if required_m < low_m { low_m } else { high_m };
             if required_m < low_m || required_m > high_m {
@@ -50,7 +49,7 @@ pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
     let mut least = None;
     for x_m in [from_m, to_m] {
         let shares = shares(&scene.mechanism, x_m);
-        for (spring, required_m) in acting(&scene.mechanism).zip(shares) {
+        for (spring, required_m) in scene.mechanism.acting().zip(shares) {
             for Bounds { low_m, high_m, .. } in spring.law().bounds(spring) {
                 let limit_m = if required_m < 0.0 { low_m } else { high_m };
                 let margin = limit_m / required_m;

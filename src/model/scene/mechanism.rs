@@ -65,6 +65,31 @@ parts! {
 }
 
 worded! {
+    /// One of the two springs of a mechanism.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum WhichSpring: key {
+        First = "mechanism.spring",
+        Second = "mechanism.second",
+    }
+}
+
+impl WhichSpring {
+    /// What distinguishes its symbols from those of the first spring.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::First => "",
+            Self::Second => "_2",
+        }
+    }
+
+    /// The spring that a key belongs to, and what the key is below it: `kind`.
+    pub fn of_key(key: &str) -> Option<(Self, &str)> {
+        let below = |which: Self| key.strip_prefix(which.key())?.strip_prefix('.');
+        Self::ALL.into_iter().find_map(|which| Some((which, below(which)?)))
+    }
+}
+
+worded! {
     /// How the first and the second spring act together.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Combination: word {
@@ -106,6 +131,36 @@ impl Damper {
 }
 
 impl Mechanism {
+    /// One of its springs.
+    pub fn one(&self, which: WhichSpring) -> &Spring {
+        match which {
+            WhichSpring::First => &self.spring,
+            WhichSpring::Second => &self.second,
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn one_mut(&mut self, which: WhichSpring) -> &mut Spring {
+        match which {
+            WhichSpring::First => &mut self.spring,
+            WhichSpring::Second => &mut self.second,
+        }
+    }
+
+    /// Whether one of its springs acts.
+    pub fn acts(&self, which: WhichSpring) -> bool {
+        match which {
+            WhichSpring::First => true,
+            WhichSpring::Second => self.combination != Combination::Alone,
+        }
+    }
+
+    /// The springs that act: one, or both.
+    pub fn acting(&self) -> impl Iterator<Item = &Spring> {
+        let second = self.acts(WhichSpring::Second).then_some(&self.second);
+        std::iter::once(&self.spring).chain(second)
+    }
+
     /// Leave the springs out, and with them what they weigh and turn.
     pub fn remove_springs(&mut self) {
         self.combination = Combination::Alone;

@@ -1,7 +1,7 @@
 //! Rules between the values of the springs.
 
 use super::VariableError;
-use crate::model::scene::{self, Combination, ContactModel, Mount, OwnMass, Scene};
+use crate::model::scene::{self, Combination, ContactModel, Mount, OwnMass, Scene, WhichSpring};
 
 /// The rules between the values of the springs, and between them and the rest of the scene.
 pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
@@ -9,13 +9,13 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
         return Ok(());
     }
     let mechanism = &scene.mechanism;
-    mechanism.spring.law().check("mechanism.spring")?;
-    if mechanism.combination != Combination::Alone {
-        mechanism.second.law().check("mechanism.second")?;
+    for which in WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which)) {
+        mechanism.one(which).law().check(which.key())?;
     }
     if mechanism.combination == Combination::Series {
-        check_rising(&mechanism.spring, "mechanism.spring")?;
-        check_rising(&mechanism.second, "mechanism.second")?;
+        for which in WhichSpring::ALL {
+            check_rising(mechanism.one(which), which.key())?;
+        }
     }
     check_model(scene)
 }

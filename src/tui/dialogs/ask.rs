@@ -7,7 +7,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
-use crate::model::scene::{Scene, SpringKind};
+use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::tui::app::Origin;
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
@@ -105,8 +105,8 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
             let existing = Existing::replaced(overwrite);
             FileTask::Export(Destination { path, existing, meta: Meta::Beside }, table.content)
         }
-        Purpose::Curve(second) => {
-            FileTask::ReadCurve(second, path_of(app, state.text.value(), "curve.csv")?)
+        Purpose::Curve(which) => {
+            FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)
         }
     };
     state.question = false;
@@ -210,29 +210,25 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Table(_) => {
             format!("to {}", app.directory.join(state.text.value().trim()).display())
         }
-        Purpose::Curve(second) => curve_hint(app, second),
+        Purpose::Curve(which) => curve_hint(app, which),
     }
 }
 
 /// After a word was taken: a spring that is a table now requests its file.
 pub(crate) fn ask(app: &mut App, word: &str) {
-    let second = match app.editor.variable().key {
-        "mechanism.spring.kind" => false,
-        "mechanism.second.kind" => true,
-        _ => return,
-    };
-    if word == SpringKind::Table.word() {
-        open(app, Purpose::Curve(second), TextField::default());
+    let row = WhichSpring::of_key(app.editor.variable().key);
+    if let Some((which, "kind")) = row
+        && word == SpringKind::Table.word()
+    {
+        open(app, Purpose::Curve(which), TextField::default());
     }
 }
 
 /// The required format of the file, and the present points.
-pub(crate) fn curve_hint(app: &App, second: bool) -> String {
-    let mechanism = &app.scene.mechanism;
-    let spring = if second { &mechanism.second } else { &mechanism.spring };
+pub(crate) fn curve_hint(app: &App, which: WhichSpring) -> String {
     format!(
         "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
-        extent(&spring.table.points)
+        extent(&app.scene.mechanism.one(which).table.points)
     )
 }
 
@@ -256,7 +252,7 @@ fn is_asked(dialog: Option<&Dialog>) -> bool {
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
 pub(crate) fn read(
     app: &mut App,
-    second: bool,
+    which: WhichSpring,
     path: &Path,
     points: Result<Arc<[[f64; 2]]>, String>,
 ) {
@@ -266,8 +262,7 @@ pub(crate) fn read(
     let taken = points.and_then(|points| {
         let count = points.len();
         let mut scene = (*app.scene).clone();
-        let mechanism = &mut scene.mechanism;
-        let spring = if second { &mut mechanism.second } else { &mut mechanism.spring };
+        let spring = scene.mechanism.one_mut(which);
         spring.kind = SpringKind::Table;
         spring.table.points = points;
         variables::validate(&scene).map_err(|error| error.to_string())?;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use cmra::model::scene::SpringKind;
+use cmra::model::scene::{SpringKind, WhichSpring};
 use cmra::model::variables::VARIABLES;
 use cmra::tui::dialogs::{Ask, Dialog, Purpose};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
@@ -22,14 +22,17 @@ fn asking() -> Bench {
 fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
     let points = points.map(Arc::from).map_err(str::to_owned);
     let path = PathBuf::from("measured/curve.csv");
-    bench.send(Message::Done(EffectReport::Curve(false, path, points)));
+    bench.send(Message::Done(EffectReport::Curve(WhichSpring::First, path, points)));
 }
 
 #[test]
 fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     let mut bench = asking();
     assert!(
-        matches!(bench.app.dialog, Some(Dialog::Ask(Ask { purpose: Purpose::Curve(false), .. }))),
+        matches!(
+            bench.app.dialog,
+            Some(Dialog::Ask(Ask { purpose: Purpose::Curve(WhichSpring::First), .. }))
+        ),
         "{:?}",
         bench.app.dialog
     );
@@ -48,7 +51,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     bench.keys("<Enter>");
     let wanted = bench.app.directory.join("measured/curve.csv");
     assert!(
-        matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(false, path))] if *path == wanted),
+        matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(WhichSpring::First, path))] if *path == wanted),
         "{:?}",
         bench.effects
     );
