@@ -76,8 +76,8 @@ pub enum Slot {
 
 #[derive(Clone, Debug)]
 pub struct Report {
+    /// That of the task.
     pub id: u64,
-    pub slot: Slot,
     pub body: ReportBody,
 }
 
@@ -248,7 +248,7 @@ impl Shared {
     fn never_started(&self, task: Option<Task>) {
         if let Some(task) = task {
             let body = ReportBody::Ended { found: None, took: Duration::ZERO };
-            (self.sink)(Report { id: task.id, slot: task.slot(), body });
+            (self.sink)(Report { id: task.id, body });
         }
     }
 
@@ -256,8 +256,7 @@ impl Shared {
         let queue = &self.lanes[lane as usize];
         while let Some((task, cancel)) = queue.next() {
             let begun = Instant::now();
-            let (id, slot) = (task.id, task.slot());
-            let send = |body| (self.sink)(Report { id, slot, body });
+            let send = |body| (self.sink)(Report { id: task.id, body });
             let reporter = Reporter::new(&send, &cancel, task.threads);
             let body = match (&task.work, &mut runs) {
                 (Work::Run(slot, scene), Some(runs)) => runs.run(*slot, scene, &reporter),

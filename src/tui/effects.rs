@@ -346,6 +346,7 @@ fn write_copy(path: &Path, text: &str) -> Result<(), FileError> {
 mod tests {
     use super::*;
     use crate::files::export::Meta;
+    use crate::tui::app::App;
     use crate::tui::message::PageTable;
 
     const PATIENCE: Duration = Duration::from_secs(20);
@@ -383,8 +384,11 @@ mod tests {
         let to = Destination { path: path.clone(), existing: Existing::Keep, meta: Meta::Beside };
         let scene = session_of(2.0).scene;
         let table = |scene: Option<Scene>| {
-            let (scene, csv) = (scene.map(Arc::new), Arc::new(|| "a\n1\n".to_owned()));
-            Content::Page(PageTable { scene, is_complete: true, csv })
+            let table = PageTable::new("", "", true, |_| "a\n1\n".to_owned());
+            Content::Page(match scene {
+                Some(scene) => table.of(&App::default(), &Arc::new(scene)),
+                None => table,
+            })
         };
         let content = table(Some(scene.clone()));
         let beside = place.path().join("shots.toml");

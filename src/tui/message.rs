@@ -190,12 +190,34 @@ pub enum Content {
     Page(PageTable),
 }
 
-/// The table of a page, made where it is written: a long one takes a moment.
+/// The table of a page, made where it is written or copied: a long one takes a moment.
 #[derive(Clone)]
 pub struct PageTable {
-    pub scene: Option<Arc<Scene>>,
+    /// What is written, for the dialog's frame.
+    pub title: &'static str,
+    /// The file that is proposed.
+    pub file: String,
     pub is_complete: bool,
-    pub csv: Arc<dyn Fn() -> String + Send + Sync>,
+    /// Its text, of a scene with this name.
+    csv: Arc<dyn Fn(&str) -> String + Send + Sync>,
+    scene: Option<(Arc<Scene>, String)>,
+}
+
+impl PageTable {
+    /// A table of no scene in particular.
+    pub(crate) fn new(
+        title: &'static str,
+        file: impl Into<String>,
+        is_complete: bool,
+        csv: impl Fn(&str) -> String + Send + Sync + 'static,
+    ) -> Self {
+        Self { title, file: file.into(), is_complete, csv: Arc::new(csv), scene: None }
+    }
+
+    /// The same as a table of a scene.
+    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>) -> Self {
+        Self { scene: Some((Arc::clone(scene), app.name_of(scene))), ..self }
+    }
 }
 
 impl fmt::Debug for PageTable {
@@ -216,14 +238,14 @@ impl Content {
     pub fn table(&self, meta: Meta) -> Result<String, FileError> {
         match self {
             Self::Runs(runs) => runs.text(meta),
-            Self::Page(table) => Ok((table.csv)()),
+            Self::Page(table) => Ok((table.csv)(table.scene.as_ref().map_or("", |(_, name)| name))),
         }
     }
 
     pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => runs.scenes(),
-            Self::Page(table) => table.scene.as_deref().map(Beside::of).into_iter().collect(),
+            Self::Page(table) => table.scene.iter().map(|(scene, _)| Beside::of(scene)).collect(),
         }
     }
 }

@@ -9,14 +9,11 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
-use std::sync::Arc;
-
 use crossterm::event::{KeyCode, KeyModifiers};
 
-use crate::model::scene::Scene;
 use crate::tui::app::jobs::Running;
 use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
-use crate::tui::message::{Content, PageTable};
+use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
@@ -74,41 +71,6 @@ pub(crate) fn progress<S: Study>(
         (None, None) => Some(Progress::Nothing),
         (None, Some(false)) => Some(Progress::Cut(String::new())),
         (None, Some(true)) => None,
-    }
-}
-
-/// A table of a page, to be written to a file or copied.
-pub(crate) struct Table {
-    /// The content to write, for the dialog's frame.
-    pub title: &'static str,
-    pub file: String,
-    pub content: Content,
-}
-
-impl Table {
-    /// A table of no scene in particular.
-    pub(crate) fn new(
-        title: &'static str,
-        file: &str,
-        is_complete: bool,
-        csv: impl Fn() -> String + Send + Sync + 'static,
-    ) -> Self {
-        let content = Content::Page(PageTable { scene: None, is_complete, csv: Arc::new(csv) });
-        Self { title, file: file.to_owned(), content }
-    }
-
-    /// A table of a scene, which is given its name.
-    pub(crate) fn of(
-        app: &App,
-        title: &'static str,
-        file: String,
-        scene: &Arc<Scene>,
-        is_complete: bool,
-        csv: impl Fn(&str) -> String + Send + Sync + 'static,
-    ) -> Self {
-        let (name, scene) = (app.name_of(scene), Some(Arc::clone(scene)));
-        let csv = Arc::new(move || csv(&name));
-        Self { title, file, content: Content::Page(PageTable { scene, is_complete, csv }) }
     }
 }
 
@@ -170,7 +132,7 @@ pub(crate) trait Page: Sync {
     fn report(&self, _app: &mut App, _running: &Running, _news: &ReportBody) {}
 
     /// The table shown, once there is anything in it.
-    fn table(&self, _app: &App) -> Option<Table> {
+    fn table(&self, _app: &App) -> Option<PageTable> {
         None
     }
 

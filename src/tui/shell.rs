@@ -17,7 +17,7 @@ use crate::files::paths::Paths;
 use crate::tui::message::{EffectReport, FileTask, Message};
 use crate::tui::prelude::*;
 use crate::tui::{update, view};
-use crate::worker::{Report, Slot, Worker};
+use crate::worker::{Report, Slot, Work, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
 const LOOK: Duration = Duration::from_millis(250);
@@ -56,7 +56,7 @@ pub(super) struct Shell {
     io_thread: IoThread,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
-    /// Jobs submitted that have not ended.
+    /// Runs submitted that have not ended.
     running: HashSet<u64>,
     /// The newest job of the scene on the screen.
     newest: Option<u64>,
@@ -259,7 +259,7 @@ impl Shell {
 
     /// Keep count of the runs under way.
     fn note(&mut self, report: &Report) {
-        if !is_run(report.slot) {
+        if !self.running.contains(&report.id) {
             return;
         }
         if !report.body.is_last() {
@@ -287,7 +287,8 @@ impl Shell {
                     self.newest = Some(task.id);
                     self.pace.expect_result(Instant::now());
                 }
-                if is_run(task.slot()) {
+                // A run is drawn less often while it takes a while.
+                if matches!(task.work, Work::Run(..)) {
                     self.running.insert(task.id);
                 }
                 self.worker.submit(task);
@@ -349,9 +350,4 @@ impl Shell {
         self.pace.change();
         Ok(stopped)
     }
-}
-
-/// Whether a task is a run, which is drawn less often while it takes a while.
-fn is_run(slot: Slot) -> bool {
-    matches!(slot, Slot::Current | Slot::Pin(_))
 }

@@ -15,7 +15,7 @@ use text::{columns, put};
 use crate::tui::chart::{Draw, Layout};
 use crate::tui::prelude::*;
 use crate::tui::theme::Theme;
-use crate::tui::widgets::text::first_row;
+use crate::tui::widgets::text::{TextLine, first_row};
 
 /// The cells that are drawn on, and what the drawing says beside: where the cursor stands, and what is under the mouse.
 pub(crate) struct Canvas<'a> {
@@ -50,7 +50,7 @@ impl<'a> Canvas<'a> {
         &mut self,
         area: Rect,
         from: u16,
-        lines: impl IntoIterator<Item = (String, Role)>,
+        lines: impl IntoIterator<Item = TextLine>,
     ) {
         for (row, (text, role)) in (from..area.height).zip(lines) {
             self.put(area, (0, row), &text, role);

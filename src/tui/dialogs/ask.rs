@@ -11,7 +11,7 @@ use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::tui::app::Origin;
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
-use crate::tui::message::FileTask;
+use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
@@ -41,7 +41,7 @@ pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse("nothing to copy yet: press r to compute it".to_owned());
     };
-    match table.content.table(Meta::Beside) {
+    match Content::Page(table).table(Meta::Beside) {
         Ok(text) => app.request(Effect::Copy(text)),
         Err(why) => app.refuse(why.to_string()),
     }
@@ -103,7 +103,8 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
             let table = pages::of(app.tab).table(app);
             let table = table.ok_or_else(|| "the result to write no longer exists".to_owned())?;
             let existing = Existing::replaced(overwrite);
-            FileTask::Export(Destination { path, existing, meta: Meta::Beside }, table.content)
+            let to = Destination { path, existing, meta: Meta::Beside };
+            FileTask::Export(to, Content::Page(table))
         }
         Purpose::Curve(which) => {
             FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)

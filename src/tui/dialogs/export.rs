@@ -14,7 +14,7 @@ use crate::tui::message::{Content, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{columns, window, wrapped};
+use crate::tui::widgets::text::{TextLine, columns, window, wrapped};
 
 /// Rows of a grid by default.
 const GRID_ROWS: usize = 1001;
@@ -384,7 +384,7 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
         Meta::Inline => "with the scene in # lines at the top, which some programs cannot read",
     };
     canvas.put(area, (0, 2), &clip(note, width), Role::Dim);
-    let lines: Vec<(String, Role)> = if state.question {
+    let lines: Vec<TextLine> = if state.question {
         let text = "! this file exists: o overwrite, r rename to -2, Esc back";
         vec![(text.to_owned(), Role::Warning)]
     } else if let Some(error) = &state.error {

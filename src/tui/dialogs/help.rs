@@ -7,7 +7,7 @@ use crate::tui::dialogs::{HelpRow, Picker, filter, frame, help_rows};
 use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::wrapped;
+use crate::tui::widgets::text::{TextLine, wrapped};
 
 const SENTENCE: u16 = 15;
 
@@ -69,7 +69,7 @@ fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) 
 }
 
 /// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
-fn about(app: &App, width: u16) -> Vec<(String, Role)> {
+fn about(app: &App, width: u16) -> Vec<TextLine> {
     if app.pane() != run::VARIABLES {
         return Vec::new();
     }

@@ -13,7 +13,7 @@ use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
 use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::wrapped;
+use crate::tui::widgets::text::{TextLine, wrapped};
 
 const NAMES: u16 = 32;
 
@@ -51,7 +51,7 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
 /// Title, changes, then comment and notes as far as there is room.
 fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     let width = area.width;
-    let mut lines: Vec<(String, Role)> = Vec::new();
+    let mut lines: Vec<TextLine> = Vec::new();
     if let Some(problem) = &entry.problem {
         lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
         lines.extend(wrapped(problem, width, Role::Text));
@@ -79,7 +79,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The variables it would change, old and new; a long list in as many columns as needed.
-fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<(String, Role)> {
+fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     let scene = match entry.scene_on(&app.scene) {
         Ok(scene) => scene,
         Err(error) => return wrapped(&error.to_string(), width, Role::Text).collect(),

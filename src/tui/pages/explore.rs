@@ -16,11 +16,12 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::{ROOMY, setup_width, split_bottom, split_left};
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::message::PageTable;
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, sweep_of};
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::{About, Page, StatusPart, Table, note};
+use crate::tui::pages::{About, Page, StatusPart, note};
 use crate::tui::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
 use crate::tui::update::zoom::Across;
@@ -144,7 +145,7 @@ impl Page for ExploreTab {
         }
     }
 
-    fn table(&self, app: &App) -> Option<Table> {
+    fn table(&self, app: &App) -> Option<PageTable> {
         let found = app.pages.explore.found(app.picture())?;
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
@@ -152,7 +153,7 @@ impl Page for ExploreTab {
         let (scene, grid) = (Arc::new(plan.base().clone()), Arc::clone(&found.grid));
         let is_complete = grid.is_complete();
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
-        Some(Table::of(app, "Export the sweep to CSV", file, &scene, is_complete, csv))
+        Some(PageTable::new("Export the sweep to CSV", file, is_complete, csv).of(app, &scene))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -13,10 +13,11 @@ use crate::tui::app::layout::{NARROW, split_bottom, split_left};
 use crate::tui::chart::Scale;
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::message::PageTable;
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::{About, Page, Rows, StatusPart, Table, note};
+use crate::tui::pages::{About, Page, Rows, StatusPart, note};
 use crate::tui::prelude::*;
 use crate::tui::update::act::{along, cursor_moved, moved};
 use crate::tui::update::zoom::Across;
@@ -108,7 +109,7 @@ impl Page for LimitTab {
         }
     }
 
-    fn table(&self, app: &App) -> Option<Table> {
+    fn table(&self, app: &App) -> Option<PageTable> {
         let stem = ask::base_stem(app);
         if app.pane() == RESIDUAL {
             let report = app.pages.limit.report.as_ref();
@@ -116,25 +117,20 @@ impl Page for LimitTab {
             let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
             let file = format!("{}-limit.csv", ask::stem(app, &scene));
             let csv = move |name: &str| limit::shots(name, &report).csv();
-            return Some(Table::of(app, "Export the shots to CSV", file, &scene, is_complete, csv));
+            let table = PageTable::new("Export the shots to CSV", file, is_complete, csv);
+            return Some(table.of(app, &scene));
         }
         let (scene, found) = app.pages.limit.comparison.as_ref()?;
         if app.pane() == COMPARISON {
             let (file, is_complete) = (format!("{stem}-compare.csv"), found.report.is_complete);
             let found = Arc::clone(found);
             let csv = move |name: &str| compare::table(name, &found.report).csv();
-            return Some(Table::of(
-                app,
-                "Export the comparison to CSV",
-                file,
-                scene,
-                is_complete,
-                csv,
-            ));
+            let table = PageTable::new("Export the comparison to CSV", file, is_complete, csv);
+            return Some(table.of(app, scene));
         }
         let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
         let csv = move |name: &str| compare::map_table(name, &map).csv();
-        Some(Table::of(app, "Export the map to CSV", file, scene, true, csv))
+        Some(PageTable::new("Export the map to CSV", file, true, csv).of(app, scene))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

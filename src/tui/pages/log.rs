@@ -3,13 +3,11 @@
 use crate::model::run::envelope;
 use crate::report::run::page::{computation, energy, events, results, sentence};
 use crate::tui::app::notice::Notice;
-use crate::tui::app::status::wrap;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
 use crate::tui::pages::run::runs::Shown;
 use crate::tui::pages::{About, Page, Rows, StatusPart};
 use crate::tui::prelude::*;
-use crate::tui::theme;
-use crate::tui::widgets::text::text_role;
+use crate::tui::widgets::text::{TextLine, broken, text_role};
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
@@ -67,8 +65,6 @@ impl Page for LogTab {
 /// Messages that stand before what is reported of the run.
 const NEWEST: usize = 5;
 
-pub type LogLine = (Role, String);
-
 impl App {
     /// Keep a line of the program's own log; it does not show in the message row.
     pub fn note(&mut self, level: log::Level, text: String) {
@@ -81,35 +77,28 @@ impl App {
     }
 
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
-    pub fn log_lines(&self, columns: usize) -> Vec<LogLine> {
+    pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
         // Two borders, and three columns of indent with one of air.
         let room = columns.saturating_sub(6).max(10);
         let wanted = self.find.log.trim().to_lowercase();
-        let matches = |line: &LogLine| line.1.to_lowercase().contains(&wanted);
+        let matches = |line: &TextLine| line.0.to_lowercase().contains(&wanted);
         let mut lines = self.whole_lines();
         lines.retain(|line| wanted.is_empty() || matches(line));
-        let lines = lines.into_iter();
-        lines
-            .flat_map(|(role, text)| {
-                let fits = theme::columns(&text) <= room;
-                let parts = if fits { vec![text] } else { wrap(&text, room) };
-                parts.into_iter().map(move |text| (role, text))
-            })
-            .collect()
+        broken(lines, room)
     }
 
-    fn whole_lines(&self) -> Vec<LogLine> {
+    fn whole_lines(&self) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
-            (text_role(notice.severity), format!("{word:<8} {}", notice.text))
+            (format!("{word:<8} {}", notice.text), text_role(notice.severity))
         };
-        let mut messages: Vec<LogLine> = self.log.iter().rev().map(message).collect();
+        let mut messages: Vec<TextLine> = self.log.iter().rev().map(message).collect();
         let older = messages.split_off(NEWEST.min(messages.len()));
         let mut lines = Vec::new();
         section(&mut lines, "Messages of this session, newest first", messages);
         match &self.shown {
             Some(shown) => of_run(&mut lines, shown, self.is_stale()),
-            None => section(&mut lines, "Run", [(Role::Dim, "no run yet".to_owned())]),
+            None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
         }
         if !older.is_empty() {
             section(&mut lines, "Older messages", older);
@@ -119,24 +108,24 @@ impl App {
 }
 
 /// A heading and the lines below it, apart from what stands above.
-fn section(lines: &mut Vec<LogLine>, heading: &str, body: impl IntoIterator<Item = LogLine>) {
+fn section(lines: &mut Vec<TextLine>, heading: &str, body: impl IntoIterator<Item = TextLine>) {
     if !lines.is_empty() {
-        lines.push((Role::Text, String::new()));
+        lines.push((String::new(), Role::Text));
     }
-    lines.push((Role::Title, heading.to_owned()));
+    lines.push((heading.to_owned(), Role::Title));
     let before = lines.len();
     lines.extend(body);
     if lines.len() == before {
-        lines.push((Role::Dim, "none".to_owned()));
+        lines.push(("none".to_owned(), Role::Dim));
     }
 }
 
-fn of_run(lines: &mut Vec<LogLine>, shown: &Shown, is_stale: bool) {
+fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     let run = &shown.run;
-    let plain = |texts: Vec<String>| texts.into_iter().map(|text| (Role::Text, text));
+    let plain = |texts: Vec<String>| texts.into_iter().map(|text| (text, Role::Text));
     let which = if is_stale { " (of another scene: press r)" } else { "" };
     let warnings = envelope::warnings(run).into_iter();
-    let warnings = warnings.map(|warning| (Role::Warning, format!("! {warning}")));
+    let warnings = warnings.map(|warning| (format!("! {warning}"), Role::Warning));
     section(lines, &format!("Warnings of the run{which}"), warnings);
     if let Some(stack) = &run.stack {
         section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
@@ -162,7 +151,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .right(counter)
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
-    for (row, (role, text)) in inner.rows().zip(lines.iter().skip(first)) {
+    for (row, (text, role)) in inner.rows().zip(lines.iter().skip(first)) {
         let column = if *role == Role::Title { 1 } else { 3 };
         canvas.put(row, (column, 0), text, *role);
     }

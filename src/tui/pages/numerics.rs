@@ -13,7 +13,8 @@ use crate::study::stability::map::Map;
 use crate::tui::app::jobs::Running;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::pages::{About, Page, Rows, StatusPart, Table, note};
+use crate::tui::message::PageTable;
+use crate::tui::pages::{About, Page, Rows, StatusPart, note};
 use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
 use crate::worker::ReportBody;
@@ -132,7 +133,7 @@ impl Page for NumericsTab {
         }
     }
 
-    fn table(&self, app: &App) -> Option<Table> {
+    fn table(&self, app: &App) -> Option<PageTable> {
         Some(match app.pane() {
             ACCURACY => {
                 let report = Arc::clone(app.pages.numerics.accuracy.report.as_ref()?);
@@ -141,21 +142,22 @@ impl Page for NumericsTab {
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
-                Table::of(app, "Export the measurements to CSV", file, &scene, is_complete, csv)
+                PageTable::new("Export the measurements to CSV", file, is_complete, csv)
+                    .of(app, &scene)
             }
             STIFF_SCENES => {
                 let battery = app.pages.numerics.stability.battery.as_ref();
                 let battery = Arc::clone(battery.filter(|battery| !battery.rows.is_empty())?);
                 let is_complete = battery.is_complete;
-                let csv = move || stability_table::table(&battery.rows).csv();
-                Table::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
+                let csv = move |_: &str| stability_table::table(&battery.rows).csv();
+                PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
                 let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
                 let (file, map) = (format!("{}-map.csv", ask::stem(app, scene)), Arc::clone(map));
                 let is_complete = map.is_complete();
                 let csv = move |name: &str| stability_table::map_table(name, &map).csv();
-                Table::of(app, "Export the map to CSV", file, scene, is_complete, csv)
+                PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, scene)
             }
         })
     }

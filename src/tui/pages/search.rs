@@ -16,11 +16,12 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::{NARROW, setup_width, split_left};
 use crate::tui::dialogs::wrap;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::message::PageTable;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Request, Row};
-use crate::tui::pages::{About, Page, Rows, StatusPart, Table};
+use crate::tui::pages::{About, Page, Rows, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::update::act::{along, move_by};
 use crate::tui::update::zoom::Across;
@@ -147,12 +148,11 @@ impl Page for SearchTab {
         }
     }
 
-    fn table(&self, app: &App) -> Option<Table> {
+    fn table(&self, app: &App) -> Option<PageTable> {
         let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
         let (scene, is_complete) = (Arc::clone(&found.scene), found.is_complete());
         let csv = move |name: &str| found.csv(name);
-        let file = file.to_owned();
-        Some(Table::of(app, "Export the results to CSV", file, &scene, is_complete, csv))
+        Some(PageTable::new("Export the results to CSV", file, is_complete, csv).of(app, &scene))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

@@ -19,11 +19,10 @@ use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+use crate::tui::message::PageTable;
 use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::run::{self, step_of};
-use crate::tui::pages::{
-    self, About, Page, Progress, Rows, StatusPart, Table, explore, note, progress,
-};
+use crate::tui::pages::{self, About, Page, Progress, Rows, StatusPart, explore, note, progress};
 use crate::tui::prelude::*;
 use crate::tui::update::{edit, jobs};
 use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
@@ -157,7 +156,7 @@ impl Page for ThesisTab {
         }
     }
 
-    fn table(&self, app: &App) -> Option<Table> {
+    fn table(&self, app: &App) -> Option<PageTable> {
         let (file, text) = match app.pane() {
             PRINCIPLES => ("principles.csv", thesis::principles().csv()),
             SCREENING => ("screening.csv", thesis::screening(&app.pages.thesis.weights).csv()),
@@ -167,7 +166,7 @@ impl Page for ThesisTab {
                 ("claims.csv", (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?)
             }
         };
-        Some(Table::new("Export this page to CSV", file, true, move || text.clone()))
+        Some(PageTable::new("Export this page to CSV", file, true, move |_| text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {

@@ -9,7 +9,7 @@ use crate::tui::app::jobs::{InFlight, Running};
 use crate::tui::app::status::warning_text;
 use crate::tui::message::Message;
 use crate::tui::pages;
-use crate::tui::pages::run::runs::{Pin, Shown};
+use crate::tui::pages::run::runs::Shown;
 use crate::tui::prelude::*;
 use crate::worker::study::Study;
 use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
@@ -86,9 +86,8 @@ pub(crate) fn study_of<S: Study>(app: &mut App, tab: Tab, scene: &Arc<Scene>, st
     app.request(Effect::After(LONG, Message::LongJob(id)));
 }
 
-/// A report of a study: its page hears what it brings; those of replaced ones are dropped.
-fn study_report(app: &mut App, id: u64, body: &ReportBody) {
-    let Some(at) = app.jobs.studies.iter().position(|running| running.id == id) else { return };
+/// A report of a study: its page hears what it brings.
+fn study_report(app: &mut App, at: usize, body: &ReportBody) {
     let running = if body.is_last() {
         app.jobs.studies.remove(at)
     } else {
@@ -120,18 +119,18 @@ pub(crate) fn report(app: &mut App, report: Report) {
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
     }
-    match report.slot {
-        Slot::Current if app.jobs.current.as_ref().is_some_and(|job| job.id == report.id) => {
-            run_report(app, report);
-        }
-        Slot::Current => {}
-        Slot::Pin(letter) => pin(app, letter, report),
-        Slot::Study(_) => study_report(app, report.id, &report.body),
+    let Report { id, body } = report;
+    if app.jobs.current.as_ref().is_some_and(|job| job.id == id) {
+        run_report(app, id, body);
+    } else if let Some(at) = app.pins.iter().position(|pin| pin.job == Some(id)) {
+        pin(app, at, body);
+    } else if let Some(at) = app.jobs.studies.iter().position(|running| running.id == id) {
+        study_report(app, at, &body);
     }
 }
 
-fn run_report(app: &mut App, report: Report) {
-    match report.body {
+fn run_report(app: &mut App, id: u64, body: ReportBody) {
+    match body {
         ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
             // The first report says that the run takes a while.
             let begins = t_s == 0.0;
@@ -139,7 +138,7 @@ fn run_report(app: &mut App, report: Report) {
                 job.reached = Some((t_s, elapsed));
             }
             if begins {
-                app.request(Effect::After(LONG, Message::LongJob(report.id)));
+                app.request(Effect::After(LONG, Message::LongJob(id)));
             }
             return;
         }
@@ -200,20 +199,20 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
     app.shown = Some(Shown { run, took });
 }
 
-fn pin(app: &mut App, letter: char, report: Report) {
-    let own = |pin: &&mut Pin| pin.letter == letter && pin.job == Some(report.id);
-    let Some(pin) = app.pins.iter_mut().find(own) else { return };
-    if report.body.is_last() {
+fn pin(app: &mut App, at: usize, body: ReportBody) {
+    let pin = &mut app.pins[at];
+    if body.is_last() {
         pin.job = None;
     }
-    match report.body {
+    match body {
         ReportBody::Ended { found: Some(found), .. } => {
-            if let Some(run) = found.get::<Run>() {
-                pin.run = Some(Arc::clone(&run));
+            if let Some(run) = found.get() {
+                pin.run = Some(run);
             }
         }
         ReportBody::Failed(text) => {
-            app.refuse(format!("pinned run {letter}: {text}"));
+            let text = format!("pinned run {}: {text}", pin.letter);
+            app.refuse(text);
         }
         ReportBody::Progress { .. } | ReportBody::Part(_) | ReportBody::Ended { .. } => {}
     }

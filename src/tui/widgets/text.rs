@@ -64,12 +64,25 @@ pub(crate) fn put(
     end - area.x
 }
 
+/// A line of text, and how it is drawn.
+pub(crate) type TextLine = (String, Role);
+
+/// Lines over as many rows of this many columns as each needs; a line that fits keeps its blanks.
+pub(crate) fn broken(lines: Vec<TextLine>, width: usize) -> Vec<TextLine> {
+    let parts = |(text, role): TextLine| {
+        let fits = theme::columns(&text) <= width;
+        let parts = if fits { vec![text] } else { wrap(&text, width) };
+        parts.into_iter().map(move |part| (part, role))
+    };
+    lines.into_iter().flat_map(parts).collect()
+}
+
 /// The lines of a text of at most this many columns, all in one role.
 pub(crate) fn wrapped(
     text: &str,
     width: u16,
     role: Role,
-) -> impl Iterator<Item = (String, Role)> + use<> {
+) -> impl Iterator<Item = TextLine> + use<> {
     wrap(text, usize::from(width)).into_iter().map(move |line| (line, role))
 }
 

@@ -19,7 +19,7 @@ use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, Progress, Report, ReportBody, Slot, Task, Work};
+use cmra::worker::{Finding, Progress, Report, ReportBody, Task, Work};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -29,8 +29,6 @@ pub(crate) struct Bench {
     pub(crate) app: App,
     /// Effects that no assertion has taken yet.
     pub(crate) effects: Vec<Effect>,
-    /// The slots of the tasks submitted, by their numbers.
-    slots: Vec<(u64, Slot)>,
 }
 
 /// A run that was submitted.
@@ -53,7 +51,7 @@ impl Bench {
     pub(crate) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Self {
         let mut bench = Self::closed(glyphs, size);
         let effects = start(&mut bench.app);
-        bench.keep(effects);
+        bench.effects.extend(effects);
         bench.send(Message::Resize(size.0, size.1));
         bench.send(Message::Done(EffectReport::Presets(presets())));
         bench.answer();
@@ -70,12 +68,12 @@ impl Bench {
         let theme = Theme { glyphs, depth: ColourDepth::None };
         let mut app = App::new(base, theme, "/home/ada/work".into());
         app.size = size;
-        Self { app, effects: Vec::new(), slots: Vec::new() }
+        Self { app, effects: Vec::new() }
     }
 
     /// The same state, with no effects.
     pub(crate) fn copy(&self) -> Self {
-        Self { app: self.app.clone(), effects: Vec::new(), slots: self.slots.clone() }
+        Self { app: self.app.clone(), effects: Vec::new() }
     }
 
     pub(crate) fn ascii(columns: u16, rows: u16) -> Self {
@@ -84,14 +82,6 @@ impl Bench {
 
     pub(crate) fn send(&mut self, message: Message) {
         let effects = update(&mut self.app, message);
-        self.keep(effects);
-    }
-
-    fn keep(&mut self, effects: Vec<Effect>) {
-        self.slots.extend(effects.iter().filter_map(|effect| match effect {
-            Effect::Submit(task) => Some((task.id, task.slot())),
-            _ => None,
-        }));
         self.effects.extend(effects);
     }
 
@@ -139,8 +129,7 @@ impl Bench {
 
     /// Report on a task, as its thread would.
     pub(crate) fn reply(&mut self, id: u64, body: ReportBody) {
-        let slot = self.slots.iter().find(|(one, _)| *one == id).expect("a task").1;
-        self.send(Message::Report(Report { id, slot, body }));
+        self.send(Message::Report(Report { id, body }));
     }
 
     /// Report that a task has done a given number of points.

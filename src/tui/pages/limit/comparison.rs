@@ -18,9 +18,8 @@ use crate::tui::app::status::wrap;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
-use crate::tui::pages::search::draw::Line;
 use crate::tui::prelude::*;
-use crate::tui::widgets::text::{columns, put, text_role};
+use crate::tui::widgets::text::{TextLine, columns, put};
 use crate::worker::Finding;
 use crate::worker::study::{Reporter, Study};
 
@@ -100,7 +99,7 @@ impl App {
         self.pages.limit.comparison.as_ref().map(|(_, found)| &**found)
     }
 
-    pub fn comparison_lines(&self, width: usize) -> Vec<Line> {
+    pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
         self.comparison().map_or_else(Vec::new, |found| lines(&found.report, width))
     }
 
@@ -159,21 +158,20 @@ impl App {
 }
 
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
-fn lines(report: &compare::Report, width: usize) -> Vec<Line> {
-    let sentence = |severity: Severity, text: &str| -> Vec<Line> {
+fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
+    let sentence = |role: Role, text: &str| -> Vec<TextLine> {
         let parts = wrap(text, width.saturating_sub(GOES_ON.len())).into_iter().enumerate();
-        parts
-            .map(|(at, part)| (severity, if at == 0 { part } else { format!("{GOES_ON}{part}") }))
-            .collect()
+        let lead = |at: usize| if at == 0 { "" } else { GOES_ON };
+        parts.map(|(at, part)| (lead(at).to_owned() + &part, role)).collect()
     };
-    let mut lines = sentence(Severity::Note, &summary::verdict(report));
+    let mut lines = sentence(Role::Text, &summary::verdict(report));
     if let Some(caution) = report.caution() {
-        lines.extend(sentence(Severity::Warning, &format!("caution: {caution}")));
+        lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
     }
     let table = report::compare::beside(report, width);
-    lines.extend(table.lines().map(|line| (Severity::Note, line.to_owned())));
-    lines.push((Severity::Note, String::new()));
-    lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Severity::Note, text)));
+    lines.extend(table.lines().map(|line| (line.to_owned(), Role::Text)));
+    lines.push((String::new(), Role::Text));
+    lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
     lines
 }
 
@@ -202,14 +200,12 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
     let shown = whole(&lines[first..], height);
-    for (line, (severity, text)) in inner.rows().zip(shown) {
-        canvas.put(line, (0, 0), text, text_role(*severity));
-    }
+    canvas.put_lines(inner, 0, shown.iter().cloned());
 }
 
 /// A given number of lines at most, without the beginning of a sentence whose end has no room.
-fn whole(lines: &[Line], height: usize) -> &[Line] {
-    let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.1.starts_with(GOES_ON));
+fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
+    let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.0.starts_with(GOES_ON));
     let room = height.min(lines.len());
     &lines[..(1..=room).rev().find(ends).unwrap_or(room)]
 }

@@ -23,6 +23,7 @@ use crate::tui::prelude::*;
 use crate::tui::update::act::along;
 use crate::tui::update::{edit, jobs};
 use crate::tui::view::plot_columns;
+use crate::tui::widgets::text::TextLine;
 use crate::worker::study::{Lane, Reporter, Study};
 use crate::worker::{Finding, clock};
 
@@ -333,7 +334,7 @@ impl App {
     }
 
     /// All about the selected method: its example point, then what it refused and why.
-    pub fn accuracy_details(&self) -> Vec<(String, Role)> {
+    pub fn accuracy_details(&self) -> Vec<TextLine> {
         let method = self.pages.numerics.accuracy.method();
         let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
         let mut add = |role, text: String| lines.push((text, role));

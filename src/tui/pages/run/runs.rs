@@ -20,7 +20,7 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::prelude::*;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::columns;
+use crate::tui::widgets::text::{TextLine, columns};
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
@@ -85,11 +85,6 @@ impl App {
     }
 }
 
-/// A length in mm with four figures, `-` where it does not exist.
-pub fn millimetres(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |metres| units::fixed_significant(metres * 1e3, 4))
-}
-
 /// A value with prefix and unit, four figures: `19.26 kN`.
 pub fn engineering(value: f64, unit: &'static str) -> String {
     Engineering { value, unit, digits: 4 }.to_string()
@@ -145,7 +140,7 @@ const RESULTS_MIN: usize = 4;
 /// where there is room, the results of the selected run in words.
 fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
     let width = usize::from(inner.width);
-    let mut lines: Vec<(String, Role)> = match app.pins.get(app.selected_run.saturating_sub(1)) {
+    let mut lines: Vec<TextLine> = match app.pins.get(app.selected_run.saturating_sub(1)) {
         Some(pin) => difference(app, pin, width),
         None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
     };
@@ -169,7 +164,7 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
 }
 
 /// What the current run gained on a pin, and what was changed for it.
-fn difference(app: &App, pin: &Pin, width: usize) -> Vec<(String, Role)> {
+fn difference(app: &App, pin: &Pin, width: usize) -> Vec<TextLine> {
     let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
     let pair = app.shown.as_ref().zip(pin.run.as_ref());
     let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));

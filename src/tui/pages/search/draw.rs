@@ -11,14 +11,14 @@ use crate::study::search::seek;
 use crate::study::sweep::{self, PointOutcome};
 use crate::study::{monte_carlo, sensitivity};
 use crate::tui::app::layout::{split_bottom, split_top};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::status::clip;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::prelude::*;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{columns, first_row, text_role};
+use crate::tui::widgets::text::{TextLine, broken, columns, first_row};
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
@@ -72,7 +72,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_centred(inner, text);
 }
 
-fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
+fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
     let focused = app.has_focus(RESULTS);
@@ -94,14 +94,13 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
         (true, true) => first_row(selected.min(lines.len()), height, lines.len()),
         (true, false) => app.pages.search.scrolled().min(lines.len().saturating_sub(height)),
     };
-    if let Some((_, text)) = head.first() {
+    if let Some((text, _)) = head.first() {
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
     let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
-    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let role = text_role(*severity);
+    for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let text = clip(text, usize::from(inner.width));
-        canvas.put(inner, (0, row), &text, role);
+        canvas.put(inner, (0, row), &text, *role);
         if has_choices && first + usize::from(row) == selected {
             canvas.paint_row(inner, row);
         }
@@ -115,12 +114,8 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     let (_, scale) = app.pages.search.scales;
     let y = Axis::fitted("", report.measure.unit(), scale, values);
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
-        return lines_below(
-            app,
-            &[(Severity::Warning, "no point has a value".to_owned())],
-            area,
-            canvas,
-        );
+        let text = "no point has a value".to_owned();
+        return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let x = axis_of(&report.axis);
     let x = Axis { view: app.pages.search.zoomed.unwrap_or(x.view), ..x };
@@ -185,7 +180,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
     let Some((x, y)) = x.zip(y) else {
         let text = "no design satisfies every constraint".to_owned();
-        return lines_below(app, &[(Severity::Warning, text)], area, canvas);
+        return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
@@ -221,7 +216,7 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
         let text = "no sample has this result: Tab, then another one under Show".to_owned();
-        return lines_below(app, &[(Severity::Warning, text)], area, canvas);
+        return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let width = (most - least) / BINS as f64;
     let mut steps = Vec::new();
@@ -254,30 +249,28 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     canvas.draw(&chart, area);
 }
 
-pub(crate) type Line = (Severity, String);
-
 /// Letters of the scene and the designs of the thesis on a front.
 pub(crate) const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
 
-fn note(text: String) -> Line {
-    (Severity::Note, text)
+fn note(text: String) -> TextLine {
+    (text, Role::Text)
 }
 
 impl App {
     /// What the page shown says in words, without what its chart draws.
-    pub fn search_lines(&self, width: usize) -> Vec<Line> {
+    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
         let Some(found) = self.pages.search.shown() else { return Vec::new() };
         match &*found.answer {
             Answer::Seek(report) => {
-                wrapped(sought_lines(report, self.pages.search.selected()), width)
+                broken(sought_lines(report, self.pages.search.selected()), width)
             }
             Answer::Front(front, task) => {
                 let mut lines = self.designs_table(front, task, width);
-                lines.extend(wrapped(candidates(front, task, width), width));
+                lines.extend(broken(candidates(front, task, width), width));
                 lines
             }
             Answer::Sensitivity(report) if is_empty(report) => {
-                wrapped(matters(report, width), width)
+                broken(matters(report, width), width)
             }
             Answer::Sensitivity(report) => matters(report, width),
             Answer::MonteCarlo(report) => sampled(report, self.pages.search.setup.output, width),
@@ -298,7 +291,7 @@ impl App {
 
 impl App {
     /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
-    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<Line> {
+    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
         let tab = &self.pages.search;
         let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
         let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
@@ -330,16 +323,7 @@ impl App {
     }
 }
 
-/// Sentences over as many lines as they need.
-pub(crate) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
-    let split = |(severity, text): Line| {
-        let lines = if text.chars().count() <= width { vec![text] } else { wrap(&text, width) };
-        lines.into_iter().map(move |line| (severity, line))
-    };
-    lines.into_iter().flat_map(split).collect()
-}
-
-fn sought_lines(report: &seek::Report, selected: usize) -> Vec<Line> {
+fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
     let solutions = report.solutions().enumerate().map(|(index, found)| {
         let mark = if index == selected { ">" } else { " " };
         note(format!("{mark} {}", report::seek::solution(report, found)))
@@ -348,17 +332,17 @@ fn sought_lines(report: &seek::Report, selected: usize) -> Vec<Line> {
 }
 
 /// Words about a result as a line.
-fn line(remark: Remark) -> Line {
-    (if remark.is_caution { Severity::Warning } else { Severity::Note }, remark.text)
+fn line(remark: Remark) -> TextLine {
+    (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
-fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
+fn candidates(front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
     if front.candidates.is_empty() {
         return vec![note(format!("generation {}: the front so far", front.generations))];
     }
     let mut lines = Vec::new();
     for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
-        let (severity, words) = line(standing(candidate, task));
+        let (words, role) = line(standing(candidate, task));
         let name = format!("{letter} {:18}", candidate.name);
         let measures = task.measures();
         let value = |at: usize| {
@@ -369,7 +353,7 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
         let values = found.join(", ");
         let long = format!("{name} {words}; {values}");
         let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
-        lines.push((severity, text));
+        lines.push((text, role));
     }
     lines
 }
@@ -379,7 +363,7 @@ fn is_empty(report: &sensitivity::Report) -> bool {
     report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
 }
 
-fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
+fn matters(report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
     let output = report.output;
     let own = output.show_any(report.own, 3);
     let mut lines =
@@ -387,7 +371,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     lines.push(note("one variable at a time, from low to high end".to_owned()));
     if is_empty(report) {
         let text = "nothing to compare: no run has this result; Tab, then Of: choose another one";
-        return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
+        return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
     }
     let keys = ["variable", "output_at_low", "output_at_high"];
     let bar = width.saturating_sub(36).clamp(4, 40);
@@ -399,13 +383,13 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
         let left = sobol.rows - sobol.used;
         if left > 0 {
             let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
-            lines.push((Severity::Warning, text));
+            lines.push((text, Role::Warning));
         }
     }
     lines
 }
 
-fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
+fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<TextLine> {
     let mut lines = Vec::new();
     lines.extend(perforation(report).map(note));
     let again: usize = report.redrawn.iter().sum();
@@ -416,8 +400,8 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line
     table.rows.retain(|summary| !summary.quantiles.is_empty());
     let selected = table.rows.iter().position(|summary| summary.measure.name == output);
     let cells = table.cells(&["output", "q05", "q50", "q95", "nominal"]);
-    let mut rows: Vec<Line> = table_lines(cells, width).collect();
-    if let Some((_, row)) = selected.and_then(|at| rows.get_mut(at + 1)) {
+    let mut rows: Vec<TextLine> = table_lines(cells, width).collect();
+    if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
         row.replace_range(..1, ">");
     }
     lines.extend(rows);
@@ -425,7 +409,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line
 }
 
 /// A table in a given number of columns: its headings, and its rows.
-fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = Line> {
+fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = TextLine> {
     let rows = cells.first().map_or(0, |column| column.cells.len());
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
     let grid = Grid::shortened(cells, room);

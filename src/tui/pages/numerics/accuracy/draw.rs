@@ -12,7 +12,7 @@ use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
+use crate::tui::widgets::text::{NEEDS_SINGLE, TextLine, wrapped};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -167,7 +167,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
     let details = app.accuracy_details().into_iter();
     let lines = details.flat_map(|(text, role)| wrapped(&text, inner.width, role));
-    let lines: Vec<(String, Role)> = lines.collect();
+    let lines: Vec<TextLine> = lines.collect();
     let from = 1 + u16::try_from(Method::ALL.len()).unwrap_or(u16::MAX);
     let room = usize::from(inner.height.saturating_sub(from));
     let blank = u16::from(lines.len() < room);
