@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use serde_json::Value;
 
 use crate::cli::progress::was_interrupted;
 use crate::cli::scene::{Changes, SceneArguments};
@@ -14,7 +15,7 @@ use crate::files::error::FileError;
 use crate::files::export::{self, Beside, Destination, Meta};
 use crate::files::style::Style;
 use crate::model::scene::Scene;
-use crate::report::table::Table;
+use crate::report::table::{Table, pretty};
 use crate::tui::app::status::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
@@ -140,7 +141,7 @@ struct Source<'a> {
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver<R>(&self, page: &str, table: &Table<'_, R>) -> Result<(), CliError> {
-        self.deliver_report(|| page.to_owned(), || table.json(), table)
+        self.deliver_texts(&|| page.to_owned(), &|| table.json(), &|| table.csv())
     }
 
     /// The same for a report whose JSON object has more than its rows, with warnings: at the top of the page, as `warnings` in the
@@ -149,11 +150,15 @@ impl Delivery<'_> {
         &self,
         warnings: &[String],
         page: impl Fn() -> String,
-        object: impl Fn() -> String,
+        object: impl Fn() -> Value,
         table: Table<'_, R>,
     ) -> Result<(), CliError> {
         let page = || at_top(&page(), warnings);
-        let object = || in_object(&object(), warnings);
+        let object = || {
+            let mut object = object();
+            object["warnings"] = warnings.into();
+            object
+        };
         self.deliver_report(page, object, &table.with_warnings(warnings))
     }
 
@@ -161,10 +166,10 @@ impl Delivery<'_> {
     pub(super) fn deliver_report<R>(
         &self,
         page: impl Fn() -> String,
-        object: impl Fn() -> String,
+        object: impl Fn() -> Value,
         rows: &Table<'_, R>,
     ) -> Result<(), CliError> {
-        self.deliver_texts(&page, &object, &|| rows.csv())
+        self.deliver_texts(&page, &|| pretty(&object()), &|| rows.csv())
     }
 
     fn deliver_texts(
@@ -225,21 +230,6 @@ pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
     format!("{first}\n{lines}{rest}")
 }
 
-/// The text of a JSON object with `warnings` as its last entry.
-fn in_object(object: &str, warnings: &[String]) -> String {
-    let list: Vec<String> = warnings
-        .iter()
-        .map(|text| format!("\n    {}", serde_json::Value::from(text.as_str())))
-        .collect();
-    let end = if list.is_empty() { "" } else { "\n  " };
-    let entry = format!("\"warnings\": [{}{end}]", list.join(","));
-    match object.trim_end().strip_suffix('}').map(str::trim_end) {
-        Some("{") => format!("{{\n  {entry}\n}}\n"),
-        Some(open) => format!("{open},\n  {entry}\n}}\n"),
-        None => object.to_owned(),
-    }
-}
-
 /// Adds the cure of the command line for an existing file.
 pub(super) fn exists(error: FileError) -> CliError {
     match error {
@@ -250,22 +240,12 @@ pub(super) fn exists(error: FileError) -> CliError {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::{Value, json};
-
     use super::*;
 
     #[test]
-    fn warnings_stand_below_the_first_line_and_at_the_end_of_the_object() {
+    fn warnings_stand_below_the_first_line() {
         let warnings = ["one \"quoted\"".to_owned(), "two".to_owned()];
         assert_eq!(at_top("head\nrest\n", &warnings), "head\n  ! one \"quoted\"\n  ! two\nrest\n");
         assert_eq!(at_top("head\n", &[]), "head\n");
-        for object in [json!({}), json!({ "a": { "b": [1] } })] {
-            let text = serde_json::to_string_pretty(&object).unwrap() + "\n";
-            let back: Value = serde_json::from_str(&in_object(&text, &warnings)).unwrap();
-            assert_eq!(back["warnings"], json!(warnings));
-            assert_eq!(back["a"], object["a"]);
-            let none: Value = serde_json::from_str(&in_object(&text, &[])).unwrap();
-            assert_eq!(none["warnings"], json!([]));
-        }
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::model::units::Engineering;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::accuracy::method::Knob;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, Report};
 
@@ -116,8 +116,8 @@ pub fn seconds(value: f64) -> String {
 }
 
 /// A list with one object a scene.
-pub fn json(reports: &[Named]) -> String {
-    pretty(&reports.iter().map(scene).collect::<Vec<_>>())
+pub fn json(reports: &[Named]) -> Value {
+    reports.iter().map(scene).collect()
 }
 
 fn scene(named: &Named) -> Value {

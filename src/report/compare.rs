@@ -2,7 +2,7 @@
 
 use serde_json::{Map as Object, Value, json};
 
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
 
@@ -103,7 +103,7 @@ fn governed_by(entry: &Entry) -> &'static str {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> String {
+pub fn json(name: &str, report: &Report) -> Value {
     let figures = figures(&report.entries);
     let candidates = Candidate::ALL.into_iter().map(|candidate| {
         let entry = report.of(candidate).map_or(Value::Null, |entry| {
@@ -130,7 +130,7 @@ pub fn json(name: &str, report: &Report) -> String {
         })
     });
     let own = report.of(Candidate::Scene);
-    pretty(&json!({
+    json!({
         "scene": name,
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
         "verdict": report.verdict().words(),
@@ -146,7 +146,7 @@ pub fn json(name: &str, report: &Report) -> String {
         "penetration_over_solid": report.depth_over_solid(),
         "caution": report.caution(),
         "candidates": candidates.collect::<Object<_, _>>(),
-    }))
+    })
 }
 
 /// The points of a map that were computed, the second variable running fastest.

@@ -1,8 +1,8 @@
 //! The fit through the shots of a ballistic test: one row for each shot, and the whole as an object. SI.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::fit::calibrate::Calibration;
 use crate::study::fit::{CONFIDENCE, Report, Shot};
 
@@ -23,7 +23,7 @@ pub fn table(report: &Report) -> Table<'_, &Shot> {
 }
 
 /// Everything as one object; null for what does not exist.
-pub fn json(report: &Report, calibration: Option<&Calibration>) -> String {
+pub fn json(report: &Report, calibration: Option<&Calibration>) -> Value {
     let fit = &report.logistic;
     let law = report.lambert_jonas.map(|law| {
         json!({
@@ -48,7 +48,7 @@ pub fn json(report: &Report, calibration: Option<&Calibration>) -> String {
             "depths": depths.map_or(0, |it| it.shots),
         })
     });
-    pretty(&json!({
+    json!({
         "shots": report.shots.len(),
         "perforated": report.perforated(),
         "highest_stopped_m_s": report.highest_stopped_m_s,
@@ -64,5 +64,5 @@ pub fn json(report: &Report, calibration: Option<&Calibration>) -> String {
         "v90_m_s": fit.quantile_m_s(0.9),
         "lambert_jonas": law,
         "calibration": strength,
-    }))
+    })
 }

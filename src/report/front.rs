@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::model::scene::InterfaceLaw;
 use crate::report::Remark;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::sweep::{PointOutcome, Spacing};
 
@@ -123,7 +123,7 @@ fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Tab
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, task: &Task, fronts: &[Front]) -> String {
+pub fn json(name: &str, task: &Task, fronts: &[Front]) -> Value {
     let variables = task.axes.iter().map(|axis| {
         let (low, high) = axis.ends();
         json!({
@@ -138,7 +138,7 @@ pub fn json(name: &str, task: &Task, fronts: &[Front]) -> String {
         let sign = if constraint.at_most { "<=" } else { ">=" };
         json!({ "output": constraint.measure.name, "is": sign, "bound": constraint.bound })
     });
-    pretty(&json!({
+    json!({
         "scene": name,
         "variables": variables.collect::<Vec<_>>(),
         "objectives": objectives.collect::<Vec<_>>(),
@@ -147,7 +147,7 @@ pub fn json(name: &str, task: &Task, fronts: &[Front]) -> String {
         "population": task.effort.population,
         "generations": task.effort.generations,
         "fronts": fronts.iter().map(|front| of_front(task, front)).collect::<Vec<_>>(),
-    }))
+    })
 }
 
 fn of_front(task: &Task, front: &Front) -> Value {

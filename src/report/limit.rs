@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::model::units::{Engineering, fixed_significant, significant};
 use crate::report::Remark;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::compare::Load;
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
@@ -179,7 +179,7 @@ fn monte_carlo(found: SampledLimit) -> Value {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> String {
+pub fn json(name: &str, report: &Report) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
         Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
@@ -193,7 +193,7 @@ pub fn json(name: &str, report: &Report) -> String {
         })
     });
     let own = ["impact_velocity_m_s", "outcome", "residual_velocity_m_s"];
-    pretty(&json!({
+    json!({
         "scene": name,
         "limit_velocity_m_s": report.limit.velocity_m_s(),
         "criterion": report.criterion.word(),
@@ -213,5 +213,5 @@ pub fn json(name: &str, report: &Report) -> String {
         "lambert_jonas": report.lambert_jonas.map(lambert_jonas),
         "scatter": report.sampled.map(monte_carlo),
         "shots": shots(name, report).objects(|key| own.contains(&key)),
-    }))
+    })
 }

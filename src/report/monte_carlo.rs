@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::model::units::significant;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::monte_carlo::{Report, Summary};
 
 const DIGITS: usize = 4;
@@ -52,7 +52,7 @@ pub fn perforation(report: &Report) -> Option<String> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> String {
+pub fn json(name: &str, report: &Report) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let (first, second) = tolerance.distribution.numbers();
         json!({
@@ -77,7 +77,7 @@ pub fn json(name: &str, report: &Report) -> String {
     let perforation = report
         .perforated
         .map(|(part, (low, high))| json!({ "probability": part, "low_95": low, "high_95": high }));
-    pretty(&json!({
+    json!({
         "scene": name,
         "inputs": inputs.collect::<Vec<_>>(),
         "seed": report.seed,
@@ -86,5 +86,5 @@ pub fn json(name: &str, report: &Report) -> String {
         "outcomes": outcomes.collect::<Map<_, _>>(),
         "perforation": perforation,
         "outputs": outputs.collect::<Vec<_>>(),
-    }))
+    })
 }

@@ -1,9 +1,9 @@
 //! The answer of a goal seek: one row for each solution, jump, nearest miss or gap, and the whole as an object.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::report::Remark;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::search::seek::{Kind, Line, Place, Report};
 use crate::study::sweep::{PointOutcome, Spacing};
 
@@ -69,7 +69,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Line> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> String {
+pub fn json(name: &str, report: &Report) -> Value {
     let own = ["kind", "at", "until", "value", "outcome"];
     let list = |kinds: &[Kind]| {
         let mut table = table(name, report);
@@ -78,7 +78,7 @@ pub fn json(name: &str, report: &Report) -> String {
     };
     let place = |place: Place| json!({ "at": place.at, "value": place.value });
     let (low, high) = report.axis.ends();
-    pretty(&json!({
+    json!({
         "scene": name,
         "variable": report.axis.symbol(),
         "key": report.axis.variable().key,
@@ -96,5 +96,5 @@ pub fn json(name: &str, report: &Report) -> String {
         "most": report.range.map(|range| place(range.1)),
         "runs": report.runs,
         "complete": report.is_complete,
-    }))
+    })
 }

@@ -1,9 +1,9 @@
 //! Which variables matter: one row for each variable, and the whole as an object. SI; effects and ranges in the result's unit.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::numerics::statistics::sorted_by;
-use crate::report::table::{Cells, Table, pretty};
+use crate::report::table::{Cells, Table};
 use crate::study::sensitivity::Report;
 use crate::study::sensitivity::indices::Index;
 
@@ -72,9 +72,9 @@ pub fn indices(report: &Report) -> Table<'_, usize> {
 }
 
 /// Everything, as one object; null for what does not exist.
-pub fn json(name: &str, report: &Report) -> String {
+pub fn json(name: &str, report: &Report) -> Value {
     let sobol = report.sobol.as_ref();
-    pretty(&json!({
+    json!({
         "scene": name,
         "output": report.output.name,
         "output_of_scene": report.own,
@@ -85,5 +85,5 @@ pub fn json(name: &str, report: &Report) -> String {
         "mean": sobol.map(|sobol| sobol.mean),
         "variance": sobol.map(|sobol| sobol.variance),
         "variables": table(name, report).objects(|key| !["scene", "output"].contains(&key)),
-    }))
+    })
 }

@@ -1,10 +1,10 @@
 //! The battery and the map of a fixed-step method, SI.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::model::run::Outcome;
 use crate::model::units::Engineering;
-use crate::report::table::{Table, pretty};
+use crate::report::table::Table;
 use crate::study::stability::map::Map;
 use crate::study::stability::others::Other;
 use crate::study::stability::{Row, Shortfall};
@@ -76,10 +76,10 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
 }
 
 /// The whole battery.
-pub fn json(rows: &[Row]) -> String {
+pub fn json(rows: &[Row]) -> Value {
     let short = rows.iter().filter(|row| row.shortfall.is_some()).count();
     let list = table(rows).objects(|_| true);
-    pretty(&json!({ "rows": list, "count": rows.len(), "short": short }))
+    json!({ "rows": list, "count": rows.len(), "short": short })
 }
 
 /// The map, one row a cell: the greatest step of stability stands beside each, empty where nothing limits it.
@@ -98,10 +98,10 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
 }
 
 /// The map; its cells as letters, row by row.
-pub fn map_json(scene: &str, map: &Map) -> String {
+pub fn map_json(scene: &str, map: &Map) -> Value {
     let letters = |row| (0..map.dt_s.len()).map(move |column| map.cell(row, column).letter());
     let rows: Vec<String> = (0..map.values.len()).map(|row| letters(row).collect()).collect();
-    pretty(&json!({
+    json!({
         "scene": scene,
         "method": map.method.name(),
         "variable": map.axis.symbol(),
@@ -111,5 +111,5 @@ pub fn map_json(scene: &str, map: &Map) -> String {
         "limit_dt_s": map.limit_s,
         "present": { "value": map.present.0, "dt_s": map.present.1 },
         "largest_stable_dt_s": map.largest_stable_dt_s,
-    }))
+    })
 }
