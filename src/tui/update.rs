@@ -36,7 +36,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
 
 fn take(app: &mut App, message: Message) {
     match message {
-        Message::Key(key) => press(app, key),
+        Message::Key(key) => keys(app, key),
         Message::Resize(width, height) => app.size = (width, height),
         Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => {}
         Message::Paste(text) => paste(app, &text),
@@ -51,6 +51,24 @@ fn take(app: &mut App, message: Message) {
         Message::LongJob(id) => app.jobs.long.push(id),
         Message::Done(report) => done(app, report),
         Message::Logged(level, text) => app.note(level, text),
+    }
+}
+
+/// Alt and a letter is how a terminal sends an Esc with the next key right behind it; in a text it moves by a word.
+fn keys(app: &mut App, key: KeyEvent) {
+    if key.modifiers != KeyModifiers::ALT || open_text(app).is_some() {
+        return press(app, key);
+    }
+    for code in [KeyCode::Esc, key.code] {
+        press(app, KeyEvent::new(code, KeyModifiers::NONE));
+    }
+}
+
+/// The text that is typed into, if there is one.
+fn open_text(app: &mut App) -> Option<&mut TextField> {
+    match &mut app.dialog {
+        Some(dialog) => dialog.field_mut(),
+        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.field.as_mut()),
     }
 }
 
@@ -92,11 +110,7 @@ fn paste(app: &mut App, text: &str) {
         let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
         return app.say(Severity::Warning, text);
     }
-    let field = match &mut app.dialog {
-        Some(dialog) => dialog.field_mut(),
-        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.field.as_mut()),
-    };
-    match field {
+    match open_text(app) {
         Some(field) => field.insert(&clean),
         None => app.tell("pasted text is ignored here: open a field first (Enter on a variable)"),
     }

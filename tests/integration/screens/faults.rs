@@ -10,6 +10,7 @@ use cmra::tui::pages::explore;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
 use cmra::worker::Finding;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use std::sync::Arc;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -543,4 +544,18 @@ fn charts_and_sentences_spell_microseconds_alike() {
     bench.keys("<Tab>l");
     let screen = bench.screen();
     assert!(screen.contains("[us]") && !screen.contains('µ'), "{screen}");
+}
+
+/// A terminal sends `Esc` with a key right behind it as that key with Alt. In a text Alt moves by a word.
+#[test]
+fn a_key_in_the_same_read_as_an_escape_is_that_key() {
+    let alt = |c| Message::Key(KeyEvent::new(KeyCode::Char(c), KeyModifiers::ALT));
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("?");
+    bench.send(alt('2'));
+    assert!(bench.app.dialog.is_none());
+    assert_eq!(bench.app.tab, Tab::Explore);
+    bench.press("1<Enter>");
+    bench.send(alt('b'));
+    assert!(bench.app.field.is_some());
 }
