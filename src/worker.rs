@@ -19,49 +19,26 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use quiet::Quiet;
-use runs::{Compute, Runs};
+use runs::Cache;
 use study::{Lane, Reporter, Study};
 
 use crate::model::scene::Scene;
 
+pub use runs::SceneRun;
 pub use study::Finding;
 
 /// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond.
 const LONG: Duration = Duration::from_millis(100);
 
-/// Work for a background thread.
+/// Work for a background thread: a run, or a study.
 #[derive(Clone, Debug)]
 pub struct Task {
     /// Counts up; reports carry it.
     pub id: u64,
     /// On how many threads, where the work can be divided.
     pub threads: usize,
-    pub work: Work,
-}
-
-#[derive(Clone, Debug)]
-pub enum Work {
-    Run(Slot, Arc<Scene>),
-    Study(Arc<Scene>, Arc<dyn Study>),
-}
-
-impl Task {
-    pub fn slot(&self) -> Slot {
-        match &self.work {
-            Work::Run(slot, _) => *slot,
-            Work::Study(_, study) => {
-                let study: &dyn Any = &**study;
-                Slot::Study(study.type_id())
-            }
-        }
-    }
-
-    fn lane(&self) -> Lane {
-        match &self.work {
-            Work::Run(..) => Lane::Runs,
-            Work::Study(_, study) => study.lane(),
-        }
-    }
+    pub scene: Arc<Scene>,
+    pub study: Arc<dyn Study>,
 }
 
 /// Whose result a task is: a newer task of a slot replaces an older one.
@@ -134,6 +111,8 @@ pub struct Worker {
 struct Shared {
     lanes: [Queue; Lane::ALL.len()],
     quiet: Quiet,
+    /// The last few runs.
+    runs: Mutex<Cache>,
     sink: Box<Sink>,
 }
 
@@ -165,7 +144,7 @@ impl Queue {
             }
             if let Some(task) = state.waiting.pop_front() {
                 let cancel = Arc::new(AtomicBool::new(false));
-                state.running = Some((task.id, task.slot(), Arc::clone(&cancel)));
+                state.running = Some((task.id, task.study.slot(), Arc::clone(&cancel)));
                 return Some((task, cancel));
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
@@ -178,7 +157,7 @@ impl Queue {
         if let Some((_, _, cancel)) = state.running.as_ref().filter(|it| wanted(it.0, it.1)) {
             cancel.store(true, Ordering::Relaxed);
         }
-        let at = state.waiting.iter().position(|task| wanted(task.id, task.slot()))?;
+        let at = state.waiting.iter().position(|task| wanted(task.id, task.study.slot()))?;
         state.waiting.remove(at)
     }
 }
@@ -186,20 +165,11 @@ impl Queue {
 impl Worker {
     /// Start the threads; `sink` is given every report.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
-        Self::spawn_with(sink, runs::simulation())
-    }
-
-    /// Start the threads with another computation of runs than the simulation.
-    fn spawn_with(
-        sink: impl Fn(Report) + Send + Sync + 'static,
-        compute: Compute,
-    ) -> std::io::Result<Self> {
-        let (quiet, sink) = (Quiet::default(), Box::new(sink));
-        let shared = Arc::new(Shared { lanes: Default::default(), quiet, sink });
-        let mut runs = Some(Runs::new(compute));
+        let (quiet, runs, sink) = (Quiet::default(), Mutex::default(), Box::new(sink));
+        let shared = Arc::new(Shared { lanes: Default::default(), quiet, runs, sink });
         for (lane, name) in Lane::ALL {
-            let (shared, mut runs) = (Arc::clone(&shared), runs.take());
-            let serve = move || shared.serve(lane, runs.as_mut());
+            let shared = Arc::clone(&shared);
+            let serve = move || shared.serve(lane);
             thread::Builder::new().name(name.to_owned()).spawn(serve)?;
         }
         Ok(Self { shared })
@@ -207,8 +177,8 @@ impl Worker {
 
     /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
     pub fn submit(&self, task: Task) {
-        let slot = task.slot();
-        let lane = &self.shared.lanes[task.lane() as usize];
+        let slot = task.study.slot();
+        let lane = &self.shared.lanes[task.study.lane() as usize];
         let older = lane.take_out(|_, other| other == slot);
         let mut state = lane.lock();
         match slot {
@@ -252,25 +222,18 @@ impl Shared {
         }
     }
 
-    fn serve(&self, lane: Lane, mut runs: Option<&mut Runs>) {
+    fn serve(&self, lane: Lane) {
         let queue = &self.lanes[lane as usize];
         while let Some((task, cancel)) = queue.next() {
             let begun = Instant::now();
             let send = |body| (self.sink)(Report { id: task.id, body });
-            let reporter = Reporter::new(&send, &cancel, task.threads);
-            let body = match (&task.work, &mut runs) {
-                (Work::Run(slot, scene), Some(runs)) => runs.run(*slot, scene, &reporter),
-                // Runs have a lane of their own.
-                (Work::Run(..), None) => ReportBody::Failed("no lane for runs".to_owned()),
-                (Work::Study(scene, study), _) => {
-                    let reporter = reporter.of(&**study, &self.quiet);
-                    let work = || reporter.finish(|| study.make(scene, &reporter));
-                    if study.measures() {
-                        self.quiet.alone(&cancel, work)
-                    } else {
-                        self.quiet.together(&cancel, work)
-                    }
-                }
+            let reporter = Reporter::new(self, &task, &send, &cancel);
+            let work = || reporter.finish(|| task.study.make(&task.scene, &reporter));
+            let body = match (lane, task.study.measures()) {
+                // A person waits for the run of an edit, also while run times are measured.
+                (Lane::Runs, _) => work(),
+                (_, true) => self.quiet.alone(&cancel, work),
+                (_, false) => self.quiet.together(&cancel, work),
             };
             // Free before the report: its receiver may submit at once.
             queue.lock().running = None;

@@ -17,7 +17,8 @@ use crate::files::paths::Paths;
 use crate::tui::message::{EffectReport, FileTask, Message};
 use crate::tui::prelude::*;
 use crate::tui::{update, view};
-use crate::worker::{Report, Slot, Work, Worker};
+use crate::worker::study::Lane;
+use crate::worker::{Report, Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
 const LOOK: Duration = Duration::from_millis(250);
@@ -283,12 +284,12 @@ impl Shell {
     ) -> io::Result<Option<Ending>> {
         match effect {
             Effect::Submit(task) => {
-                if task.slot() == Slot::Current {
+                if task.study.slot() == Slot::Current {
                     self.newest = Some(task.id);
                     self.pace.expect_result(Instant::now());
                 }
                 // A run is drawn less often while it takes a while.
-                if matches!(task.work, Work::Run(..)) {
+                if task.study.lane() == Lane::Runs {
                     self.running.insert(task.id);
                 }
                 self.worker.submit(task);

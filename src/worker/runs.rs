@@ -1,12 +1,12 @@
 //! Runs of scenes: what has been computed lately is kept, and the run of the screen shows its curve while it grows.
 
 use std::collections::VecDeque;
+use std::error::Error;
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
+use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::study::{BETWEEN, Reporter};
+use super::study::{BETWEEN, Lane, Reporter, Study};
 use super::{Finding, Progress, ReportBody, Slot};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
@@ -25,69 +25,66 @@ const PART_SHARE: u32 = 20;
 /// Steps between two looks at the clock (a look costs about as much as a tenth of a step).
 const STEPS_PER_LOOK: u32 = 8;
 
-/// Computes one scene, asking the observer after every step and showing it what there is so far.
-pub(super) type Compute = Box<
-    dyn Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String> + Send,
->;
+/// A run of the scene, for the screen or for a pin.
+#[derive(Debug)]
+pub struct SceneRun(pub Slot);
 
-pub(super) fn simulation() -> Compute {
-    Box::new(|scene, settings, observer, window| {
-        simulate::simulate_openly(scene, &settings, observer, window)
-            .map_err(|error| error.to_string())
-    })
-}
-
-pub(super) struct Runs {
-    compute: Compute,
-    cache: Cache,
-}
-
-impl Runs {
-    pub(super) fn new(compute: Compute) -> Self {
-        Self { compute, cache: Cache::default() }
+impl Study for SceneRun {
+    fn lane(&self) -> Lane {
+        Lane::Runs
     }
 
-    /// Run a scene, unless its result is kept.
-    pub(super) fn run(
-        &mut self,
-        slot: Slot,
-        scene: &Arc<Scene>,
-        reporter: &Reporter<'_>,
-    ) -> ReportBody {
-        if let Some((run, took)) = self.cache.find(scene) {
-            return ReportBody::Ended { found: Some(run.into()), took };
-        }
-        let (mut pulse, window) = (Pulse::start(), Window::default());
-        let mut observer = |t_s: f64| {
-            reporter.goes_on()?;
-            if let Some(run) = window.take() {
-                pulse.part_came();
-                reporter.report(ReportBody::Part(Finding::new(run)));
-            }
-            if let Some(t_s) = pulse.beat(t_s) {
-                let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
-                reporter.report(ReportBody::Progress { progress, elapsed });
-            }
-            if slot == Slot::Current && pulse.part_is_due() {
-                window.ask();
-            }
-            ControlFlow::Continue(())
-        };
-        let compute = &self.compute;
-        let ended = reporter.finish(|| {
-            let run = compute(scene, Settings::default(), &mut observer, &window)?;
-            Ok(Finding::new(run))
-        });
-        if let ReportBody::Ended { found: Some(found), took } = &ended
-            && let Some(run) = found.get::<Run>()
-            && run.end != EndReason::Cancelled
-            // One that was stopped while its error was estimated is not worth keeping.
-            && !reporter.cancel().load(Ordering::Relaxed)
-        {
-            self.cache.keep(run, *took);
-        }
-        ended
+    fn slot(&self) -> Slot {
+        self.0
     }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let simulation =
+            |settings: &Settings, observer: simulate::Observer<'_>, window: &Window| {
+                simulate::simulate_openly(scene, settings, observer, window)
+                    .map_err(|error| error.to_string())
+            };
+        run(self.0, scene, reporter, simulation)
+    }
+}
+
+/// Run a scene, unless its result is kept. The computation asks the observer after every step, and shows what there is so far.
+pub(super) fn run(
+    slot: Slot,
+    scene: &Arc<Scene>,
+    reporter: &Reporter<'_>,
+    compute: impl FnOnce(&Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>,
+) -> Result<Finding, Box<dyn Error>> {
+    // No code that can panic runs under this lock, so a poisoned one is still sound.
+    let runs = || reporter.runs.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((run, took)) = runs().find(scene) {
+        reporter.took.set(Some(took));
+        return Ok(run.into());
+    }
+    let (mut pulse, window) = (Pulse::start(), Window::default());
+    let mut observer = |t_s: f64| {
+        reporter.goes_on()?;
+        if let Some(run) = window.take() {
+            pulse.part_came();
+            reporter.report(ReportBody::Part(Finding::new(run)));
+        }
+        if let Some(t_s) = pulse.beat(t_s) {
+            let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
+            reporter.report(ReportBody::Progress { progress, elapsed });
+        }
+        if slot == Slot::Current && pulse.part_is_due() {
+            window.ask();
+        }
+        ControlFlow::Continue(())
+    };
+    let run = Arc::new(compute(&Settings::default(), &mut observer, &window)?);
+    let took = reporter.elapsed();
+    reporter.took.set(Some(took));
+    // One that was stopped while its error was estimated is not worth keeping.
+    if run.end != EndReason::Cancelled && reporter.goes_on().is_continue() {
+        runs().keep(Arc::clone(&run), took);
+    }
+    Ok(run.into())
 }
 
 /// When a run reports.
@@ -161,13 +158,13 @@ const ROWS_KEPT: usize = 400_000;
 
 /// The last few results, newest first.
 #[derive(Default)]
-struct Cache {
+pub(super) struct Cache {
     kept: VecDeque<(Arc<Run>, Duration)>,
 }
 
 impl Cache {
     /// The result of this scene and the time it took, s, if it is still kept. It then counts as the newest.
-    pub(crate) fn find(&mut self, scene: &Scene) -> Option<(Arc<Run>, Duration)> {
+    fn find(&mut self, scene: &Scene) -> Option<(Arc<Run>, Duration)> {
         let at = self.kept.iter().position(|(run, _)| *run.scene == *scene)?;
         let found = self.kept.remove(at)?;
         self.kept.push_front(found.clone());
@@ -175,7 +172,7 @@ impl Cache {
     }
 
     /// Keep a complete result; the one unused for longest goes.
-    pub(crate) fn keep(&mut self, run: Arc<Run>, took: Duration) {
+    fn keep(&mut self, run: Arc<Run>, took: Duration) {
         self.kept.push_front((run, took));
         let mut rows = 0;
         let few = self.kept.iter().take_while(|(run, _)| {

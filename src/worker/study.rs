@@ -7,19 +7,25 @@ use std::error::Error;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::quiet::Quiet;
-use super::{Progress, ReportBody};
+use super::runs::Cache;
+use super::{Progress, ReportBody, Shared, Slot, Task};
 use crate::model::scene::Scene;
 use crate::study::context as study;
 
-/// A study that a page requests. A newer one of the same type replaces an older one.
+/// Something to compute for a scene: a run, or a study that a page requests. A newer one of a slot replaces an older one.
 pub trait Study: Any + Debug + Send + Sync {
     fn lane(&self) -> Lane {
         Lane::Searches
+    }
+
+    /// Whose result it is.
+    fn slot(&self) -> Slot {
+        Slot::Study(self.type_id())
     }
 
     /// Whether it measures run times, for which it has the machine to itself.
@@ -119,7 +125,11 @@ pub struct Reporter<'a> {
     tempo: Tempo,
     /// Where run times are measured: between two points others have their turn.
     measured: Option<&'a Quiet>,
+    /// The last few runs.
+    pub(super) runs: &'a Mutex<Cache>,
     started: Instant,
+    /// How long the computation took, where that is not the time since the start.
+    pub(super) took: Cell<Option<Duration>>,
     /// When progress was reported last, and a part, counted from the start.
     told: Cell<Duration>,
     shown: Cell<Option<Duration>>,
@@ -128,25 +138,23 @@ pub struct Reporter<'a> {
 impl<'a> Reporter<'a> {
     /// The task starts now.
     pub(super) fn new(
+        shared: &'a Shared,
+        task: &Task,
         send: &'a dyn Fn(ReportBody),
         cancel: &'a Arc<AtomicBool>,
-        threads: usize,
     ) -> Self {
         Self {
             send,
             cancel,
-            threads,
-            tempo: Tempo { first: BETWEEN, between: BETWEEN },
-            measured: None,
+            threads: task.threads,
+            tempo: task.study.tempo(),
+            measured: task.study.measures().then_some(&shared.quiet),
+            runs: &shared.runs,
             started: Instant::now(),
+            took: Cell::new(None),
             told: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
         }
-    }
-
-    pub(super) fn of(self, study: &dyn Study, quiet: &'a Quiet) -> Self {
-        let measured = study.measures().then_some(quiet);
-        Self { tempo: study.tempo(), measured, ..self }
     }
 
     /// Threads to run on, where the work can be divided.
@@ -163,10 +171,6 @@ impl<'a> Reporter<'a> {
     pub fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
         let started = self.started;
         move || started.elapsed().as_secs_f64()
-    }
-
-    pub(super) fn cancel(&self) -> &'a Arc<AtomicBool> {
-        self.cancel
     }
 
     pub(super) fn goes_on(&self) -> ControlFlow<()> {
@@ -233,7 +237,8 @@ impl<'a> Reporter<'a> {
     ) -> ReportBody {
         let text = match panic::catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(found)) => {
-                return ReportBody::Ended { found: Some(found), took: self.elapsed() };
+                let took = self.took.get().unwrap_or_else(|| self.elapsed());
+                return ReportBody::Ended { found: Some(found), took };
             }
             Ok(Err(error)) => error.to_string(),
             Err(payload) => format!(

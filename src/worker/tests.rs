@@ -7,44 +7,60 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use super::runs::{Compute, simulation};
+use super::runs::run;
 use super::study::{Lane, Reporter, Study, Tempo};
-use super::{Finding, Progress, Report, ReportBody, Slot, Task, Work, Worker};
-use crate::model::impact::window::Window;
+use super::{Finding, Progress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
-use crate::model::simulate::{self, Settings};
+use crate::model::simulate;
 use crate::study::context::Context;
 
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
-fn slow(
-    scene: &Arc<Scene>,
-    _settings: Settings,
-    observer: simulate::Observer<'_>,
-    _window: &Window,
-) -> Result<Run, String> {
-    let mut run =
-        simulate::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
-            .map_err(|error| error.to_string())?;
-    assert!(scene.title != "panics", "deliberate");
-    let mut t_s = 0.0;
-    if scene.title == "endless" {
-        while observer(t_s).is_continue() {
-            t_s += 1e-9;
-        }
-        run.end = EndReason::Cancelled;
+#[derive(Debug)]
+struct SlowRun(Slot);
+
+/// How often one was computed.
+static COMPUTED: AtomicUsize = AtomicUsize::new(0);
+
+impl Study for SlowRun {
+    fn lane(&self) -> Lane {
+        Lane::Runs
     }
-    Ok(run)
+
+    fn slot(&self) -> Slot {
+        self.0
+    }
+
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        run(self.0, scene, reporter, |settings, observer, _| {
+            if scene.title.starts_with("counted") {
+                COMPUTED.fetch_add(1, Ordering::Relaxed);
+            }
+            let go_on = &mut |_| ControlFlow::Continue(());
+            let mut run =
+                simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
+            assert!(scene.title != "panics", "deliberate");
+            let mut t_s = 0.0;
+            if scene.title == "endless" {
+                while observer(t_s).is_continue() {
+                    t_s += 1e-9;
+                }
+                run.end = EndReason::Cancelled;
+            }
+            Ok(run)
+        })
+    }
 }
 
 fn run_of(id: u64, slot: Slot, scene: Scene) -> Task {
-    Task { id, threads: 1, work: Work::Run(slot, Arc::new(scene)) }
+    Task { id, threads: 1, scene: Arc::new(scene), study: Arc::new(SceneRun(slot)) }
 }
 
 fn job(id: u64, slot: Slot, title: &str) -> Task {
-    run_of(id, slot, Scene { title: title.to_owned(), ..Scene::default() })
+    let scene = Scene { title: title.to_owned(), ..Scene::default() };
+    Task { study: Arc::new(SlowRun(slot)), ..run_of(id, slot, scene) }
 }
 
 /// The run a report ends with, and the time it took.
@@ -56,13 +72,9 @@ fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
 }
 
 fn start() -> (Worker, Receiver<Report>) {
-    start_with(Box::new(slow))
-}
-
-fn start_with(compute: Compute) -> (Worker, Receiver<Report>) {
     let (send, receive) = mpsc::channel();
     let sink = move |report| drop(send.send(report));
-    (Worker::spawn_with(sink, compute).expect("a thread"), receive)
+    (Worker::spawn(sink).expect("a thread"), receive)
 }
 
 fn next(reports: &Receiver<Report>) -> Report {
@@ -175,7 +187,7 @@ fn swinging(id: u64, slot: Slot) -> Task {
 
 #[test]
 fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not() {
-    let (worker, reports) = start_with(simulation());
+    let (worker, reports) = start();
     worker.submit(swinging(1, Slot::Current));
     let part = || loop {
         let report = next(&reports);
@@ -229,18 +241,13 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
 
 #[test]
 fn an_unchanged_scene_is_not_computed_again() {
-    let count = Arc::new(AtomicUsize::new(0));
-    let counted = Arc::clone(&count);
-    let (worker, receive) = start_with(Box::new(move |scene, settings, observer, window| {
-        counted.fetch_add(1, Ordering::Relaxed);
-        slow(scene, settings, observer, window)
-    }));
+    let (worker, receive) = start();
     let mut seen = Vec::new();
-    for (id, title) in [(1, "one"), (2, "two"), (3, "one")] {
+    for (id, title) in [(1, "counted 1"), (2, "counted 2"), (3, "counted 1")] {
         worker.submit(job(id, Slot::Current, title));
         seen.push(ended(next(&receive).body));
     }
-    assert_eq!(count.load(Ordering::Relaxed), 2);
+    assert_eq!(COMPUTED.load(Ordering::Relaxed), 2);
     assert!(Arc::ptr_eq(&seen[0].0, &seen[2].0));
     assert_eq!(seen[0].1, seen[2].1);
 }
@@ -278,7 +285,7 @@ impl<const KIND: usize> Study for Counting<KIND> {
 
 fn study<const KIND: usize>(id: u64, lane: Lane, endless: bool) -> Task {
     let scene = Arc::new(Scene::default());
-    Task { id, threads: 2, work: Work::Study(scene, Arc::new(Counting::<KIND> { lane, endless })) }
+    Task { id, threads: 2, scene, study: Arc::new(Counting::<KIND> { lane, endless }) }
 }
 
 /// The content of a report, if any.
@@ -325,7 +332,7 @@ fn a_cancelled_study_keeps_its_reported_part() {
 
 #[test]
 fn an_invalid_scene_is_refused_with_the_reason() {
-    let (worker, receive) = start_with(simulation());
+    let (worker, receive) = start();
     let mut wrong = Scene::default();
     wrong.projectile.mass_kg = -1.0;
     let refused = crate::model::variables::validate(&wrong);
@@ -348,8 +355,8 @@ impl Study for Refused {
 #[test]
 fn a_refused_study_gives_the_reason() {
     let (worker, reports) = start();
-    let work = Work::Study(Arc::new(Scene::default()), Arc::new(Refused));
-    worker.submit(Task { id: 1, threads: 2, work });
+    let scene = Arc::new(Scene::default());
+    worker.submit(Task { id: 1, threads: 2, scene, study: Arc::new(Refused) });
     let report = next(&reports);
     assert!(matches!(report.body, ReportBody::Failed(text) if text == "no study of this"));
 }

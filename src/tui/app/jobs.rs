@@ -7,23 +7,18 @@ use crate::model::scene::Scene;
 use crate::tui::pages::Tab;
 use crate::worker::study::Study;
 
-/// The run of the scene on the screen, while it has not ended.
-#[derive(Clone, Debug)]
-pub struct InFlight {
-    pub id: u64,
-    pub scene: Arc<Scene>,
-    /// Simulated time reached, s, and how long that took.
-    pub reached: Option<(f64, Duration)>,
-}
-
+/// A task that has not ended.
 #[derive(Clone, Debug)]
 pub struct Running {
     pub id: u64,
+    /// The tab that requested it.
     pub tab: Tab,
     pub scene: Arc<Scene>,
     pub study: Arc<dyn Study>,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
+    /// Of a run the simulated time reached, s, once known.
+    pub reached_s: Option<f64>,
     /// Time gone when that was reported.
     pub elapsed: Duration,
 }
@@ -52,7 +47,7 @@ pub struct Jobs {
     /// Counts edits: a `RunDue` with an older number is out of date.
     pub serial: u64,
     /// The run of the scene on the screen.
-    pub current: Option<InFlight>,
+    pub current: Option<Running>,
     pub studies: Vec<Running>,
     /// The quiet time after the last edit is over and its result has not landed.
     pub overdue: bool,

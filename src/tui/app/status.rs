@@ -238,10 +238,10 @@ impl App {
         if let Some(job) = &self.jobs.current
             && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
         {
-            let text = job.reached.map_or_else(
+            let text = job.reached_s.map_or_else(
                 || "running".to_owned(),
-                |(t_s, elapsed)| {
-                    let (seconds, t) = (elapsed.as_secs_f64(), engineering(t_s, "s"));
+                |t_s| {
+                    let (seconds, t) = (job.elapsed.as_secs_f64(), engineering(t_s, "s"));
                     format!("running for {seconds:.1} s, at t = {t}")
                 },
             );

@@ -18,7 +18,7 @@ use crate::study::sensitivity;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 use crate::worker::study::Study;
-use crate::worker::{Finding, Report, ReportBody, Task, Work, Worker};
+use crate::worker::{Finding, Report, ReportBody, Task, Worker};
 
 const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -30,8 +30,8 @@ fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
         let _ = send.send(report);
     });
     let worker = worker.unwrap();
-    let work = Work::Study(Arc::new(scene), Arc::new(study));
-    worker.submit(Task { id: 1, threads: 2, work });
+    let (scene, study) = (Arc::new(scene), Arc::new(study));
+    worker.submit(Task { id: 1, threads: 2, scene, study });
     (worker, reports)
 }
 

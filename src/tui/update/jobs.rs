@@ -5,14 +5,14 @@ use std::time::Duration;
 
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
-use crate::tui::app::jobs::{InFlight, Running};
+use crate::tui::app::jobs::Running;
 use crate::tui::app::status::warning_text;
 use crate::tui::message::Message;
 use crate::tui::pages;
-use crate::tui::pages::run::runs::Shown;
+use crate::tui::pages::run::runs::{Pin, Shown};
 use crate::tui::prelude::*;
-use crate::worker::study::Study;
-use crate::worker::{Progress, Report, ReportBody, Slot, Task, Work};
+use crate::worker::study::{Lane, Study};
+use crate::worker::{Progress, Report, ReportBody, SceneRun, Slot, Task};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
@@ -50,18 +50,17 @@ pub(crate) fn submit_now(app: &mut App) {
 }
 
 fn submit(app: &mut App) {
-    let (id, scene) = (app.jobs.next_id(), Arc::clone(&app.scene));
-    app.jobs.current = Some(InFlight { id, scene: Arc::clone(&scene), reached: None });
-    app.request(Effect::Submit(Task { id, threads: 1, work: Work::Run(Slot::Current, scene) }));
+    let scene = Arc::clone(&app.scene);
+    app.jobs.current = Some(task(app, Tab::Run, &scene, Arc::new(SceneRun(Slot::Current))));
 }
 
 /// Submit every pin that has neither result nor job.
 pub(crate) fn submit_pins(app: &mut App) {
-    for pin in app.pins.iter_mut().filter(|pin| pin.run.is_none() && pin.job.is_none()) {
-        let id = app.jobs.next_id();
-        pin.job = Some(id);
-        let work = Work::Run(Slot::Pin(pin.letter), Arc::clone(&pin.scene));
-        app.effects.push(Effect::Submit(Task { id, threads: 1, work }));
+    for at in 0..app.pins.len() {
+        let Pin { letter, scene, run: None, job: None, .. } = &app.pins[at] else { continue };
+        let (letter, scene) = (*letter, Arc::clone(scene));
+        let job = task(app, Tab::Run, &scene, Arc::new(SceneRun(Slot::Pin(letter))));
+        app.pins[at].job = Some(job.id);
     }
 }
 
@@ -72,18 +71,19 @@ pub(crate) fn study(app: &mut App, tab: Tab, study: impl Study) {
 
 pub(crate) fn study_of<S: Study>(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: S) {
     app.jobs.take::<S>();
-    let (id, threads, study) = (app.jobs.next_id(), app.crew(), Arc::new(study));
-    app.jobs.studies.push(Running {
-        id,
-        tab,
-        scene: Arc::clone(scene),
-        study: Arc::<S>::clone(&study),
-        points: None,
-        elapsed: Duration::ZERO,
-    });
-    let task = Task { id, threads, work: Work::Study(Arc::clone(scene), study) };
+    let running = task(app, tab, scene, Arc::new(study));
+    app.request(Effect::After(LONG, Message::LongJob(running.id)));
+    app.jobs.studies.push(running);
+}
+
+/// Submit a task.
+fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: Arc<dyn Study>) -> Running {
+    let (id, scene) = (app.jobs.next_id(), Arc::clone(scene));
+    // A run cannot be divided.
+    let threads = if study.lane() == Lane::Runs { 1 } else { app.crew() };
+    let task = Task { id, threads, scene: Arc::clone(&scene), study: Arc::clone(&study) };
     app.request(Effect::Submit(task));
-    app.request(Effect::After(LONG, Message::LongJob(id)));
+    Running { id, tab, scene, study, points: None, reached_s: None, elapsed: Duration::ZERO }
 }
 
 /// A report of a study: its page hears what it brings.
@@ -135,7 +135,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             // The first report says that the run takes a while.
             let begins = t_s == 0.0;
             if let Some(job) = app.jobs.current.as_mut().filter(|_| !begins) {
-                job.reached = Some((t_s, elapsed));
+                (job.reached_s, job.elapsed) = (Some(t_s), elapsed);
             }
             if begins {
                 app.request(Effect::After(LONG, Message::LongJob(id)));

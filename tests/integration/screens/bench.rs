@@ -19,7 +19,7 @@ use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, Progress, Report, ReportBody, Task, Work};
+use cmra::worker::{Finding, Progress, Report, ReportBody, SceneRun, Task};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -97,22 +97,18 @@ impl Bench {
 
     /// The studies but sweeps that have been submitted and not been looked at.
     pub(crate) fn studies(&mut self) -> Vec<Study> {
-        self.tasks(|task| match &task.work {
-            Work::Study(scene, study) if study.of::<PictureSweep>().is_none() => {
-                Some(Study { id: task.id, scene: Arc::clone(scene), asked: Arc::clone(study) })
-            }
-            _ => None,
+        self.tasks(|task| {
+            let Task { id, scene, study, .. } = task.clone();
+            let other = study.of::<PictureSweep>().is_none() && study.of::<SceneRun>().is_none();
+            other.then_some(Study { id, scene, asked: study })
         })
     }
 
     /// The plans of the sweeps that have been submitted and not been looked at, with their numbers and threads.
     pub(crate) fn sweeps(&mut self) -> Vec<(u64, usize, Arc<Plan>)> {
-        self.tasks(|task| match &task.work {
-            Work::Study(_, study) => {
-                let sweep = study.of::<PictureSweep>()?;
-                Some((task.id, task.threads, Arc::clone(&sweep.plan)))
-            }
-            Work::Run(..) => None,
+        self.tasks(|task| {
+            let sweep = task.study.of::<PictureSweep>()?;
+            Some((task.id, task.threads, Arc::clone(&sweep.plan)))
         })
     }
 
@@ -176,9 +172,9 @@ impl Bench {
 
     /// The jobs that have been submitted and not answered.
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
-        self.tasks(|task| match &task.work {
-            Work::Run(_, scene) => Some(Job { id: task.id, scene: Arc::clone(scene) }),
-            Work::Study(..) => None,
+        self.tasks(|task| {
+            task.study.of::<SceneRun>()?;
+            Some(Job { id: task.id, scene: Arc::clone(&task.scene) })
         })
     }
 
