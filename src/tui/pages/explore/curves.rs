@@ -261,10 +261,8 @@ impl<'a> ChartView<'a> {
         }
         let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
-        let here = self.value((x, y));
-        let through = !app.pages.explore.hides_contour && here.is_finite();
         let map = Map {
-            contour: through.then_some((here, "".into())),
+            contour: self.contour(app).map(|level| (level, "".into())),
             cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
             focused: app.has_focus(RESULTS),
             ..map_over(title, &axes[0], &axes[1], Some(levels.clone()), cell)
@@ -325,7 +323,14 @@ impl<'a> ChartView<'a> {
         canvas.points(&layout, places, |x| Target::Cell(RESULTS, (x, 0)));
     }
 
-    /// The bands from the greatest down, then what the letters mean.
+    /// The value of the contour, which runs through the point under the cursor, where one is drawn.
+    fn contour(&self, app: &App) -> Option<f64> {
+        let here = self.value(app.cursor_point(self.grid));
+        let is_shown = self.grid.is_full() && !app.pages.explore.hides_contour;
+        (is_shown && here.is_finite()).then_some(here)
+    }
+
+    /// The bands from the greatest down, then what the letters and the contour mean.
     fn scale(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
@@ -333,16 +338,15 @@ impl<'a> ChartView<'a> {
         let hint = if is_log { "Y linear" } else { "Y log" };
         let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
         let mut row = 0;
+        let show = |value: f64| significant(value * factor, 4);
         if let Some(levels) = &self.levels {
-            let (x, y) = app.cursor_point(self.grid);
-            let here = self.value((x, y));
+            let here = self.value(app.cursor_point(self.grid));
             for band in (0..levels.bands()).rev() {
                 let patch = if self.grid.is_full() { swatch } else { dot };
                 let (symbol, style) = patch(band, levels.bands(), app.theme);
                 let patch: String = [symbol; 3].iter().collect();
                 put(canvas, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);
-                let show = |value: f64| significant(value * factor, 4);
                 let text = format!("{:>7} .. {:<7}", show(from), show(to));
                 let mark = here.is_finite() && levels.index(here) == band;
                 let role = if mark { Role::Title } else { Role::Text };
@@ -359,6 +363,10 @@ impl<'a> ChartView<'a> {
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
             canvas.put(inner, (5, row), &words, Role::Text);
             row += 1;
+        }
+        if let Some(level) = self.contour(app) {
+            canvas.put(inner, (2, row), "O", Role::Title);
+            canvas.put(inner, (5, row), &format!("{:>7} as at X", show(level)), Role::Text);
         }
     }
 
