@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use find::Find;
 use history::{History, Snapshot};
 use jobs::Jobs;
 use layout::Layout;
@@ -32,7 +31,7 @@ use crate::tui::pages::run::editor::Editor;
 use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::prelude::*;
 use crate::tui::theme::{ColourDepth, Theme};
-use crate::tui::widgets::input::Field;
+use crate::tui::widgets::input::{Field, TextField};
 use crate::tui::widgets::table::Sorting;
 
 /// Messages kept of a session.
@@ -101,10 +100,8 @@ pub struct App {
     pub notice: Option<Notice>,
     /// All messages of this session, oldest first.
     pub log: Vec<Notice>,
-    /// First row shown of the Log tab.
-    pub log_scroll: usize,
-    /// The matches of `/`, and the text being typed.
-    pub find: Find,
+    /// The field of `/` while it is open.
+    pub find: Option<TextField>,
     /// Run after every edit.
     pub auto_run: bool,
     pub mouse: bool,

@@ -224,6 +224,13 @@ macro_rules! pages {
 
         impl Tab {
             pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
+
+            /// The key that leads there.
+            pub fn key(self) -> char {
+                match self {
+                    $(Self::$tab => $key,)*
+                }
+            }
         }
 
         /// The keys that lead to the tabs.
@@ -246,7 +253,7 @@ pages! {
     Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
     Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.", numerics: numerics::Numerics;
     Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::Thesis;
-    Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.";
+    Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.", log: log::Log;
 }
 
 impl Default for Tab {
@@ -263,7 +270,7 @@ impl Tab {
 
     /// The text in the title row, with the key that leads there.
     pub fn title(self) -> String {
-        format!("{}:{}", self.index() + 1, of(self).about().name)
+        format!("{}:{}", self.key(), of(self).about().name)
     }
 }
 

@@ -68,7 +68,7 @@ fn keys(app: &mut App, key: KeyEvent) {
 fn open_text(app: &mut App) -> Option<&mut TextField> {
     match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
-        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.field.as_mut()),
+        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.as_mut()),
     }
 }
 
@@ -88,7 +88,7 @@ fn press(app: &mut App, key: KeyEvent) {
     if app.dialog.is_some() {
         return list::press(app, key);
     }
-    if app.find.field.is_some() {
+    if app.find.is_some() {
         return in_find(app, key);
     }
     if app.field.is_some() {
@@ -134,7 +134,7 @@ fn everywhere(app: &mut App, action: Option<Action>) -> bool {
 fn close_top(app: &mut App) -> bool {
     let open = app.dialog.take().is_some();
     let field = app.field.take().is_some();
-    let find = app.find.field.take().is_some();
+    let find = app.find.take().is_some();
     open || field || find
 }
 
@@ -223,21 +223,21 @@ pub(crate) fn open_find(app: &mut App) {
     let Some(text) = filter.or(names) else {
         return app.tell("nothing to find in this pane: / works in its lists and forms");
     };
-    app.find.field = Some(TextField::new(text));
+    app.find = Some(TextField::new(text));
 }
 
 /// A key while it is open: the list follows every character.
 pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
     match key.code {
         KeyCode::Esc => {
-            app.find.field = None;
+            app.find = None;
             clear(app);
         }
-        KeyCode::Enter | KeyCode::Tab => app.find.field = None,
+        KeyCode::Enter | KeyCode::Tab => app.find = None,
         KeyCode::Up => act::move_by(app, -1),
         KeyCode::Down => act::move_by(app, 1),
         _ => {
-            if app.find.field.as_mut().is_some_and(|field| field.press(key)) {
+            if app.find.as_mut().is_some_and(|field| field.press(key)) {
                 follow(app);
             }
         }
@@ -246,7 +246,7 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
 
 /// Show what matches the text in the field.
 pub(crate) fn follow(app: &mut App) {
-    let Some(field) = &app.find.field else { return };
+    let Some(field) = &app.find else { return };
     let text = field.value().trim().to_owned();
     let page = pages::of(app.tab);
     if let Some(filter) = page.filter(app) {
@@ -332,7 +332,7 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
 
 /// Whether a text is being typed: no click may take it away.
 fn is_typing(app: &App) -> bool {
-    app.field.is_some() || app.find.field.is_some()
+    app.field.is_some() || app.find.is_some()
 }
 
 /// An effect has been carried out, or has failed.

@@ -97,7 +97,7 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 type Keys = &'static [(&'static str, &'static str)];
 
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    if let Some(field) = app.find.field.as_ref().filter(|_| app.dialog.is_none()) {
+    if let Some(field) = app.find.as_ref().filter(|_| app.dialog.is_none()) {
         return find(app, field, area, canvas);
     }
     let entries = match special(app) {
@@ -322,8 +322,7 @@ pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let name = Rect { x: start, width: columns(&text), ..area };
         canvas.hit(name, |_| Some(Target::Page(at)));
     }
-    let number = app.tab.index() + 1;
-    let hint = format!("{number}: next page");
+    let hint = format!("{}: next page", app.tab.key());
     let start = area.width.saturating_sub(columns(&hint) + 1);
     if start > column {
         canvas.put(area, (start, 0), &hint, Role::Dim);

@@ -1,17 +1,6 @@
-//! Finding by text: how well a text matches, and the field of `/`.
+//! Finding by text: how well a text matches.
 
 use crate::study::quantities::{QUANTITIES, Quantity, named};
-use crate::tui::widgets::input::TextField;
-
-/// The field of `/` while it is open, and the texts that lists are filtered by.
-#[derive(Clone, Debug, Default)]
-pub struct Find {
-    pub field: Option<TextField>,
-    /// Claims shown: those that match.
-    pub claims: String,
-    /// Lines of the log shown: those that contain it.
-    pub log: String,
-}
 
 /// How well what was typed matches something with these names, described by this text: smaller is better, `None` not at all.
 ///

@@ -24,11 +24,23 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
 ];
 
+#[derive(Clone, Debug, Default)]
+pub struct Log {
+    /// The first row shown.
+    pub scroll: usize,
+    /// The lines shown contain this.
+    pub find: String,
+}
+
 pub(crate) struct LogTab;
 
 impl Page for LogTab {
     fn about(&self) -> &'static About {
         &About { name: "Log", pages: &[], panes: PANES, commands: COMMANDS }
+    }
+
+    fn enter(&self, app: &mut App) {
+        app.pages.log.scroll = 0;
     }
 
     fn act(&self, _app: &mut App, _action: Action) -> bool {
@@ -46,15 +58,15 @@ impl Page for LogTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         let shown = app.list_rows();
         let count = app.log_lines(usize::from(app.size.0)).len().saturating_sub(shown) + 1;
-        Some(Rows { count, selected: app.log_scroll, shown })
+        Some(Rows { count, selected: app.pages.log.scroll, shown })
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.log_scroll = row;
+        app.pages.log.scroll = row;
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        Some(&mut app.find.log)
+        Some(&mut app.pages.log.find)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -80,7 +92,7 @@ impl App {
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
         // Two borders, and three columns of indent with one of air.
         let room = columns.saturating_sub(6).max(10);
-        let wanted = self.find.log.trim().to_lowercase();
+        let wanted = self.pages.log.find.trim().to_lowercase();
         let matches = |line: &TextLine| line.0.to_lowercase().contains(&wanted);
         let mut lines = self.whole_lines();
         lines.retain(|line| wanted.is_empty() || matches(line));
@@ -140,7 +152,7 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let lines = app.log_lines(usize::from(area.width));
     let height = usize::from(area.height.saturating_sub(2));
-    let first = app.log_scroll.min(lines.len().saturating_sub(height));
+    let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
     let end = (first + height).min(lines.len());
     let counter = if lines.len() > height {
         format!("{}-{}/{}", first + 1, end, lines.len())

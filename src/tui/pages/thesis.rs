@@ -198,7 +198,7 @@ impl Page for ThesisTab {
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        (app.pane() == CLAIMS).then_some(&mut app.find.claims)
+        (app.pane() == CLAIMS).then_some(&mut app.pages.thesis.find)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -300,6 +300,8 @@ impl Study for Claims {
 pub struct Thesis {
     pub report: Option<Arc<RowsSoFar<Row>>>,
     pub filter: Option<Verdict>,
+    /// The claims shown match this.
+    pub find: String,
     pub by_verdict: bool,
     pub selected: usize,
     pub principle: usize,
@@ -313,6 +315,7 @@ impl Default for Thesis {
         Self {
             report: None,
             filter: None,
+            find: String::new(),
             by_verdict: false,
             selected: 0,
             principle: 0,
@@ -345,7 +348,7 @@ impl App {
         let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
         let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
             let claim = &row.claim;
-            rank(&self.find.claims, &[claim.id, claim.place], claim.says)
+            rank(&tab.find, &[claim.id, claim.place], claim.says)
         });
         if tab.by_verdict {
             let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);

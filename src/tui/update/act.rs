@@ -165,7 +165,6 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
     } else {
         app.tab = tab;
         app.field = None;
-        app.log_scroll = 0;
         pages::of(tab).enter(app);
     }
 }

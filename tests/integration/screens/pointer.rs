@@ -274,9 +274,9 @@ fn the_wheel_scrolls_the_log() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("7");
     bench.send(Message::Wheel(false, target(&bench.app, (10, 10))));
-    assert_eq!(bench.app.log_scroll, 1);
+    assert_eq!(bench.app.pages.log.scroll, 1);
     bench.send(Message::Wheel(true, target(&bench.app, (10, 10))));
-    assert_eq!(bench.app.log_scroll, 0);
+    assert_eq!(bench.app.pages.log.scroll, 0);
 }
 
 #[test]
