@@ -121,7 +121,7 @@ fn page(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "{perforation}");
     }
     let mut table = table(name, report);
-    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    table.rows.retain(|summary| summary.deviation.is_some());
     page.push('\n');
     let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
     let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
@@ -129,7 +129,7 @@ fn page(name: &str, report: &Report) -> String {
     let absent: Vec<String> = report
         .summaries
         .iter()
-        .filter(|summary| summary.quantiles.is_empty())
+        .filter(|summary| summary.deviation.is_none())
         .map(|summary| summary.measure.title())
         .collect();
     if !absent.is_empty() {

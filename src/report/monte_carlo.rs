@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::model::units::significant;
 use crate::report::table::Table;
-use crate::study::monte_carlo::{Report, Summary};
+use crate::study::monte_carlo::{Quantile, Report, Summary};
 
 const DIGITS: usize = 4;
 /// Columns of the quantiles: key, heading, part of the values below it.
@@ -67,9 +67,9 @@ pub fn json(name: &str, report: &Report) -> Value {
     let outputs = table.rows.iter().map(|summary| {
         let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');
         let mut object = table.object(summary, is_own);
-        let quantiles = summary.quantiles.iter().map(|quantile| {
-            let (low, high) = quantile.range95;
-            json!({ "share": quantile.share, "value": quantile.value, "low_95": low, "high_95": high })
+        let quantiles = QUANTILES.iter().filter_map(|(_, _, share)| {
+            let Quantile { value, range95: (low, high) } = summary.quantile(*share)?;
+            Some(json!({ "share": share, "value": value, "low_95": low, "high_95": high }))
         });
         object.insert("quantiles".to_owned(), quantiles.collect());
         object

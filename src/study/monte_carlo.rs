@@ -24,8 +24,6 @@ pub const SAMPLES_MAX: usize = 10_000_000;
 const BATCH: usize = 2048;
 /// Draws of one sample before it is given up.
 const DRAWS_MAX: usize = 10_000;
-/// The quantiles that are reported.
-pub const SHARES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
 /// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
@@ -45,8 +43,6 @@ pub struct Task {
 /// A quantile and where it lies with 95 % confidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantile {
-    /// Which part lies below it.
-    pub share: f64,
     /// The estimate.
     pub value: f64,
     /// The interval, from order statistics.
@@ -60,12 +56,10 @@ pub struct Summary {
     pub measure: &'static Quantity,
     /// Its value for the scene itself.
     pub nominal: Option<f64>,
-    /// Mean and its 95 % interval; `None` without two values.
+    /// Mean and its 95 % interval; there is one where there is a deviation.
     pub mean: Option<(f64, (f64, f64))>,
-    /// Standard deviation.
+    /// Standard deviation; `None` without two values.
     pub deviation: Option<f64>,
-    /// The quantiles of [`SHARES`].
-    pub quantiles: Vec<Quantile>,
     /// All values, rising.
     pub sorted: Vec<f64>,
 }
@@ -298,35 +292,24 @@ fn perforated(counts: OutcomeCounts) -> Option<(f64, (f64, f64))> {
 impl Summary {
     fn of(measure: &'static Quantity, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
-        let mut summary = Self {
-            measure,
-            nominal,
-            mean: None,
-            deviation: None,
-            quantiles: Vec::new(),
-            sorted: values,
+        let n = values.len() as f64;
+        let mean = |(mean, deviation)| {
+            let half = Z95 * deviation / n.sqrt();
+            (mean, (mean - half, mean + half))
         };
-        let Some((mean, deviation)) = moments(&summary.sorted) else { return summary };
-        let half = Z95 * deviation / (summary.sorted.len() as f64).sqrt();
-        summary.mean = Some((mean, (mean - half, mean + half)));
-        summary.deviation = Some(deviation);
-        summary.quantiles =
-            SHARES.iter().map(|share| quantile_of(&summary.sorted, *share)).collect();
-        summary
+        let moments = moments(&values);
+        let deviation = moments.map(|(_, deviation)| deviation);
+        Self { measure, nominal, mean: moments.map(mean), deviation, sorted: values }
     }
 
-    /// The quantile of one of [`SHARES`].
+    /// The value below which a given part lies, with the order statistics that enclose it with 95 % confidence (normal
+    /// approximation of the binomial); `None` without two values.
     pub fn quantile(&self, share: f64) -> Option<Quantile> {
-        self.quantiles.iter().find(|it| (it.share - share).abs() < 1e-12).copied()
+        self.deviation?;
+        let half = Z95 * (share * (1.0 - share) / self.sorted.len() as f64).sqrt();
+        let at = |share: f64| quantile(&self.sorted, share.clamp(0.0, 1.0));
+        Some(Quantile { value: at(share), range95: (at(share - half), at(share + half)) })
     }
-}
-
-/// A quantile with the order statistics that enclose it with 95 % confidence (normal approximation of the binomial).
-fn quantile_of(sorted: &[f64], share: f64) -> Quantile {
-    let n = sorted.len() as f64;
-    let half = Z95 * (share * (1.0 - share) / n).sqrt();
-    let at = |share: f64| quantile(sorted, share.clamp(0.0, 1.0));
-    Quantile { share, value: at(share), range95: (at(share - half), at(share + half)) }
 }
 
 #[cfg(test)]

@@ -397,7 +397,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Text
         if again > 0 { format!("; {again} impossible samples drawn again") } else { String::new() };
     lines.push(note(format!("{}{again}", report.outcomes)));
     let mut table = table("", report);
-    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    table.rows.retain(|summary| summary.deviation.is_some());
     let selected = table.rows.iter().position(|summary| summary.measure.name == output);
     let cells = table.cells(&["output", "q05", "q50", "q95", "nominal"]);
     let mut rows: Vec<TextLine> = table_lines(cells, width).collect();
