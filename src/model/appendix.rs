@@ -7,7 +7,7 @@
 
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::mechanism::{PowerLaw, damper_law_of};
+use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
 
 pub(super) mod listing;
@@ -273,7 +273,7 @@ fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
     Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: PowerLaw { coefficient: spring.coefficient, exponent: spring.exponent },
-        damper: damper_law_of(&scene.mechanism.damper),
+        damper: scene.mechanism.damper.law(),
         signed: damper_reading == Reading::Corrected,
     }
 }

@@ -11,7 +11,7 @@
 //! Of springs and damper only the force laws are shared with the engine.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
-use crate::model::mechanism::{self, Mechanism, PowerLaw, damper_law_of, moving_plate_kg};
+use crate::model::mechanism::{self, Mechanism, PowerLaw, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 use crate::model::worded::worded;
 use crate::numerics::stepper::{Count, Start, Stepper};
@@ -149,7 +149,7 @@ impl Phase {
         let rigid = scene.plate.mount == Mount::Rigid;
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let damper = damper_law_of(&scene.mechanism.damper);
+        let damper = scene.mechanism.damper.law();
         Self {
             faces: Faces::of(scene),
             radius_m: r,

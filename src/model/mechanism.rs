@@ -8,7 +8,7 @@ use crate::model::scene::{Mount, Scene, Stop, StopKind};
 
 mod combine;
 pub mod curve;
-mod damper;
+pub(in crate::model) mod damper;
 pub mod inertia;
 pub(in crate::model) mod kinds;
 pub mod load;
@@ -16,7 +16,6 @@ pub mod piece;
 mod spring;
 pub(super) mod stop;
 
-pub use damper::law as damper_law_of;
 pub use inertia::{Inertia, moving_plate_kg};
 pub use spring::{Elastic, Spring};
 
@@ -171,7 +170,7 @@ impl Mechanism {
     pub fn of(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
         let sprung = scene.plate.mount == Mount::Sprung;
-        let damper = damper::law(&laws.damper);
+        let damper = laws.damper.law();
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
             spring: if sprung { Spring::of(laws) } else { Spring::NONE },

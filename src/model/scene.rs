@@ -12,10 +12,12 @@ mod bodies;
 mod contact;
 mod mechanism;
 
+pub use crate::model::mechanism::damper::Damper;
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
+pub use crate::model::mechanism::stop::{Stop, StopKind};
 pub use bodies::{Closure, Mount, Nose, Plate, PlateSize, Projectile, Target};
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Jumps, Listing, Reading};
-pub use mechanism::{Combination, Damper, Mechanism, OwnMass, Stop, StopKind, WhichSpring, Wire};
+pub use mechanism::{Combination, Mechanism, OwnMass, WhichSpring, Wire};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]

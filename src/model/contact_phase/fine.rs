@@ -9,7 +9,6 @@
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::mechanism::damper_law_of;
 use crate::model::scene::{Mount, Scene};
 use series::{Number, Series, TERMS, at, product, root, trusted};
 
@@ -286,7 +285,7 @@ impl Problem {
     fn of(scene: &Scene) -> Self {
         let number = Number::from;
         let (r, h) = (number(scene.projectile.tip_radius_m), number(scene.target.thickness_m));
-        let damper = damper_law_of(&scene.mechanism.damper);
+        let damper = scene.mechanism.damper.law();
         let two = number(2.0);
         let lag_m = if scene.target.dishing { two * r } else { Number::ZERO };
         let mut problem = Self {

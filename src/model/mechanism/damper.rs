@@ -1,11 +1,30 @@
-//! The force law of the damper, from its parameters: the one place that knows them.
+//! The damper: its parameters and its force law.
 
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::Damper;
+use crate::model::variables::part::{TABLE_9_2, parts};
 
-/// The power law of a valid damper.
-pub fn law(damper: &Damper) -> PowerLaw {
-    PowerLaw { coefficient: damper.coefficient, exponent: damper.exponent }
+parts! {
+    /// A power-law damper.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Damper {
+        pub coefficient: f64 = 0.0 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
+            number(DamperCoefficient, NonNegative).called("damping").searched(0.0, 2000.0).log().from(TABLE_9_2);
+        pub exponent: f64 = 1.0 => "m", "damper exponent", "damper exponent",
+            number(Number, Positive).log().used_when(|scene| !scene.mechanism.damper.is_absent())
+            .from("thesis section 9.2.2: 1");
+    }
+}
+
+impl Damper {
+    /// Whether there is none.
+    pub fn is_absent(&self) -> bool {
+        self.coefficient == 0.0
+    }
+
+    /// The force law of a valid damper.
+    pub fn law(&self) -> PowerLaw {
+        PowerLaw { coefficient: self.coefficient, exponent: self.exponent }
+    }
 }
 
 #[cfg(test)]
@@ -14,7 +33,7 @@ mod tests {
 
     #[test]
     fn valid_a_damper_resists_with_b_times_a_power_of_the_velocity() {
-        let law = law(&Damper { coefficient: 3.0, exponent: 2.0 });
+        let law = Damper { coefficient: 3.0, exponent: 2.0 }.law();
         assert!((law.force(2.0) - 12.0).abs() < 1e-14 && (law.force(-2.0) + 12.0).abs() < 1e-14);
     }
 }

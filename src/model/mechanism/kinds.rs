@@ -224,6 +224,11 @@ impl Spring {
         self.law().curve(self, 0.0)
     }
 
+    /// The displacement at which it yields, m; `None` where other limits come first or it does not bend.
+    pub fn yields_at_m(&self) -> Option<f64> {
+        self.law().yields_at_m(self)
+    }
+
     /// The part of its mass that moves with its end.
     pub fn moving_part(&self) -> f64 {
         self.law().moving_part(self)

@@ -23,11 +23,6 @@ pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
     ratios.filter_map(|(spring, x)| spring.law().stress_ratio(spring, x)).reduce(larger)
 }
 
-/// The displacement of a spring of beams at which they yield, m; `None` where other limits come first or there are no beams.
-pub fn yields_at_m(spring: &scene::Spring) -> Option<f64> {
-    spring.law().yields_at_m(spring)
-}
-
 /// The limits that a plate displacement exceeds.
 pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
     let shares = shares(&scene.mechanism, x_m);

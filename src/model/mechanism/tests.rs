@@ -110,7 +110,7 @@ fn valid_the_cantilever_of_table_9_3() {
     let curve = spring.curve();
     // 0.111 MN/m, and 880 MPa at about 0.03 m (0.0297 with K = 7200).
     assert!((curve.tangent(0.0) / 1e6 - 0.111).abs() < 5e-4, "{}", curve.tangent(0.0));
-    let yields = load::yields_at_m(&spring).unwrap();
+    let yields = spring.yields_at_m().unwrap();
     assert!((yields - 0.0297).abs() < 1e-4, "{yields}");
     assert!((spring.beam.torsional_n_m() - 7209.0).abs() < 1.0);
     assert!((spring.beam.mass_kg() - 0.598).abs() < 1e-3);

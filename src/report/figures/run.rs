@@ -2,6 +2,7 @@
 
 use crate::model::mechanism::{Mechanism, load};
 use crate::model::run::{Run, Sample};
+use crate::model::scene::Spring;
 use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::series::Quantity;
@@ -90,7 +91,7 @@ pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
     if own.spring.is_absent() && own.elastic_stop().is_none() {
         return Vec::new();
     }
-    let yields = scene.mechanism.acting().filter_map(load::yields_at_m).reduce(smaller);
+    let yields = scene.mechanism.acting().filter_map(Spring::yields_at_m).reduce(smaller);
     let yields = yields.filter(|at| *at < LIMIT_SHOWN * reached_m);
     let end_m = BEYOND * yields.map_or(reached_m, |at| larger(at, reached_m));
     let low_m = smaller(start_m, 0.0);

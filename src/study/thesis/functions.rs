@@ -1,7 +1,6 @@
 //! The functions that expressions of the claims may call: arithmetic, properties of curves, closed forms, the screening matrix.
 
 use crate::model::design::{self, Rod};
-use crate::model::mechanism::load;
 use crate::model::scene::{Beam, Spring, SpringKind, Wire};
 use crate::numerics::larger;
 use crate::numerics::statistics::sorted_by;
@@ -143,7 +142,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
     of_numbers("beam_energy", 1, |it| Beam::default().link(1.0).energy(it[0])),
     of_numbers("beam_yield", 0, |_| {
         let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
-        load::yields_at_m(&spring).unwrap_or(f64::NAN)
+        spring.yields_at_m().unwrap_or(f64::NAN)
     }),
     of_numbers("beam_tip_mass", 0, |_| {
         let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::model::appendix::Scheme;
-use crate::model::mechanism::load::yields_at_m;
 use crate::model::mechanism::{Mechanism, Spring};
 use crate::model::run::{EventKind, Outcome, Run};
 use crate::model::scene::Scene;
@@ -124,7 +123,7 @@ static OWN: &[Own] = &[
     of_scene("spring_tangent", "N/m", |scene, x| spring(scene).tangent(x)),
     of_scene("spring_energy", "J", |scene, x| spring(scene).energy(x)),
     of_scene("yield_displacement", "m", |scene, _| {
-        yields_at_m(&scene.mechanism.spring).unwrap_or(f64::NAN)
+        scene.mechanism.spring.yields_at_m().unwrap_or(f64::NAN)
     }),
     // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
     of_several("against_solid", "-", |_, _, scene| against_solid(scene)),

@@ -3,7 +3,6 @@
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::model::mechanism::load::yields_at_m;
 use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::series::Quantity;
 use crate::tui::app::App;
@@ -160,7 +159,7 @@ fn force_over_displacement<'a>(app: &App, data: &[Data<'_>], curves: Vec<Curve<'
     let none = || Axis::new("", ViewRange::default());
     let (x, y) = (x.unwrap_or_else(none).padded(0.04), y.unwrap_or_else(none).padded(0.04));
     let mechanism = &app.scene.mechanism;
-    let yields = yields_at_m(&mechanism.spring).map(|at| (at, "yield"));
+    let yields = mechanism.spring.yields_at_m().map(|at| (at, "yield"));
     let marks = yields.into_iter().chain(mechanism.stop.position_m.map(|at| (at, "stop")));
     let marks = marks.filter(|(at, _)| x.view.contains(*at)).map(|(at, tag)| Mark::new(at, tag));
     let run = app.shown.as_ref().map(|shown| &shown.run);
