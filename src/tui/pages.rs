@@ -57,16 +57,12 @@ impl Progress<'_> {
 /// How a study of the scene stands that is so far kept as this; nothing to say where all of it is there.
 pub(crate) fn progress<S: Study>(
     app: &App,
-    doing: &str,
-    of: &str,
-    what: &str,
     is_old: bool,
     is_complete: Option<bool>,
+    words: impl FnOnce(&Running) -> String,
 ) -> Option<Progress<'static>> {
     match (app.jobs.running::<S>(), is_complete) {
-        (Some(running), _) => {
-            Some(Progress::Running(format!("{doing}{}", running.counted(of, what))))
-        }
+        (Some(running), _) => Some(Progress::Running(words(running))),
         _ if is_old => Some(Progress::Old("scene")),
         (None, None) => Some(Progress::Nothing),
         (None, Some(false)) => Some(Progress::Cut(String::new())),

@@ -130,7 +130,8 @@ impl Page for ThesisTab {
         let tab = &app.pages.thesis;
         let mut parts = Vec::new();
         let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let checking = progress::<Claims>(app, "checking the claims", "of", "", false, kept);
+        let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
+        let checking = progress::<Claims>(app, false, kept, words);
         parts.extend(checking.map(Progress::part));
         if tab.report.is_some() {
             let (rows, counts) = (tab.rows(), tally(tab.rows()));

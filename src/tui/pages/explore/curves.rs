@@ -36,7 +36,7 @@ pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'
             nothing(app, "", *area, canvas);
             continue;
         }
-        curves(app, found, output, place == 0, *area, canvas);
+        curves(app, found, output, *area, canvas);
     }
 }
 
@@ -57,14 +57,7 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
-fn curves(
-    app: &App,
-    found: &Found,
-    output: usize,
-    is_first: bool,
-    area: Rect,
-    canvas: &mut Canvas<'_>,
-) {
+fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
     let old = app.sweep_is_old(Picture::Line) && app.jobs.running::<PictureSweep>().is_none();
@@ -107,7 +100,7 @@ fn curves(
     };
     let chart = Chart {
         crosshair: Some(grid.coordinate((x, selected), 0)),
-        focused: is_first && app.has_focus(RESULTS),
+        focused: output == app.shown_output(grid).0 && app.has_focus(RESULTS),
         ..Chart::new(title, along_axis, y, curves.collect())
     };
     let layout = canvas.draw(&chart, area);
@@ -257,7 +250,7 @@ impl<'a> ChartView<'a> {
             return nothing_exists(&title, self.grid, self.output, area, canvas);
         };
         if !self.grid.is_full() {
-            return self.dots(app, title, levels, area, canvas);
+            return self.dots(app, title, area, canvas);
         }
         let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
@@ -297,7 +290,8 @@ impl<'a> ChartView<'a> {
     }
 
     /// The points of a design where they lie, each in the colour of its band or as its letter.
-    fn dots(&self, app: &App, title: String, levels: &Levels, area: Rect, canvas: &mut Canvas<'_>) {
+    fn dots(&self, app: &App, title: String, area: Rect, canvas: &mut Canvas<'_>) {
+        let Some(levels) = &self.levels else { return };
         let axes = self.grid.plan().axes();
         let chart = Chart {
             focused: app.has_focus(RESULTS),

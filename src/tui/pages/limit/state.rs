@@ -13,6 +13,7 @@ use crate::report::limit::{remarks, velocity};
 use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
+use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::{CHART_ROWS, split_bottom, split_left, split_top};
 use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::{Emphasis, Layout, Scale, ViewRange};
@@ -250,8 +251,8 @@ impl App {
     pub fn limit_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.limit;
         let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let (doing, old) = ("finding the limit", self.limit_is_old());
-        let finding = progress::<LimitSearch>(self, doing, "of about", " shots", old, kept);
+        let words = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
+        let finding = progress::<LimitSearch>(self, self.limit_is_old(), kept, words);
         let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
         if let Some(report) = &tab.report {
             if let Limit::Found { basis, .. } = report.limit {

@@ -13,6 +13,7 @@ use crate::study::context::Context;
 use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
+use crate::tui::app::jobs::Running;
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::{Progress, StatusPart, part, progress};
@@ -191,8 +192,8 @@ impl App {
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             let kept = tab.battery.as_ref().map(|battery| battery.is_complete);
-            let running =
-                progress::<StiffScenes>(self, "checking the stiff scenes", "of", "", false, kept);
+            let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
+            let running = progress::<StiffScenes>(self, false, kept, words);
             parts.extend(running.map(Progress::part));
             if tab.battery.is_some() {
                 parts.push(part(severity, holds));
@@ -201,8 +202,8 @@ impl App {
             return parts;
         }
         let kept = tab.map.as_ref().map(|(_, map)| map.is_complete());
-        let (doing, old) = ("computing the map", self.map_is_old());
-        let mapping = progress::<StabilityMap>(self, doing, "of", " rows", old, kept);
+        let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
+        let mapping = progress::<StabilityMap>(self, self.map_is_old(), kept, words);
         parts.extend(mapping.map(Progress::part));
         if let Some((_, map)) = &tab.map {
             parts.push(part(

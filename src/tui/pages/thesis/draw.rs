@@ -89,8 +89,13 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             canvas.paint_row(line, 0);
         }
     });
+    claim(app, detail, canvas);
+}
+
+/// The selected claim in full.
+fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let place = app.claim().map_or("", |row| row.claim.place);
-    let inner = PaneFrame::new(place).right("Tab: principles").draw(detail, canvas);
+    let inner = PaneFrame::new(place).right("Tab: principles").draw(area, canvas);
     if let Some(row) = app.claim() {
         let found = &row.found;
         let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
