@@ -151,7 +151,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut warnings = Vec::new();
     for front in &fronts {
         let scenes = front.designs.iter().map(|design| front.scene(&task, design));
-        warnings.extend(validity::of_designs(front::law(front.law), scenes, &task.axes));
+        warnings.extend(validity::of_designs(front.law.word(), scenes, &task.axes));
     }
     let object = || front::json(name, &task, &fronts);
     let page = || page::text(name, &task, &fronts);

@@ -10,6 +10,7 @@ use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::files::validation;
+use crate::model::scene::Closure;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::report::validation as tables;
 use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
@@ -52,17 +53,20 @@ fn page(report: &[Row]) -> String {
             ("measured", format!("{} {}{known}", case.quantity.word(), show(case.measured))),
             (
                 "computed",
-                format!("{} by {}", row.computed.map_or_else(absent, off), closure_words(row)),
+                format!(
+                    "{} by {}",
+                    row.computed.map_or_else(absent, off),
+                    closure_words(row.closure)
+                ),
             ),
             (
                 "alternative",
                 row.other.map_or_else(String::new, |value| {
-                    let word = if row.closure == "cavity" {
-                        "double-yield, with dishing"
-                    } else {
-                        "cavity, without dishing"
+                    let other = match row.closure {
+                        Closure::Cavity => Closure::DoubleYield,
+                        Closure::Given | Closure::DoubleYield => Closure::Cavity,
                     };
-                    format!("{} by {word}", off(value))
+                    format!("{} by {}", off(value), closure_words(other))
                 }),
             ),
             (
@@ -133,10 +137,10 @@ fn summary(report: &[Row]) -> String {
     table + "\n" + &text::hanging("", &said, 0)
 }
 
-fn closure_words(row: &Row) -> &'static str {
-    match row.closure {
-        "given" => "a flow strength that is given",
-        "cavity" => "cavity, without dishing",
-        _ => "double-yield, with dishing",
+fn closure_words(closure: Closure) -> &'static str {
+    match closure {
+        Closure::Given => "a flow strength that is given",
+        Closure::Cavity => "cavity, without dishing",
+        Closure::DoubleYield => "double-yield, with dishing",
     }
 }

@@ -8,14 +8,6 @@ use crate::report::table::Table;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::sweep::{PointOutcome, Spacing};
 
-/// The law's word.
-pub fn law(law: InterfaceLaw) -> &'static str {
-    match law {
-        InterfaceLaw::Fused => "fused",
-        InterfaceLaw::Plastic => "plastic",
-    }
-}
-
 /// A candidate's standing in a sentence.
 pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
     match &candidate.standing {
@@ -105,7 +97,7 @@ pub fn designs<'c>(
 fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Table<'c, Row<'c>> {
     let mut table = rows
         .with("scene", "scene", "", move |_| name)
-        .with("interface", "interface", "", |row| law(row.law))
+        .with("interface", "interface", "", |row| row.law.word())
         .with("design", "design", "", |row| row.kind);
     for (at, axis) in task.axes.iter().enumerate() {
         table = table.with(axis.symbol(), axis.symbol(), "", move |row| {
@@ -167,7 +159,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
         list.push(object);
     }
     json!({
-        "interface": law(front.law),
+        "interface": front.law.word(),
         "runs": front.runs,
         "given_up": front.given_up,
         "generations": front.generations,

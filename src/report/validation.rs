@@ -54,7 +54,7 @@ pub fn table(report: &[Row]) -> Table<'_, Line<'_>> {
         .with("unit", "unit", "", |it| it.case().map(|case| case.quantity.unit()))
         .with("measured", "measured", "", |it| it.case().map(|case| case.measured))
         .with("resolution", "resolution", "", |it| it.case()?.resolution)
-        .with("closure", "closure", "", |it| it.row.map(|row| row.closure))
+        .with("closure", "closure", "", |it| it.row.map(|row| row.closure.word()))
         .with("computed", "computed", "", |it| it.row?.computed)
         .with("relative_error", "bias", "", Line::error)
         .with("other_closure", "other closure", "", |it| it.row?.other)

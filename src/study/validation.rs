@@ -190,8 +190,8 @@ pub struct Row {
     pub case: &'static Case,
     /// By the case's own closure; `None` where the model gives nothing.
     pub computed: Option<f64>,
-    /// Its closure's word.
-    pub closure: &'static str,
+    /// Its closure.
+    pub closure: Closure,
     /// By the other closure; `None` where the flow strength is given outright.
     pub other: Option<f64>,
     /// Plate thickness over projectile diameter.
@@ -217,11 +217,7 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
     Row {
         case,
         computed: value(case.quantity, &scene),
-        closure: match scene.target.closure {
-            Closure::Given => "given",
-            Closure::DoubleYield => "double-yield",
-            Closure::Cavity => "cavity",
-        },
+        closure: scene.target.closure,
         other: other(&scene).and_then(|scene| value(case.quantity, &scene)),
         thickness_ratio: 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m,
         pressure_pa: scene.flow_strength_pa() + scene.drag_kg_m3() * v * v,

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::cli::text::width;
 use crate::model::units::significant;
-use crate::report::front::{designs, law, standing};
+use crate::report::front::{designs, standing};
 use crate::report::table::{Cells, grid};
 use crate::study::search::front::{Candidate, Constraint, Front, STEPS_MAX, Task};
 use crate::study::sweep::{Axis, Spacing};
@@ -52,7 +52,7 @@ fn one(page: &mut String, task: &Task, front: &Front) {
     let _ = writeln!(
         page,
         "\ninterface {}: {kind} ({} runs, {} generations, seed {}{early})",
-        law(front.law),
+        front.law.word(),
         front.runs,
         front.generations,
         task.effort.seed
