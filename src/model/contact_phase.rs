@@ -253,8 +253,13 @@ pub(in crate::model) mod tests {
     #[test]
     fn valid_every_stored_scene_but_the_stiffest_by_dop853() {
         for row in stored().iter().filter(|row| row.name != STIFFEST) {
+            // A thin plate is perforated in few steps, to a depth that geometry gives.
+            let [time_max, depth_max] = match row.ending {
+                Ending::Arrest => [2e-12, 2e-12],
+                Ending::Perforation => [1e-13, 1e-14],
+            };
             let [time, depth] = row.errors_by(&Dop853 { tolerance: 1e-13 });
-            assert!(time < 2e-12 && depth < 2e-12, "{}: {time:e} {depth:e}", row.pairs);
+            assert!(time < time_max && depth < depth_max, "{}: {time:e} {depth:e}", row.pairs);
         }
     }
 

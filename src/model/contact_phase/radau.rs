@@ -238,15 +238,16 @@ fn crossed(
 #[cfg(test)]
 mod tests {
     use super::super::tests::stored;
-    use super::super::{Phase, Refusal};
+    use super::super::{Ending, Phase, Refusal};
     use super::Radau;
     use crate::model::variables::scene_without_spring as scene;
 
     #[test]
     fn valid_every_stored_scene_with_the_stiffest() {
         for row in stored() {
+            let time_max = if row.ending == Ending::Perforation { 1e-9 } else { 2e-9 };
             let [time, depth] = row.errors_by(&Radau { tolerance: 1e-11 });
-            assert!(time < 2e-9 && depth < 2e-9, "{}: {time:e} {depth:e}", row.pairs);
+            assert!(time < time_max && depth < 2e-9, "{}: {time:e} {depth:e}", row.pairs);
         }
     }
 
