@@ -33,7 +33,7 @@ mod prelude {
     pub(crate) use super::app::notice::Severity;
     pub(crate) use super::keymap::{Action, Pane};
     pub(crate) use super::message::{Effect, Target};
-    pub(crate) use super::pages::Tab;
+    pub(crate) use super::pages::{NO_RESULTS, Tab};
     pub(crate) use super::theme::{PaneFrame, Role};
     pub(crate) use super::widgets::Canvas;
 }

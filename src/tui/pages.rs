@@ -29,6 +29,9 @@ pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
     (severity, text.clone(), text)
 }
 
+/// The words of a pane, and of its row of status, before anything was computed.
+pub(crate) const NO_RESULTS: &str = "no results yet: press r";
+
 /// How what a page computes stands: its words in the status row are the same on every page.
 pub(crate) enum Progress<'a> {
     /// Under way; what is done, and how much of it.
@@ -45,7 +48,7 @@ impl Progress<'_> {
     pub(crate) fn part(self) -> StatusPart {
         let (severity, text) = match self {
             Self::Running(what) => (Severity::Note, format!("{what} (Esc cancels)")),
-            Self::Nothing => (Severity::Note, "no results yet: press r".to_owned()),
+            Self::Nothing => (Severity::Note, NO_RESULTS.to_owned()),
             Self::Old(whose) => (Severity::Warning, format!("another {whose}'s results: press r")),
             Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press r")),
             Self::Done(text) => (Severity::Note, text),

@@ -251,7 +251,7 @@ impl App {
             return part(Severity::Error, "failed: see 7:Log");
         }
         match &self.shown {
-            None => part(Severity::Note, "no results yet: press r"),
+            None => part(Severity::Note, NO_RESULTS),
             Some(_) if self.is_stale() && self.jobs.current.is_none() => (
                 Severity::Warning,
                 "another scene's results: press r".to_owned(),

@@ -46,7 +46,7 @@ pub(crate) fn nothing(app: &App, title: &str, area: Rect, canvas: &mut Canvas<'_
     let text = match (app.jobs.running::<PictureSweep>(), &app.pages.explore.problem) {
         (Some(_), _) => "sweeping the first points",
         (None, Some(_)) => "see the message below",
-        (None, None) => "no results yet: press r",
+        (None, None) => NO_RESULTS,
     };
     canvas.put_centred(inner, text);
 }

@@ -282,7 +282,7 @@ impl App {
     pub fn sweep_design(&self) -> Result<(Scene, String), String> {
         let picture = self.picture();
         let Some(found) = self.pages.explore.found(picture) else {
-            return Err("nothing computed yet: press r to sweep".to_owned());
+            return Err("no results yet: press r to sweep".to_owned());
         };
         if self.sweep_is_old(picture) {
             return Err("these results belong to another setup: press r to sweep again".to_owned());

@@ -127,7 +127,7 @@ impl App {
     pub fn efficiency_design(&self) -> Result<(Scene, String), String> {
         let map = self.comparison().and_then(|found| found.map.as_ref());
         let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
-            return Err("no map yet: press r to compute it".to_owned());
+            return Err("no results yet: press r to compute the map".to_owned());
         };
         if self.comparison_is_old() {
             return Err("this map belongs to another scene: press r to compute it again".to_owned());
@@ -213,7 +213,7 @@ fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let text = match app.jobs.running::<EqualMass>() {
         Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
-        None => "no results yet: press r",
+        None => NO_RESULTS,
     };
     canvas.put_centred(area, text);
 }
@@ -229,7 +229,7 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = match (app.jobs.running::<EqualMass>().is_some(), found) {
             (true, _) => "computing the map",
             (false, Some(_)) => "no point has a mass efficiency",
-            (false, None) => "no map: press r",
+            (false, None) => NO_RESULTS,
         };
         canvas.put_centred(inner, text);
         return;

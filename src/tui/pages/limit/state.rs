@@ -318,7 +318,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (Some(_), _) => "finding the limit",
         (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
         (None, Some(_)) => "no shot perforates: no curve to draw",
-        (None, None) => "no results yet: press r",
+        (None, None) => NO_RESULTS,
     };
     canvas.put_centred(inner, text);
 }

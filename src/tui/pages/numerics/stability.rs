@@ -313,7 +313,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = match app.jobs.running::<StabilityMap>() {
             Some(_) => "computing the map",
             None if app.needs_single_plate() => NEEDS_SINGLE,
-            None => "no results yet: press r",
+            None => NO_RESULTS,
         };
         canvas.put_centred(inner, text);
         return;
@@ -382,7 +382,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = if app.jobs.running::<StiffScenes>().is_some() {
             "running the first scenes"
         } else {
-            "r runs it"
+            NO_RESULTS
         };
         canvas.put(inner, (1, 2), text, Role::Dim);
     }

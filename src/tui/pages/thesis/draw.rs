@@ -57,7 +57,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = match (app.jobs.running::<Claims>(), tab.rows().is_empty()) {
             (_, false) => "no row has this verdict: v for the next",
             (Some(_), true) => "checking the first claims",
-            (None, true) => "r checks every claim",
+            (None, true) => NO_RESULTS,
         };
         canvas.put(inner, (1, 1), text, Role::Dim);
     }

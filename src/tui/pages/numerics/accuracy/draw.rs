@@ -67,7 +67,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
             (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
             (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
-            (None, None) => "not measured yet: r measures",
+            (None, None) => NO_RESULTS,
         };
         canvas.put_centred(inner, text);
         return;

@@ -12,6 +12,7 @@ use crate::tui::chart::{
     ViewRange, align_gutters,
 };
 use crate::tui::message::Target;
+use crate::tui::pages::NO_RESULTS;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window};
 use crate::tui::pages::run::runs::{RunView, engineering};
@@ -96,7 +97,7 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let text = match (&app.shown, &app.jobs.current) {
         (Some(_), _) => "all runs are hidden: V in the pane Runs shows them",
         (None, Some(_)) => "running the first time",
-        (None, None) => "no run yet: r runs the scene",
+        (None, None) => NO_RESULTS,
     };
     canvas.put_centred(area, text);
 }
