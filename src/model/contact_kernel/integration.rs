@@ -3,18 +3,14 @@
 
 use std::borrow::Borrow;
 
-use pulp::Simd;
-
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::expansion::{Area, Clock, Series, trusted};
-use crate::model::contact_kernel::lane_buffer::{LANES_MAX, LaneBuffer};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::slow_manifold_series::tolerance_factor;
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, down_crossing, rise};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
-use crate::numerics::wide::Wide;
 
 /// Steps after which the simulation is the better method.
 pub(super) const STEPS_MAX: usize = 1500;
@@ -102,30 +98,6 @@ impl StepEnd {
             speed_m_s: series.speed[0],
         }
     }
-}
-
-/// The ends of the steps of all lanes, each as far as `trusted` allows, by its lane and the size of its last terms.
-#[inline(always)]
-pub(super) fn ends_of_lanes<S: Simd, const N: usize>(
-    simd: S,
-    series: &Series<N, Wide<S>>,
-    last_terms: Wide<S>,
-    trusted: impl Fn(usize, f64) -> f64,
-) -> [StepEnd; LANES_MAX] {
-    let mut rows = LaneBuffer::<7>::idle();
-    rows.store(0, [last_terms]);
-    for (lane, size) in rows.0[0].iter_mut().enumerate().take(S::F64_LANES) {
-        *size = trusted(lane, *size);
-    }
-    let span = rows.wide(simd, 0);
-    rows.store(1, [series.slip_slope(span), series.speed[0]]);
-    rows.store(3, series.state(span));
-    std::array::from_fn(|lane| StepEnd {
-        trusted: rows.0[0][lane],
-        state: rows.of(lane, 3),
-        rises: rows.0[1][lane] > 0.0,
-        speed_m_s: rows.0[2][lane],
-    })
 }
 
 /// The scale of the plate's displacement at `plate_m`, m.

@@ -11,7 +11,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Area, Clock, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Plan, STEPS_MAX, Sides, ends_of_lanes, plate_scale_m,
+    InitialPhase, Next, Plan, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
@@ -19,7 +19,7 @@ use crate::model::contact_kernel::slow_manifold::{ManifoldJob, run_manifold_batc
 use crate::model::contact_kernel::{Contact, ContactEnd, is_linear};
 use crate::numerics::wide::Wide;
 
-const ROWS: usize = 21;
+const ROWS: usize = 24;
 const STATE: usize = 0;
 const RATES: usize = 4;
 const PIECE: usize = 7;
@@ -27,6 +27,10 @@ const FIXED: usize = 11;
 const SPRING: usize = FIXED + CONSTANTS;
 const DAMPER: usize = 19;
 const PLATE_SCALE: usize = 20;
+/// The result of a step.
+const TRUSTED: usize = 21;
+const SLOPE: usize = 22;
+const SIZE: usize = 23;
 
 /// Run contacts to the relative accuracy `tolerance` each, as [`Contact::run`] does; or tighter, for the plate's sake.
 pub fn run_batch(
@@ -185,17 +189,27 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
         let rates = buffer.wides(simd, RATES);
         let area = Area::of(buffer.wides(simd, PIECE));
         let series = constants.expand::<N, GRADED>(spring, damper, state, rates, area);
-        let last_terms = constants.last_terms(&series, buffer.wide(simd, PLATE_SCALE));
-        let ends_of_steps = ends_of_lanes(simd, &series, last_terms, |lane, size| {
-            trusted::<N>(size, lanes[lane].as_ref().map_or(1.0, |job| job.plan.tolerance))
-        });
+        buffer.store(SIZE, [constants.last_terms(&series, buffer.wide(simd, PLATE_SCALE))]);
+        for (lane, job) in lanes.iter().enumerate() {
+            let tolerance = job.as_ref().map_or(1.0, |job| job.plan.tolerance);
+            buffer.0[TRUSTED][lane] = trusted::<N>(buffer.0[SIZE][lane], tolerance);
+        }
+        let span = buffer.wide(simd, TRUSTED);
+        buffer.store(SLOPE, [series.slip_slope(span)]);
+        let speeds = buffer.0[STATE + 3];
+        buffer.store(STATE, series.state(span));
         for (lane, lane_job) in lanes.iter_mut().enumerate() {
             let Some(job) = lane_job else { continue };
+            let end_of_step = StepEnd {
+                trusted: buffer.0[TRUSTED][lane],
+                state: buffer.of(lane, STATE),
+                rises: buffer.0[SLOPE][lane] > 0.0,
+                speed_m_s: speeds[lane],
+            };
             job.plan.progress.steps += 1;
             let sides = Sides { spring: K::TWO_SIDED, damper: true };
             let progress = &mut job.plan.progress;
-            let ending =
-                job.contact.advance(progress, sides, &ends_of_steps[lane], || series.lane(lane));
+            let ending = job.contact.advance(progress, sides, &end_of_step, || series.lane(lane));
             let goes_on =
                 ending.is_none() && progress.steps < STEPS_MAX && buffer.place(lane, job).is_some();
             if !goes_on {

@@ -6,15 +6,16 @@
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use crate::model::contact_kernel::Contact;
-use crate::model::contact_kernel::expansion::{Area, Series, trusted};
+use crate::model::contact_kernel::expansion::{Area, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Progress, STEPS_MAX, Sides, StepEnd, ends_of_lanes, plate_scale_m,
+    InitialPhase, Next, Progress, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::slow_manifold_series::{
     About, Balance, Guess, Lag, Spring, SpringManifold, tolerance_factor,
 };
 use crate::numerics::larger;
+use crate::numerics::wide::Wide;
 
 /// Maximum number of passes.
 const PASSES_MAX: usize = 8;
@@ -35,7 +36,11 @@ const PLATE_SCALE: usize = 15;
 const FIXED: usize = 16;
 /// The result of a pass.
 const SPEEDS: usize = FIXED + CONSTANTS;
-const ROWS: usize = SPEEDS + 2;
+const TRUSTED: usize = SPEEDS + 2;
+const SIZE: usize = TRUSTED + 1;
+const SLOPE: usize = SIZE + 1;
+const END: usize = SLOPE + 1;
+const ROWS: usize = END + 4;
 
 /// A contact on the slow manifold.
 #[derive(Clone, Copy, Debug)]
@@ -335,6 +340,29 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
             }
         }
     }
+
+    /// How far each series is trusted, and where it leads.
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        constants: &Constants<Wide<S>>,
+        series: &Series<N, Wide<S>>,
+        lanes: &[Option<Lane<'_>>],
+    ) {
+        let buffer = &mut self.buffer;
+        buffer.store(SIZE, [constants.last_terms(series, buffer.wide(simd, PLATE_SCALE))]);
+        for (lane, lane_job) in lanes.iter().enumerate() {
+            let Some(Lane { job: ManifoldJob { manifold_run, .. }, .. }) = lane_job else {
+                continue;
+            };
+            let trusted = trusted::<N>(buffer.0[SIZE][lane], manifold_run.tolerance);
+            buffer.0[TRUSTED][lane] = manifold_run.reach_factor * trusted;
+        }
+        let span = buffer.wide(simd, TRUSTED);
+        buffer.store(SLOPE, [series.slip_slope(span)]);
+        buffer.store(END, series.state(span));
+    }
 }
 
 /// All lanes, pass by pass, until no job is left.
@@ -382,32 +410,30 @@ fn run<S: Simd, const N: usize>(
                 all.balance(lane, lane_job);
             }
         }
-        let ends_of_steps = results.contains(&PassResult::Settled).then(|| {
+        if results.contains(&PassResult::Settled) {
             // With another speed another slip: the projectile's own velocity is what the force left of it.
             for j in 0..N {
                 series.slip[j] = series.slip[j] + constants.cos * (lag.speed[j] - next.speed[j]);
             }
             series.speed = next.speed;
-            let last_terms = constants.last_terms(&series, all.buffer.wide(simd, PLATE_SCALE));
-            ends_of_lanes(simd, &series, last_terms, |lane, size| {
-                lanes[lane].as_ref().map_or(1.0, |lane_job| {
-                    let ManifoldRun { reach_factor, tolerance, .. } = lane_job.job.manifold_run;
-                    reach_factor * trusted::<N>(size, tolerance)
-                })
-            })
-        });
+            all.look(simd, &constants, &series, lanes);
+        }
         for (lane, place) in lanes.iter_mut().enumerate() {
             let result = results[lane];
             let Some(mut lane_job) = place.take_if(|_| result != PassResult::Again) else {
                 continue;
             };
             let ManifoldJob { contact, manifold_run, .. } = &mut lane_job.job;
-            let next = match &ends_of_steps {
-                Some(ends) if result == PassResult::Settled => {
-                    let series = || series.lane(lane);
-                    manifold_run.take(contact, &lane_job.attempt, &ends[lane], series)
-                }
-                _ => manifold_run.failed(contact, lane_job.attempt.by_piece_before),
+            let next = if result == PassResult::Failed {
+                manifold_run.failed(contact, lane_job.attempt.by_piece_before)
+            } else {
+                let end_of_step = StepEnd {
+                    trusted: all.buffer.0[TRUSTED][lane],
+                    state: all.buffer.of(lane, END),
+                    rises: all.buffer.0[SLOPE][lane] > 0.0,
+                    speed_m_s: all.buffer.0[SPEEDS + 1][lane],
+                };
+                manifold_run.take(contact, &lane_job.attempt, &end_of_step, || series.lane(lane))
             };
             *place = all.go_on(lane, lane_job, next);
         }
