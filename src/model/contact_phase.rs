@@ -243,11 +243,21 @@ pub(in crate::model) mod tests {
             Stored {
                 name: fields[0],
                 pairs: fields[1].replace("base", "").replace("vi=", "v_i="),
-                ending: if fields[2] == "perf" { Ending::Perforation } else { Ending::Arrest },
+                ending: match fields[2] {
+                    "perf" => Ending::Perforation,
+                    "stick" => Ending::Arrest,
+                    other => panic!("{other} is no ending"),
+                },
                 digits: [fields[3], fields[4], fields[5]],
             }
         };
-        rows.map(row).collect()
+        let rows: Vec<Stored> = rows.map(row).collect();
+        assert_eq!(rows.len(), 10);
+        rows
+    }
+
+    pub(in crate::model) fn stored_row(name: &str) -> Stored {
+        stored().into_iter().find(|row| row.name == name).unwrap()
     }
 
     #[test]
@@ -265,7 +275,7 @@ pub(in crate::model) mod tests {
 
     #[test]
     fn located_events_keep_the_order_that_unlocated_ones_lose() {
-        let row = &stored()[5];
+        let row = stored_row("S8");
         let phase = Phase::of(&row.scene());
         let error = |dt_s: f64, crossing| {
             row.errors_by(&Rk4 { step: phase.scaled_time(dt_s), crossing })[0]

@@ -48,7 +48,8 @@ impl Study for SceneRun {
     }
 }
 
-/// Run a scene, unless its result is kept. The computation asks the observer after every step, and shows what there is so far.
+/// Run a scene, unless its result is kept. The computation calls the observer after every step, which
+/// may end it, and shows the results so far in the window.
 pub(super) fn run(
     slot: Slot,
     scene: &Arc<Scene>,

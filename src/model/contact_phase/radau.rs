@@ -237,7 +237,7 @@ fn crossed(
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::stored;
+    use super::super::tests::{stored, stored_row};
     use super::super::{Ending, Phase, Refusal};
     use super::Radau;
     use crate::model::variables::scene_without_spring as scene;
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn the_order_is_five_in_the_steps() {
-        let row = &stored()[5];
+        let row = stored_row("S8");
         let solve = |tolerance| {
             let answer = Phase::of(&row.scene()).solve(&Radau { tolerance }, 100_000);
             let answer = answer.unwrap();

@@ -1,6 +1,6 @@
-//! The kinds of spring: the table of them, and what each says of itself.
+//! The kinds of spring: the table of them, and the law of each.
 //!
-//! A kind is one file: its parameters, its force law, its own mass, and up to where its law is good. Chapters 5, 6, 9.4 and 9.5 of
+//! A kind is one file: its parameters, its force law, its own mass, and its range of validity. Chapters 5, 6, 9.4 and 9.5 of
 //! the thesis name the kinds.
 
 use crate::model::mechanism::PowerLaw;
@@ -55,7 +55,7 @@ macro_rules! kinds {
         }
 
         impl Spring {
-            /// What its kind says of it.
+            /// The law of its kind.
             pub(in crate::model) fn law(&self) -> &dyn Law {
                 match self.kind {
                     SpringKind::PowerLaw => &power_law::Plain,
@@ -131,7 +131,7 @@ kinds! {
     table: Table { Table = "table" }
 }
 
-/// Up to where a law is good.
+/// The range of validity of a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct Bounds {
     /// What happens beyond, in words.
@@ -140,7 +140,7 @@ pub(in crate::model) struct Bounds {
     pub(in crate::model) high_m: f64,
 }
 
-/// What a kind of spring says of itself. `self` are its own parameters, `spring` has those of every kind; both are valid.
+/// The law of a kind of spring. `self` are its own parameters, `spring` has those of every kind; both are valid.
 pub(in crate::model) trait Law {
     /// The power law it is by itself, if it is one.
     fn power_law(&self, _: &Spring) -> Option<PowerLaw> {
@@ -197,7 +197,7 @@ pub(in crate::model) trait Law {
         false
     }
 
-    /// It as an absorber, which remembers how far it was crushed.
+    /// The parameters of a kind that keeps how far it was crushed.
     fn absorber(&self) -> Option<&crush::Crush> {
         None
     }

@@ -35,7 +35,7 @@ pub(in crate::model) trait Place<T> {
 }
 
 /// Defines structs whose fields are variables. A field has its type, its default value, its symbol, its label (a noun of at most
-/// sixteen letters), its meaning, the kind of its value, and what else there is to say of it:
+/// sixteen letters), its meaning, the kind of its value, and its further attributes:
 ///
 /// ```text
 /// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).from(TABLE_9_1);
@@ -157,7 +157,7 @@ macro_rules! kind {
 pub(in crate::model) use {kind, parts, row};
 
 impl Variable {
-    /// A variable that is a field of a part, or goes with one; what else there is to say of it follows.
+    /// A variable that is a field of a part, or goes with one; its further attributes follows.
     pub(in crate::model) fn at<T, P: Place<T>>(field: &str, kind: Kind) -> Self {
         let [path, of_path] = P::PATH;
         let mut key = String::with_capacity(path.len() + of_path.len() + 1 + field.len());

@@ -77,8 +77,10 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
 struct SpringRows {
     /// The first that a plain power law has no need of.
     beyond_plain: usize,
-    /// The first that a spring alone has no need of.
+    /// The first that no run has any need of, behind those of the first spring.
     beyond_first: usize,
+    /// The first of the second spring.
+    second: usize,
     /// The first behind them.
     end: usize,
 }
@@ -88,6 +90,7 @@ static SPRING_ROWS: LazyLock<SpringRows> = LazyLock::new(|| {
     SpringRows {
         beyond_plain: at("mechanism.spring.count"),
         beyond_first: at("mechanism.combination"),
+        second: at("mechanism.second.kind"),
         end: at("mechanism.stop.position_m"),
     }
 });
@@ -95,21 +98,18 @@ static SPRING_ROWS: LazyLock<SpringRows> = LazyLock::new(|| {
 /// The rows whose values a run of this scene may read: a plain spring has no need of the rest.
 pub(super) fn checked(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
     let rows = &*SPRING_ROWS;
-    let needless = if scene.mechanism.is_plain() {
-        rows.beyond_plain
-    } else if scene.mechanism.combination == Combination::Alone {
-        rows.beyond_first
-    } else {
-        rows.end
-    };
-    VARIABLES[..needless].iter().chain(&VARIABLES[rows.end..])
+    let mechanism = &scene.mechanism;
+    let first = if mechanism.is_plain() { rows.beyond_plain } else { rows.beyond_first };
+    let is_alone = mechanism.combination == Combination::Alone;
+    let second = if is_alone { rows.end } else { rows.second };
+    VARIABLES[..first].iter().chain(&VARIABLES[second..])
 }
 
 #[cfg(test)]
 mod tests {
     use std::collections::HashSet;
 
-    use super::VARIABLES;
+    use super::{SPRING_ROWS, VARIABLES};
 
     #[test]
     fn names_are_unique() {
@@ -119,5 +119,12 @@ mod tests {
                 assert!(seen.insert(*name), "{name} twice");
             }
         }
+    }
+
+    #[test]
+    fn the_rows_of_the_springs_are_found_in_their_order() {
+        let rows = &*SPRING_ROWS;
+        let places = [0, rows.beyond_plain, rows.beyond_first, rows.second, rows.end];
+        assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
     }
 }

@@ -61,7 +61,7 @@ pub(in crate::model) fn uses_target(scene: &Scene) -> bool {
         ContactModel::HalfSine => scene.contact.duration_s.is_none(),
         ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
         ContactModel::InitialVelocity => false,
-        _ => true,
+        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
     }
 }
 

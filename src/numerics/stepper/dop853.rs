@@ -214,7 +214,7 @@ impl<const N: usize> Dense<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::Bell;
+    use super::super::tests::{BELL, Bell};
     use super::*;
 
     /// y' = y: nothing hides the first coefficient that is missed, as it does where error constants nearly cancel.
@@ -303,5 +303,16 @@ mod tests {
         assert!((order - 8.0).abs() < 0.3, "{order}");
         let dense = (one_step(0.3) / one_step(0.1)).log(3.0) - 1.0;
         assert!((dense - 7.0).abs() < 0.7, "{dense}");
+    }
+
+    #[test]
+    fn the_error_follows_the_tolerance() {
+        for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13] {
+            let method = Dop853 { tolerance };
+            let end = method.integrate(&Bell::up_to(5.0), BELL, &mut Count::up_to(10_000));
+            assert_eq!(end.stop, Stop::Boundary(0));
+            let error = (end.y[0] - bell(5.0)).abs();
+            assert!(error < 10.0 * tolerance, "{tolerance}: {error}");
+        }
     }
 }

@@ -111,13 +111,13 @@ enumeration! {
     Rk4 {
         letter: 'R', name: "RK4, no events", is_of_engine: false,
         ranges: [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
-        run: |job| job.phase(&Rk4 { step: job.scaled_step(), crossing: Crossing::Notice })
+        run: |job| job.rk4(Crossing::Notice)
     }
     /// The same with events located and joints restarted at.
     Rk4Events {
         letter: 'E', name: "RK4 + events", is_of_engine: false,
         ranges: [Range::Steps(1e4, 2), Range::Steps(1.5e3, 2)],
-        run: |job| job.phase(&Rk4 { step: job.scaled_step(), crossing: Crossing::Locate })
+        run: |job| job.rk4(Crossing::Locate)
     }
     /// DOP853 with events located and joints restarted at.
     Dop853 {
@@ -227,9 +227,10 @@ impl Job {
         Phase::of(&self.scene).solve(method, self.steps_max)
     }
 
-    /// Its time step in the phase's own unit.
-    fn scaled_step(&self) -> f64 {
-        Phase::of(&self.scene).scaled_time(self.value())
+    fn rk4(&self, crossing: Crossing) -> Result<Answer, Refusal> {
+        let phase = Phase::of(&self.scene);
+        let step = phase.scaled_time(self.value());
+        phase.solve(&Rk4 { step, crossing }, self.steps_max)
     }
 }
 
