@@ -394,8 +394,5 @@ impl<'a> ChartView<'a> {
 
 /// The number of a point to draw; NaN where there is none.
 fn number(point: grid::Cell) -> f64 {
-    match point {
-        grid::Cell::Value(value) => value,
-        grid::Cell::Outcome(_) | grid::Cell::Waiting => f64::NAN,
-    }
+    point.value().unwrap_or(f64::NAN)
 }

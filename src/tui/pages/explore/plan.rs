@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::study::context::Context;
-use crate::study::sweep::grid::{self, Cell, GRID_COUNTS, Grid};
+use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, show_duration};
@@ -86,7 +86,7 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     }
     let (along, up) = grid.counts();
     let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-    if points.any(|(x, y)| matches!(grid.cell(x, y, output), Cell::Value(_))) {
+    if points.any(|(x, y)| grid.cell(x, y, output).value().is_some()) {
         return lines(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
     }
     let counts = grid.outcomes();

@@ -114,10 +114,7 @@ pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
     let (along, up) = grid.counts();
     let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
     Quadratic::through(points.map(|(x, y)| {
-        let value = match grid.cell(x, y, output) {
-            Cell::Value(value) => value,
-            Cell::Outcome(_) | Cell::Waiting => f64::NAN,
-        };
+        let value = grid.cell(x, y, output).value().unwrap_or(f64::NAN);
         let (u, v) = place(grid, (x, y));
         (u, v, value)
     }))
