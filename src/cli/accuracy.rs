@@ -1,21 +1,24 @@
 //! `cmra accuracy [SCENE]...`: error against run time of every method, as a chart with a table and answers, CSV or JSON.
 
-mod page;
-
 use std::ffi::OsString;
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::progress::ProgressLine;
-use crate::cli::scene;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::text::width;
+use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
-use crate::report::accuracy::{self, Named};
+use crate::model::contact_phase::Ending;
+use crate::model::units::Engineering;
+use crate::report::accuracy::{self, Named, TARGETS, by, methods, seconds};
+use crate::report::figures::accuracy::error_over_time;
+use crate::report::table::{Cells, grid};
 use crate::study::accuracy::method::Method;
-use crate::study::accuracy::{Effort, compare};
+use crate::study::accuracy::{Effort, MethodReport, Report, compare};
+use crate::tui::theme::Theme;
 use crate::worker::clock;
 
 #[derive(Debug, Args)]
@@ -49,10 +52,9 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
         presets.push(preset);
     }
     let mut reports: Vec<Named> = Vec::new();
-    let mut line = ProgressLine::begin();
     let scenes = presets.clone();
     for preset in presets {
-        let report = line.study(1, "points", |context| {
+        let report = progress::study(1, "points", |context| {
             compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, context)
         })?;
         let whole = report.is_complete;
@@ -61,16 +63,16 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
             break;
         }
     }
-    let (page, json) = (|| page::text(&reports), || accuracy::json(&reports));
+    let (page, json) = (page(&reports), accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
     let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));
     let table = arguments.table.of_scene(name, &arguments.changes, scene);
-    table.deliver_report(page, json, &accuracy::table(&reports))?;
+    table.deliver_report(&page, &json, &accuracy::table(&reports))?;
     let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
     for failure in &failures {
         output::note(failure);
     }
-    Ok(line.exit_code(failures.is_empty()))
+    Ok(progress::exit_code(failures.is_empty()))
 }
 
 /// Where `auto` gave no answer, in words: the step or tolerance, and why.
@@ -82,4 +84,157 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
             Some(format!("{scene}: auto gave no answer at {}: {why}", point.knob))
         })
         .collect()
+}
+
+const SIZE: draw::Size = (80, 20);
+const KEYS: [&str; 7] = [
+    "letter",
+    "method",
+    "observed_order",
+    "least_error",
+    "run_time_s_to_1e-6",
+    "run_time_s_to_1e-9",
+    "run_time_spread",
+];
+/// The accuracies answered below it.
+const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
+
+/// The pages of all scenes, one under the other.
+fn page(reports: &[Named]) -> String {
+    let pages: Vec<String> = reports.iter().map(|(name, report)| page_of(name, report)).collect();
+    pages.join("\n")
+}
+
+fn page_of(name: &str, report: &Report) -> String {
+    let mut page = format!("{name}: error against run time of the first contact\n\n");
+    page.push_str(&chart(report));
+    page.push_str(&table_of(report));
+    answers(&mut page, report);
+    references(&mut page, report);
+    refusals(&mut page, report);
+    counts(&mut page, report);
+    page
+}
+
+fn counts(page: &mut String, report: &Report) {
+    let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
+    let measured: usize = report.methods.iter().map(|method| method.measured().count()).sum();
+    let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
+    let (answered, asked) = auto.fold((0, 0), |(answered, asked), method| {
+        (answered + method.measured().count(), asked + method.points.len())
+    });
+    let _ = writeln!(
+        page,
+        "\n{} methods, {points} runs: {measured} compared, {} without result; auto answers {answered} of \
+         {asked}",
+        report.methods.len(),
+        points - measured
+    );
+}
+
+fn chart(report: &Report) -> String {
+    error_over_time(report).map_or_else(
+        || "no method gave a result to compare\n".to_owned(),
+        |chart| draw::chart(&chart, SIZE, Theme::PLAIN),
+    )
+}
+
+fn table_of(report: &Report) -> String {
+    let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
+    let table = methods(&report.methods);
+    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
+    let marks = table.rows.iter().map(|it| mark(it).to_owned()).collect();
+    let mut cells = table.cells(&KEYS);
+    cells.push(Cells { head: String::new(), is_text: true, cells: marks });
+    format!("\n{}", grid(&cells, width()))
+}
+
+/// The run times for some accuracies, and those with no term omitted.
+fn answers(page: &mut String, report: &Report) {
+    let _ =
+        writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "with no term omitted");
+    for target in ANSWERS {
+        let found = report.cheapest(target).map_or_else(
+            || "no method reaches it".to_owned(),
+            |found| format!("{} {}", seconds(found.min_s), by(&found)),
+        );
+        let full = report.cheapest_in_full(target);
+        let full = full.map_or_else(|| "-".to_owned(), |full| seconds(full.min_s));
+        let _ = writeln!(page, "  {target:>5.0e}: {found:<50}{full:>19}");
+    }
+    if let Some(found) = thesis_step(report) {
+        let _ = writeln!(page, "the thesis's own dt 1e-6 s: error {found:.1e}");
+    }
+    page.push_str("times: least of repeated runs; spread: their median deviation from the median");
+    match report.unsteady() {
+        0 => page.push('\n'),
+        1 => page.push_str(",\n       above 20 % at one point: busy machine\n"),
+        count => {
+            let _ = writeln!(page, ",\n       above 20 % at {count} points: busy machine");
+        }
+    }
+}
+
+fn thesis_step(report: &Report) -> Option<f64> {
+    let printed = report.methods.iter().find(|it| it.method == Method::ThesisPrinted)?;
+    let own = |knob: f64| (knob / 1e-6 - 1.0).abs() < 1e-9;
+    let mut points = printed.measured();
+    points.find(|(knob, _)| knob.value().is_some_and(own)).map(|(_, measured)| measured.error())
+}
+
+fn references(page: &mut String, report: &Report) {
+    page.push_str("\nreferences (depth, time, relative uncertainty: methods)\n");
+    for reference in &report.references {
+        let letters: String = report
+            .methods
+            .iter()
+            .filter(|method| method.reference.is_some_and(|own| own.basis == reference.basis))
+            .map(|method| method.method.letter())
+            .collect();
+        let depth = match reference.ending {
+            Ending::Arrest => length(reference.depth_m),
+            Ending::Perforation => "perforated".to_owned(),
+        };
+        let sure = reference
+            .uncertainty
+            .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
+        let _ = writeln!(
+            page,
+            "  {:<23}{depth}, {}, to {sure}{}",
+            reference.basis.words(),
+            Engineering { value: reference.t_s, unit: "s", digits: 6 },
+            if letters.is_empty() { String::new() } else { format!(": {letters}") }
+        );
+    }
+}
+
+fn length(value: f64) -> String {
+    Engineering { value, unit: "m", digits: 6 }.to_string()
+}
+
+fn refusals(page: &mut String, report: &Report) {
+    let mut is_first = true;
+    for method in &report.methods {
+        let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+        for point in &method.points {
+            let Err(refusal) = point.result else { continue };
+            let knob = point.knob.to_string();
+            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
+                Some((_, knobs)) => knobs.push(knob),
+                None => reasons.push((refusal.words(), vec![knob])),
+            }
+        }
+        for (words, knobs) in reasons {
+            if std::mem::take(&mut is_first) {
+                page.push_str("\nwithout result\n");
+            }
+            let which = match knobs.as_slice() {
+                [] => String::new(),
+                [only] => only.clone(),
+                [first, .., last] => format!("{} points, {first} to {last}", knobs.len()),
+            };
+            let blank = if which.is_empty() { "" } else { ": " };
+            let _ = writeln!(page, "  {} {which}{blank}{words}", method.method.letter());
+        }
+    }
 }

@@ -1,28 +1,53 @@
-//! Options that are an amount with a unit.
+//! Readers of options that are a number: an amount with a unit, a count, a part of a whole.
 
-use crate::cli::CliError;
+use std::ops::RangeInclusive;
+
+use clap::builder::{RangedU64ValueParser, TypedValueParser};
+
 use crate::model::units::{self, Bare, Quantity};
 
-/// An amount above zero, SI.
-pub(super) fn amount(
-    option: &str,
-    text: &str,
+/// Reads an amount above zero, SI.
+pub(super) fn above_zero(
     quantity: Quantity,
-    example: &str,
-) -> Result<f64, CliError> {
-    let value = read(option, text, quantity)?;
-    if value > 0.0 {
-        return Ok(value);
+    example: &'static str,
+) -> impl TypedValueParser<Value = f64> {
+    move |text: &str| {
+        let value = finite(text, quantity)?;
+        let problem = || format!("must be greater than 0, for example {example}");
+        (value > 0.0).then_some(value).ok_or_else(problem)
     }
-    Err(CliError::Option(format!("{option} {text}: must be greater than 0, for example {example}")))
 }
 
-/// An amount, SI.
-pub(super) fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, CliError> {
-    let value = units::parse(text, quantity, Bare::Si)
-        .map_err(|problem| CliError::Option(format!("{option} {text}: {problem}")))?;
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(CliError::Option(format!("{option} {text}: must be a finite number")))
+/// Reads a mass, which may be zero, kg.
+pub(super) fn mass(text: &str) -> Result<f64, String> {
+    let value = finite(text, Quantity::Mass)?;
+    let problem = || "a mass is 0 kg or more, for example 20g".to_owned();
+    (value >= 0.0).then_some(value).ok_or_else(problem)
+}
+
+fn finite(text: &str, quantity: Quantity) -> Result<f64, String> {
+    let value = units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
+    value.is_finite().then_some(value).ok_or_else(|| "must be a finite number".to_owned())
+}
+
+/// Reads a count within bounds.
+pub(super) fn count(bounds: RangeInclusive<u64>) -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(bounds)
+}
+
+/// Reads a part of a whole, as a number or in per cent.
+pub(super) fn part(text: &str) -> Result<f64, String> {
+    let (number, whole) = match text.trim().strip_suffix('%') {
+        Some(percent) => (percent.trim(), 100.0),
+        None => (text.trim(), 1.0),
+    };
+    let number = number.parse::<f64>().map(|number| number / whole);
+    number.map_err(|_not_a_number| "write a fraction, for example 0.02 or 2%".to_owned())
+}
+
+/// Reads a relative standard deviation of at most one half.
+pub(super) fn deviation(text: &str) -> Result<f64, String> {
+    let part = part(text)?;
+    let problem = || "outside 0..0.5: write a fraction, for example 0.02 or 2%".to_owned();
+    (0.0..=0.5).contains(&part).then_some(part).ok_or_else(problem)
 }

@@ -1,30 +1,31 @@
 //! `cmra compare [SCENE]`: the comparison at equal areal mass, and its map, as a page, CSV or JSON.
 
-mod page;
-
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::CliError;
-use crate::cli::amount::{amount, read};
+use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
+use crate::cli::text::{hanging, width};
+use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
-use crate::model::units::Quantity;
+use crate::model::units::{Quantity, fixed_significant, significant};
 use crate::report::compare as tables;
+use crate::report::compare::beside;
 use crate::report::figures::efficiency;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use crate::study::compare::{Hardware, compare};
+use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
 use crate::study::sweep::Axis;
 use crate::study::validity;
+use crate::tui::theme::Theme;
 
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
@@ -38,20 +39,20 @@ pub(super) struct CompareArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Velocity at which the candidates are sized and compared, m/s or with a unit [default: the scene's]
-    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true)]
-    design_velocity: Option<String>,
+    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, value_parser = above_zero(Quantity::Velocity, "230m/s"))]
+    design_velocity: Option<f64>,
     /// Energy per mass of the spring or absorber, J/kg or with a unit (10kJ/kg) [default: the scene's, or its wire's]
-    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true)]
-    spring_energy: Option<String>,
+    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true, value_parser = above_zero(Quantity::SpecificEnergy, "197J/kg"))]
+    spring_energy: Option<f64>,
     /// Mass of the spring, kg or with a unit [default: the least for the energy that it stores]
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    spring_mass: Option<String>,
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = mass)]
+    spring_mass: Option<f64>,
     /// Mass of damper, stop and mount together, kg or with a unit
-    #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true)]
-    mount_mass: String,
+    #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true, value_parser = mass)]
+    mount_mass: f64,
     /// Available stroke, m or with a unit [default: unlimited]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    stroke: Option<String>,
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = above_zero(Quantity::Length, "20mm"))]
+    stroke: Option<f64>,
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
@@ -73,15 +74,17 @@ pub(super) struct CompareArguments {
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
-    let hardware = arguments.hardware()?;
+    let hardware = Hardware {
+        spring_kg: arguments.spring_mass,
+        mount_kg: arguments.mount_mass,
+        stroke_m: arguments.stroke,
+    };
     let mut preset = arguments.scene.load()?;
-    if let Some(text) = &arguments.design_velocity {
-        let velocity = amount("--design-velocity", text, Quantity::Velocity, "230m/s")?;
-        preset.scene.projectile.velocity_m_s = velocity;
+    if let Some(velocity_m_s) = arguments.design_velocity {
+        preset.scene.projectile.velocity_m_s = velocity_m_s;
     }
-    if let Some(text) = &arguments.spring_energy {
-        let energy = amount("--spring-energy", text, Quantity::SpecificEnergy, "197J/kg")?;
-        preset.scene.mechanism.energy_j_kg = Some(energy);
+    if let Some(energy_j_kg) = arguments.spring_energy {
+        preset.scene.mechanism.energy_j_kg = Some(energy_j_kg);
     }
     let over = (!arguments.over.is_empty()).then(|| arguments.over.join(","));
     if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
@@ -93,50 +96,35 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
-    let mut line = ProgressLine::begin();
-    let report = line.study(1, "candidates", |context| compare(&scene, hardware, context))?;
+    let report = progress::study(1, "candidates", |context| compare(&scene, hardware, context))?;
     let name = preset.name.as_str();
-    let page = || page::text(name, &report);
-    let object = || tables::json(name, &report);
+    let (page, object) = (page(name, &report), tables::json(name, &report));
     let warnings = validity::of_scene(&scene);
     let table = arguments.table.of(&arguments.scene, &scene);
-    table.deliver_warned(&warnings, page, object, tables::table(name, &report))?;
-    Ok(line.exit_code(true))
+    table.deliver_warned(&warnings, &page, object, tables::table(name, &report))?;
+    Ok(progress::exit_code(true))
 }
 
 impl CompareArguments {
-    fn hardware(&self) -> Result<Hardware, CliError> {
-        let spring = self.spring_mass.as_deref();
-        let stroke = self.stroke.as_deref();
-        Ok(Hardware {
-            spring_kg: spring.map(|text| mass("--spring-mass", text)).transpose()?,
-            mount_kg: mass("--mount-mass", &self.mount_mass)?,
-            stroke_m: stroke
-                .map(|text| amount("--stroke", text, Quantity::Length, "20mm"))
-                .transpose()?,
-        })
-    }
-
     fn draw_map(
         &self,
         preset: &Preset,
         axes: &[Axis; 2],
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
-        let mut line = ProgressLine::begin();
-        let map = line.study(all_threads(), "points", |context| {
+        let map = progress::study(all_threads(), "points", |context| {
             Map::compute(&preset.scene, axes, hardware, context)
         })?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
-        let page = at_top(&page::map(name, &map), &warnings);
+        let page = at_top(&map_page(name, &map), &warnings);
         let table = self.table.of(&self.scene, &preset.scene);
         if !self.pictures.is_stdout() {
             table.deliver(&page, &tables::map_table(name, &map).with_warnings(&warnings))?;
         }
         let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;
-        Ok(line.exit_code(map.is_complete()))
+        Ok(progress::exit_code(map.is_complete()))
     }
 }
 
@@ -164,12 +152,93 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     Ok([x, y])
 }
 
-fn mass(option: &str, text: &str) -> Result<f64, CliError> {
-    let value = read(option, text, Quantity::Mass)?;
-    if value >= 0.0 {
-        return Ok(value);
+/// Columns by which the further lines of a sentence are indented.
+const INDENT: usize = 2;
+const MAP: draw::Size = (78, 30);
+/// Rows of the table of the line of 1.
+const LINE_ROWS: u64 = 11;
+
+fn page(name: &str, report: &Report) -> String {
+    let projectile = &report.scene.projectile;
+    let mut page = format!(
+        "{name}: does moving armour pay? {} g, design velocity {} m/s\n\n",
+        fixed_significant(1e3 * projectile.mass_kg, 4),
+        fixed_significant(projectile.velocity_m_s, 4)
+    );
+    let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
+    say(&mut page, &summary::verdict(report));
+    if let Some(caution) = report.caution() {
+        say(&mut page, &format!("caution: {caution}"));
     }
-    Err(CliError::Option(format!("{option} {text}: a mass is 0 kg or more, for example 20g")))
+    page.push('\n');
+    page += &beside(report, width());
+    page.push('\n');
+    for reason in summary::reasons(report) {
+        say(&mut page, &reason);
+    }
+    page.push('\n');
+    masses(&mut page, report);
+    page
+}
+
+fn masses(page: &mut String, report: &Report) {
+    let gram = |kg: f64| fixed_significant(1e3 * kg, 3);
+    let own = report.of(Candidate::Scene);
+    let known = own.and_then(|own| own.spring_kg);
+    let spring = match known {
+        Some(kg) if report.hardware.spring_kg.is_some() => format!("{} g as given", gram(kg)),
+        Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
+        Some(kg) => format!(
+            "{} g, the least for the energy at {} J/kg (--spring-energy)",
+            gram(kg),
+            significant(report.scene.mechanism.specific_energy_j_kg(), 4)
+        ),
+        None => {
+            "not known, since nothing stops the plate or the run ended early; give --spring-mass"
+                .to_owned()
+        }
+    };
+    let _ = writeln!(
+        page,
+        "areal mass: over the plate's face of {} cm^2, its mass over rho h\nspring: {spring}\nmount: {} g (--mount-mass)",
+        fixed_significant(1e4 * report.face_m2, 3),
+        gram(report.hardware.mount_kg)
+    );
+    if report.has_stop {
+        page.push_str("stop: absorbs energy, and its mass is not known; add it to --mount-mass\n");
+    }
+}
+
+fn map_page(name: &str, map: &Map) -> String {
+    let (x, y) = (map.x(), map.y());
+    let mut page = format!(
+        "{name}: mass efficiency over {} and {}, springs of {} J/kg\n\n",
+        x.symbol(),
+        y.symbol(),
+        significant(map.scene().mechanism.specific_energy_j_kg(), 4)
+    );
+    let Some(drawn) = efficiency::map(map).filter(|drawn| drawn.values().next().is_some()) else {
+        page.push_str("no point has a mass efficiency\n");
+        return page;
+    };
+    page.push_str(&draw::map(&drawn, MAP, Theme::PLAIN));
+    line_of_one(&mut page, map);
+    page
+}
+
+/// The line of 1, in numbers.
+fn line_of_one(page: &mut String, map: &Map) {
+    let (x, y) = (map.x(), map.y());
+    let _ =
+        writeln!(page, "\n{:>12}  {} at which the mass efficiency is 1", y.symbol(), x.symbol());
+    let last = y.count() - 1;
+    let rows = LINE_ROWS.min(y.count());
+    for row in (0..rows).map(|row| row * last / (rows - 1)) {
+        let crossings: Vec<String> =
+            map.line_of_one(row).iter().map(|at| significant(*at, 4)).collect();
+        let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
+        let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row), 4));
+    }
 }
 
 #[cfg(test)]

@@ -6,14 +6,13 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::CliError;
-use crate::cli::draw;
+use crate::cli::amount::{count, deviation, part};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, all_threads};
 use crate::cli::table::TableArguments;
 use crate::cli::text::hanging;
+use crate::cli::{CliError, draw, progress};
 use crate::model::units::fixed_significant;
 use crate::report::figures::limit::residual;
 use crate::report::limit::{self, remarks};
@@ -23,23 +22,23 @@ use crate::study::limit::{Criterion, Effort, Limit, Report, find};
 use crate::study::validity;
 use crate::tui::theme::Theme;
 
-const SAMPLES_MAX: usize = 1_000_000;
+const SAMPLES_MAX: u64 = 1_000_000;
 
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 skips this
-    #[arg(long, alias = "scatter", value_name = "FRACTION", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
+    #[arg(long, alias = "scatter", value_name = "FRACTION", allow_negative_numbers = true, default_value = "0.02", value_parser = deviation)]
     monte_carlo: f64,
     /// Mean ratio of model to measurement, minus 1, from `cmra validate` (-0.04 or -4%); corrects V50
-    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = bias)]
     model_bias: f64,
     /// Standard deviation of the ratio of model to measurement (0.08 or 8%); widens the band of V50
-    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, default_value = "0", value_parser = part)]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, default_value = "0", value_parser = deviation)]
     model_spread: f64,
     /// Number of Monte Carlo samples
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200, value_parser = count(2..=SAMPLES_MAX))]
     samples: usize,
     #[command(flatten)]
     random: Random,
@@ -58,42 +57,17 @@ fn criterion(text: &str) -> Result<Criterion, String> {
     found.ok_or_else(|| "use passage or protrusion".to_owned())
 }
 
-impl LimitArguments {
-    fn sampling(&self) -> Result<Option<Sampling>, CliError> {
-        let deviation = self.monte_carlo;
-        if !(0.0..=0.5).contains(&deviation) {
-            let text = format!(
-                "--monte-carlo {deviation} is outside 0..0.5: write a fraction, for example 0.02 or 2%"
-            );
-            return Err(CliError::Option(text));
-        }
-        if !(2..=SAMPLES_MAX).contains(&self.samples) {
-            let text = format!("--samples {} is outside 2..{SAMPLES_MAX}", self.samples);
-            return Err(CliError::Option(text));
-        }
-        let (samples, seed) = (self.samples, self.random.seed);
-        let model = ModelError { bias: self.model_bias, spread: self.model_spread };
-        if model.bias <= -1.0 || !model.bias.is_finite() {
-            let text = format!("--model-bias {} must be above -1: -0.04 for 4 % low", model.bias);
-            return Err(CliError::Option(text));
-        }
-        if !(0.0..=0.5).contains(&model.spread) {
-            let text = format!("--model-spread {} is outside 0..0.5", model.spread);
-            return Err(CliError::Option(text));
-        }
-        Ok((deviation > 0.0).then_some(Sampling { deviation, samples, seed, model }))
-    }
+fn bias(text: &str) -> Result<f64, String> {
+    let bias = part(text)?;
+    let problem = || "must be above -1: -0.04 for 4 % low".to_owned();
+    (bias > -1.0 && bias.is_finite()).then_some(bias).ok_or_else(problem)
 }
 
-/// A part of a whole, as a number or in per cent.
-fn part(text: &str) -> Result<f64, String> {
-    let (number, whole) = match text.trim().strip_suffix('%') {
-        Some(percent) => (percent.trim(), 100.0),
-        None => (text.trim(), 1.0),
-    };
-    match number.parse::<f64>() {
-        Ok(number) => Ok(number / whole),
-        Err(_) => Err("write a fraction, for example 0.02 or 2%".to_owned()),
+impl LimitArguments {
+    fn sampling(&self) -> Option<Sampling> {
+        let (deviation, samples, seed) = (self.monte_carlo, self.samples, self.random.seed);
+        let model = ModelError { bias: self.model_bias, spread: self.model_spread };
+        (deviation > 0.0).then_some(Sampling { deviation, samples, seed, model })
     }
 }
 
@@ -101,15 +75,12 @@ fn part(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
-    let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling()? };
+    let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling() };
     let preset = arguments.scene.load()?;
-    let mut line = ProgressLine::begin();
     let scene = Arc::new(preset.scene);
     let report =
-        line.study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
+        progress::study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
-    let page = || page(name, &report);
-    let object = || limit::json(name, &report);
     // Validity at the limit is that of the shot at the limit.
     let mut at_limit = (*report.scene).clone();
     if let Some(velocity_m_s) = report.limit.velocity_m_s() {
@@ -118,11 +89,12 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let warnings = validity::of_scene(&at_limit);
     if !arguments.pictures.is_stdout() {
         let table = arguments.table.of(&arguments.scene, &report.scene);
-        table.deliver_warned(&warnings, page, object, limit::shots(name, &report))?;
+        let (page, object) = (page(name, &report), limit::json(name, &report));
+        table.deliver_warned(&warnings, &page, object, limit::shots(name, &report))?;
     }
     let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
     arguments.pictures.write(&arguments.table, chart)?;
-    Ok(line.exit_code(true))
+    Ok(progress::exit_code(true))
 }
 
 const WIDTH: u16 = 80;

@@ -6,12 +6,11 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::outlook::say_if_long;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads};
 use crate::cli::table::TableArguments;
 use crate::cli::text::width;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
@@ -83,25 +82,18 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
-    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space(&preset.scene, &task)?, task.samples as u64, "runs", threads);
-    let report = line.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
+    let report = progress::study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let page = || page(name, &report);
-    let object = || monte_carlo::json(name, &report);
+    let (page, object) = (page(name, &report), monte_carlo::json(name, &report));
     let warnings = validity::of_scene(&preset.scene);
-    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
-        &warnings,
-        page,
-        object,
-        table(name, &report),
-    )?;
+    let delivery = arguments.table.of(&arguments.scene, &preset.scene);
+    delivery.deliver_warned(&warnings, &page, object, table(name, &report))?;
     if report.outcomes.failed > 0 {
         output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
     }
-    let good = report.outcomes.failed == 0;
-    Ok(line.exit_code(good))
+    Ok(progress::exit_code(report.outcomes.failed == 0))
 }
 
 fn page(name: &str, report: &Report) -> String {

@@ -1,28 +1,35 @@
 //! `cmra optimise [SCENE] --over ...`: the designs that nothing beats, as a page, CSV or JSON.
 
-mod page;
-
+use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::CliError;
+use crate::cli::amount::count;
 use crate::cli::outlook::say_if_long;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
+use crate::cli::text::width;
+use crate::cli::{CliError, progress};
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::units::significant;
 use crate::report::front;
+use crate::report::front::{designs, standing};
+use crate::report::table::{Cells, grid};
 use crate::study::quantities::named;
 use crate::study::search::design_space::DesignSpace;
-use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
+use crate::study::search::front::{
+    Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
+};
 use crate::study::search::nsga::Effort;
+use crate::study::sweep::{Axis, Spacing};
 use crate::study::validity;
 
 /// Points of a generation, and generations.
-const POPULATION: (usize, usize) = (8, 2000);
-const GENERATIONS_MAX: usize = 100_000;
+const POPULATION: RangeInclusive<usize> = 8..=2000;
+const GENERATIONS_MAX: u64 = 100_000;
 
 /// Interface laws to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -69,10 +76,10 @@ pub(super) struct OptimiseArguments {
     #[arg(long, value_enum, default_value = "both")]
     laws: Laws,
     /// Number of designs in a generation, even; also the maximum size of the front
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100, value_parser = population)]
     population: usize,
     /// Number of generations after the first
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100, value_parser = count(0..=GENERATIONS_MAX))]
     generations: usize,
     #[command(flatten)]
     random: Random,
@@ -83,22 +90,6 @@ pub(super) struct OptimiseArguments {
 }
 
 impl OptimiseArguments {
-    fn effort(&self) -> Result<Effort, CliError> {
-        let (population, generations) = (self.population, self.generations);
-        let (least, most) = POPULATION;
-        if !(least..=most).contains(&population) || population % 2 == 1 {
-            return Err(CliError::Option(format!(
-                "--population {population} is not an even number in {least}..{most}: 100 is usual"
-            )));
-        }
-        if generations > GENERATIONS_MAX {
-            return Err(CliError::Option(format!(
-                "--generations {generations} is more than {GENERATIONS_MAX}: 100 is usual"
-            )));
-        }
-        Ok(Effort { population, generations, seed: self.random.seed })
-    }
-
     fn task(&self, scene: &Scene) -> Result<Task, CliError> {
         let named = self.subject_to.iter().map(|text| constraint(text));
         let mut constraints: Vec<Constraint> = named.collect::<Result<_, _>>()?;
@@ -114,9 +105,21 @@ impl OptimiseArguments {
                 Laws::Fused => vec![InterfaceLaw::Fused],
                 Laws::Plastic => vec![InterfaceLaw::Plastic],
             },
-            effort: self.effort()?,
+            effort: Effort {
+                population: self.population,
+                generations: self.generations,
+                seed: self.random.seed,
+            },
         })
     }
+}
+
+fn population(text: &str) -> Result<usize, String> {
+    let is_usable = |it: &usize| POPULATION.contains(it) && it.is_multiple_of(2);
+    text.parse().ok().filter(is_usable).ok_or_else(|| {
+        let (least, most) = (POPULATION.start(), POPULATION.end());
+        format!("not an even number in {least}..{most}: 100 is usual")
+    })
 }
 
 fn constraint(text: &str) -> Result<Constraint, CliError> {
@@ -143,21 +146,108 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space, task.runs() as u64, "runs", threads);
-    let fronts = line.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
+    let fronts =
+        progress::study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {
         let scenes = front.designs.iter().map(|design| front.scene(&task, design));
         warnings.extend(validity::of_designs(front.law.word(), scenes, &task.axes));
     }
-    let object = || front::json(name, &task, &fronts);
-    let page = || page::text(name, &task, &fronts);
+    let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
     let rows = front::table(name, &task, &fronts);
     let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, page, object, rows)?;
-    let found = fronts.iter().all(|front| !front.designs.is_empty());
-    Ok(line.exit_code(found))
+    table.deliver_warned(&warnings, &page, object, rows)?;
+    Ok(progress::exit_code(fronts.iter().all(|front| !front.designs.is_empty())))
+}
+
+/// Designs of a front that are listed.
+const LISTED: usize = 16;
+
+fn page(name: &str, task: &Task, fronts: &[Front]) -> String {
+    let objective = |it: &crate::study::search::front::Objective| {
+        let most = if it.maximise { "greatest " } else { "least " };
+        most.to_owned() + &it.measure.title()
+    };
+    let objectives: Vec<String> = task.objectives.iter().map(objective).collect();
+    let mut page = format!("{name}: {}\n", objectives.join(", "));
+    let (feasible, named): (Vec<&Constraint>, Vec<&Constraint>) =
+        task.constraints.iter().partition(|constraint| constraint.is_feasibility);
+    for constraint in named {
+        let _ = writeln!(page, "  subject to {}", constraint.words());
+    }
+    if !feasible.is_empty() {
+        let words: Vec<String> = feasible.iter().map(|constraint| constraint.words()).collect();
+        let _ = writeln!(page, "  feasible: {}", words.join(", "));
+        page.push_str("            (--no-feasibility switches this off)\n");
+    }
+    for axis in &task.axes {
+        let (low, high) = axis.ends();
+        let log = if axis.spacing() == Spacing::Log { " (log)" } else { "" };
+        let (low, high) = (significant(low, 4), axis.show(high, 4));
+        let _ = writeln!(page, "  {:8}{low} .. {high}{log}", axis.symbol());
+    }
+    for front in fronts {
+        front_lines(&mut page, task, front);
+    }
+    page
+}
+
+fn front_lines(page: &mut String, task: &Task, front: &Front) {
+    let count = front.designs.len();
+    let kind = match (task.objectives.len(), count) {
+        (_, 0) => "no design satisfies every constraint".to_owned(),
+        (1, _) => "the best design".to_owned(),
+        (_, _) => format!("a front of {count} designs"),
+    };
+    let early = if front.is_complete { "" } else { ", stopped early" };
+    let _ = writeln!(
+        page,
+        "\ninterface {}: {kind} ({} runs, {} generations, seed {}{early})",
+        front.law.word(),
+        front.runs,
+        front.generations,
+        task.effort.seed
+    );
+    if front.given_up > 0 {
+        let count = front.given_up;
+        let _ = writeln!(
+            page,
+            "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
+        );
+    }
+    // Spread over the front, the first and the last among them.
+    let listed = count.min(LISTED);
+    if count > 0 {
+        let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };
+        let table = designs(task, front, (0..listed).map(place));
+        let numbers = (0..listed).map(|at| (place(at) + 1).to_string()).collect();
+        let measures = task.measures();
+        let shown = task.shown().into_iter().map(|at| measures[at].name);
+        let keys: Vec<&str> = task.axes.iter().map(Axis::symbol).chain(shown).collect();
+        let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
+        cells.extend(table.cells(&keys));
+        *page += &grid(&cells, width());
+    }
+    if listed < count {
+        let _ = writeln!(page, "      ({listed} of {count}; --csv FILE has them all)");
+    }
+    page.push('\n');
+    for candidate in &front.candidates {
+        stands(page, task, candidate);
+    }
+}
+
+fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
+    let measures = task.measures();
+    let found = task.shown().into_iter();
+    let found = found.map(|at| measures[at].show_any(candidate.measures[at], 4));
+    let found: Vec<String> = found.collect();
+    let words = standing(candidate, task).text;
+    let _ = writeln!(page, "  {:20}{words}\n  {:20}{}", candidate.name, "", found.join("  "));
+    if candidate.source != "as it is" {
+        let _ = writeln!(page, "  {:20}{}", "", candidate.source);
+    }
 }

@@ -4,6 +4,7 @@ use std::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 
 use crate::cli::output;
+use crate::cli::progress::interruptible;
 use crate::cli::sweep::page::duration;
 use crate::study::context::Context;
 use crate::study::search::design_space::DesignSpace;
@@ -23,6 +24,8 @@ type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
 /// Announces the time that runs of this number of designs within the bounds will take, if it is long.
 pub(super) fn say_if_long(space: &DesignSpace, runs: u64, what: &str, threads: usize) {
+    // An interrupt of the trial counts for the study after it.
+    interruptible();
     by_batches(runs, what, |tried, go_on| {
         // Shares that do not fall on one line through the box.
         let share =

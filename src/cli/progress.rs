@@ -23,6 +23,7 @@ static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
+/// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
     start: Instant,
     last_shown: Instant,
@@ -32,17 +33,12 @@ pub(super) struct ProgressLine {
 }
 
 impl ProgressLine {
-    /// Starts now.
+    /// Starts now; an interrupt is noted from now on.
     pub(super) fn begin() -> Self {
-        Self::stopped_by(interruptible())
-    }
-
-    /// Starts now; ends when this flag is set.
-    pub(super) fn stopped_by(stop: Stop) -> Self {
         let now = Instant::now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
-        Self { start: now, last_shown: now, shown: false, wanted, stop }
+        Self { start: now, last_shown: now, shown: false, wanted, stop: interruptible() }
     }
 
     /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
@@ -58,36 +54,36 @@ impl ProgressLine {
         self.stop.flow()
     }
 
-    /// Runs a study on this number of threads, and shows how many of its items are done.
-    pub(super) fn study<P: ?Sized, T>(
-        &mut self,
-        threads: usize,
-        what: &str,
-        study: impl FnOnce(&mut Context<'_, P>) -> T,
-    ) -> T {
-        let watch = &mut |progress: Progress, _: Option<&P>| {
-            self.update(|_| format!("{} of {} {what}", progress.done, progress.total))
-        };
-        let found = study(&mut Context::new(threads, watch));
-        self.clear();
-        found
-    }
-
     /// Removes the line.
     pub(super) fn clear(&self) {
         if self.shown {
             output::progress("");
         }
     }
+}
 
-    /// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
-    pub(super) fn exit_code(&self, good: bool) -> ExitCode {
-        let stopped = self.stop.is_set();
-        if stopped {
-            output::note("interrupted: partial results are shown");
-        }
-        if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+/// Runs a study on this number of threads, and shows how many of its items are done.
+pub(super) fn study<P: ?Sized, T>(
+    threads: usize,
+    what: &str,
+    study: impl FnOnce(&mut Context<'_, P>) -> T,
+) -> T {
+    let mut line = ProgressLine::begin();
+    let watch = &mut |progress: Progress, _: Option<&P>| {
+        line.update(|_| format!("{} of {} {what}", progress.done, progress.total))
+    };
+    let found = study(&mut Context::new(threads, watch));
+    line.clear();
+    found
+}
+
+/// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.
+pub(super) fn exit_code(good: bool) -> ExitCode {
+    let stopped = was_interrupted();
+    if stopped {
+        output::note("interrupted: partial results are shown");
     }
+    if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 /// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.

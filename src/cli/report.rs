@@ -6,13 +6,12 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::progress::ProgressLine;
 use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::table::exists;
-use crate::cli::{CliError, draw, output};
+use crate::cli::{CliError, draw, output, progress};
 use crate::files::atomic::{self, Existing};
 use crate::files::{clean, write};
 use crate::model::run::{Run, envelope};
@@ -81,16 +80,14 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     let scene = preset.scene.clone();
     let computed = run::compute(preset)?;
-    let mut line = ProgressLine::begin();
     let mut document = head(&computed, &scene);
     results(&mut document, &computed.run);
     let charts = selected(&computed.run).into_iter().map(Picture::Chart).map(block);
     section(&mut document, "Charts", charts.collect());
-    section(&mut document, "Ballistic limit", ballistic_limit(&scene, &mut line)?);
-    section(&mut document, "Sweep", own_sweep(&scene, &mut line)?);
+    section(&mut document, "Ballistic limit", ballistic_limit(&scene)?);
+    section(&mut document, "Sweep", own_sweep(&scene)?);
     section(&mut document, "Run it again", again(&computed, &scene));
-    line.clear();
-    if line.exit_code(true) != ExitCode::SUCCESS {
+    if progress::exit_code(true) != ExitCode::SUCCESS {
         output::note("no report was written");
         return Ok(ExitCode::FAILURE);
     }
@@ -180,10 +177,10 @@ fn results(document: &mut Document, run: &Run) {
 }
 
 /// The ballistic limit with its curve.
-fn ballistic_limit(scene: &Scene, line: &mut ProgressLine) -> Result<Vec<Block>, CliError> {
+fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
     let effort = Effort { criterion: Criterion::Passage, sampling: None };
     let scene = Arc::new(scene.clone());
-    let report = line.study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
+    let report = progress::study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
     let mut lines = Vec::new();
     match report.limit.velocity_m_s() {
         Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),
@@ -200,14 +197,14 @@ fn ballistic_limit(scene: &Scene, line: &mut ProgressLine) -> Result<Vec<Block>,
 }
 
 /// The pictures of the sweep that is kept with the scene.
-fn own_sweep(scene: &Scene, line: &mut ProgressLine) -> Result<Vec<Block>, CliError> {
+fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
     if scene.sweep.is_none() {
         return Ok(Vec::new());
     }
     let plan = Arc::new(Plan::of(scene)?);
     let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
     let Some(grid) = grid else { return Ok(Vec::new()) };
-    let grid = line.study(all_threads(), "points", |context| grid.fill(PIECE, context));
+    let grid = progress::study(all_threads(), "points", |context| grid.fill(PIECE, context));
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&grid, output));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
     let warnings = validity::of_axes(plan.base(), plan.axes());

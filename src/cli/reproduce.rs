@@ -5,10 +5,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::progress::{ProgressLine, was_interrupted};
+use crate::cli::progress::was_interrupted;
 use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output, text};
+use crate::cli::{CliError, output, progress, text};
 use crate::report::thesis as tables;
 use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
 
@@ -27,9 +27,8 @@ pub(super) struct ReproduceArguments {
 /// Check every claim; exit status 1 when a verdict differs from the stored one.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let mut line = ProgressLine::begin();
-    let mut check = |claims: &[&'static Claim]| {
-        line.study(all_threads(), "rows", |context| thesis::check_all(claims, context))
+    let check = |claims: &[&'static Claim]| {
+        progress::study(all_threads(), "rows", |context| thesis::check_all(claims, context))
     };
     let all: Vec<&Claim> = thesis::claims().iter().collect();
     let shown = match &arguments.only {
@@ -43,14 +42,14 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }
-    Ok(line.exit_code(differences.is_empty()))
+    Ok(progress::exit_code(differences.is_empty()))
 }
 
 /// The rows with this text in them; all are computed only where it may be a verdict's. No row at all is refused.
 fn only(
     text: &str,
     all: &[&'static Claim],
-    mut check: impl FnMut(&[&'static Claim]) -> Vec<Row>,
+    check: impl Fn(&[&'static Claim]) -> Vec<Row>,
 ) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);

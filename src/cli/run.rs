@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use crate::cli::amount::amount;
+use crate::cli::amount::above_zero;
 use crate::cli::models;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
@@ -45,8 +45,8 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = choice(&What::ALL, What::word, What::about))]
     compare: Option<What>,
     /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
-    #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare")]
-    dt: Option<String>,
+    #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Quantity::Time, "1us"))]
+    dt: Option<f64>,
     /// Print charts as plain text below the summary
     #[arg(long, conflicts_with = "json")]
     plain: bool,
@@ -139,9 +139,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
-    let time_step = |text| amount("--dt", text, Quantity::Time, "1us");
-    let dt_s = arguments.dt.as_deref().map(time_step).transpose()?;
-    let computed = match dt_s {
+    let computed = match arguments.dt {
         None => compute(arguments.scene.load()?)?,
         Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
     };

@@ -6,12 +6,11 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::outlook::say_if_long;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Threads, be_cautious};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
@@ -67,13 +66,10 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
     let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space, goal.axis.count(), "runs", threads);
-    let report = line.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
+    let report = progress::study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
-    let page = || page(name, &report);
-    let object = || seek::json(name, &report);
     if let Some(law) = law {
         output::note(&law);
     }
@@ -82,14 +78,10 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         let scene = space.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
     }
-    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
-        &warnings,
-        page,
-        object,
-        seek::table(name, &report),
-    )?;
-    let found = report.solutions().next().is_some();
-    Ok(line.exit_code(found))
+    let (page, object) = (page(name, &report), seek::json(name, &report));
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_warned(&warnings, &page, object, seek::table(name, &report))?;
+    Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 
 fn page(name: &str, report: &Report) -> String {

@@ -1,25 +1,29 @@
 //! `cmra sensitivity [SCENE]`: which variables matter to one result, as a page, CSV or JSON.
 
-mod page;
-
+use std::fmt::Write as _;
+use std::num::ParseIntError;
+use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::CliError;
+use crate::cli::amount::count;
 use crate::cli::outlook::say_if_long;
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
+use crate::cli::text::width;
+use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
+use crate::report::sensitivity::{table, tornado};
+use crate::report::table::{Cells, grid};
 use crate::study::search::design_space::DesignSpace;
-use crate::study::sensitivity::{Effort, study};
+use crate::study::sensitivity::{Effort, Report, study};
 use crate::study::validity;
 
-/// Rows of the design and trajectories at most.
-const SAMPLES_MAX: usize = 1 << 20;
-const TRAJECTORIES_MAX: usize = 100_000;
+/// Rows of the design and trajectories.
+const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
+const TRAJECTORIES_MAX: u64 = 100_000;
 
 #[derive(Debug, Args)]
 pub(super) struct SensitivityArguments {
@@ -32,10 +36,10 @@ pub(super) struct SensitivityArguments {
     #[arg(long, alias = "outputs", value_name = "NAME", default_value = "percent_of_baseline")]
     output: String,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024, value_parser = samples)]
     samples: usize,
     /// Trajectories for Morris's elementary effects; each takes one run and one more per variable
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100, value_parser = count(2..=TRAJECTORIES_MAX))]
     trajectories: usize,
     #[command(flatten)]
     random: Random,
@@ -45,46 +49,110 @@ pub(super) struct SensitivityArguments {
     table: TableArguments,
 }
 
-impl SensitivityArguments {
-    fn effort(&self) -> Result<Effort, CliError> {
-        let (rows, trajectories) = (self.samples, self.trajectories);
-        if !(16..=SAMPLES_MAX).contains(&rows) || !rows.is_power_of_two() {
-            let near = rows.clamp(16, SAMPLES_MAX).next_power_of_two();
-            return Err(CliError::Option(format!(
-                "--samples {rows} is not a power of two in 16..{SAMPLES_MAX}: write {near}"
-            )));
-        }
-        if !(2..=TRAJECTORIES_MAX).contains(&trajectories) {
-            return Err(CliError::Option(format!(
-                "--trajectories {trajectories} is outside 2..{TRAJECTORIES_MAX}"
-            )));
-        }
-        Ok(Effort { rows, trajectories, seed: self.random.seed })
+fn samples(text: &str) -> Result<usize, String> {
+    let rows: usize = text.parse().map_err(|error: ParseIntError| error.to_string())?;
+    if SAMPLES.contains(&rows) && rows.is_power_of_two() {
+        return Ok(rows);
     }
+    let (least, most) = (*SAMPLES.start(), *SAMPLES.end());
+    let near = rows.clamp(least, most).next_power_of_two();
+    Err(format!("not a power of two in {least}..{most}: write {near}"))
 }
 
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
-    let effort = arguments.effort()?;
+    let effort = Effort {
+        rows: arguments.samples,
+        trajectories: arguments.trajectories,
+        seed: arguments.random.seed,
+    };
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
-    let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
         say_if_long(&space, effort.runs(axes.len()) as u64, "runs", threads);
     }
-    let report = line.study(threads, "runs", |context| {
+    let report = progress::study(threads, "runs", |context| {
         study(&preset.scene, axes, &arguments.output, effort, context)
     })?;
     let name = preset.name.as_str();
-    let page = || page::text(name, &report);
-    let object = || sensitivity::json(name, &report);
+    let (page, object) = (page(name, &report), sensitivity::json(name, &report));
     let warnings = validity::of_axes(&preset.scene, &report.axes);
-    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
-        &warnings,
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_warned(&warnings, &page, object, sensitivity::table(name, &report))?;
+    Ok(progress::exit_code(true))
+}
+
+/// Cells of the longest bar.
+const BAR: usize = 20;
+
+fn page(name: &str, report: &Report) -> String {
+    let own = report.output.show_any(report.own, 4);
+    let mut page =
+        format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
+    let keys = ["variable", "low", "high", "output_at_low", "output_at_high"];
+    let bars = grid(&tornado(report, &keys, BAR), width());
+    let _ = writeln!(page, "one at a time, the others as in the scene\n{bars}");
+    morris(&mut page, report);
+    sobol(&mut page, report);
+    page
+}
+
+fn morris(page: &mut String, report: &Report) {
+    if report.effects.is_empty() {
+        return;
+    }
+    let table = table("", report);
+    let mut cells = table.cells(&["variable", "morris_mu_star", "morris_mu", "morris_sigma"]);
+    let used = table.rows.iter().map(|at| report.effects[*at].used.to_string());
+    cells.push(Cells { head: "steps".to_owned(), is_text: false, cells: used.collect() });
+    let _ = writeln!(
         page,
-        object,
-        sensitivity::table(name, &report),
-    )?;
-    Ok(line.exit_code(true))
+        "Morris's effects over the whole range ({} trajectories)\n{}",
+        report.effort.trajectories,
+        grid(&cells, width())
+    );
+}
+
+fn sobol(page: &mut String, report: &Report) {
+    let Some(found) = &report.sobol else { return };
+    let _ = writeln!(
+        page,
+        "Sobol's indices: fractions of the variance, 95 % intervals ({} samples, seed {})",
+        found.rows, report.effort.seed
+    );
+    *page += &table("", report).page(
+        &[
+            "variable",
+            "sobol_first",
+            "sobol_first_low_95",
+            "sobol_first_high_95",
+            "sobol_total",
+            "sobol_total_low_95",
+            "sobol_total_high_95",
+        ],
+        width(),
+    );
+    let deviation = found.variance.is_finite().then(|| found.variance.sqrt());
+    let mean = found.mean.is_finite().then_some(found.mean);
+    let _ = writeln!(
+        page,
+        "  mean {}, standard deviation {}",
+        report.output.show_any(mean, 4),
+        report.output.show_any(deviation, 4)
+    );
+    if found.inputs.iter().all(|input| input.first.is_none()) {
+        page.push_str(
+            "  no indices: the result does not vary, or has no value, over these bounds\n",
+        );
+    }
+    if found.used < found.rows {
+        let _ = writeln!(
+            page,
+            "  {} of {} samples have a point without a value (perforated, moving or failed) and are not counted: the indices are \
+             those of the rest",
+            found.rows - found.used,
+            found.rows
+        );
+    }
 }

@@ -1,20 +1,22 @@
 //! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
 
+use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::progress::ProgressLine;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::table::{TableArguments, choice};
-use crate::cli::{CliError, output, text};
-use crate::report::stability as tables;
+use crate::cli::{CliError, draw, output, progress, text};
+use crate::model::units::Engineering;
+use crate::report::stability::{HOW_IT_RAN, table};
+use crate::report::{figures, stability as tables};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, Method};
-
-mod table;
+use crate::study::stability::map::{self, Axis, Map, Method};
+use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
+use crate::tui::theme::Theme;
 
 /// Rows and columns of a coarser map.
 const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
@@ -51,15 +53,14 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
         ));
     }
     let cases = stability::battery(arguments.quick);
-    let mut line = ProgressLine::begin();
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let rows =
-        line.study(all_threads(), "scenes", |context| stability::run(&cases, &now_s, context))?;
+    let rows = progress::study(all_threads(), "scenes", |context| {
+        stability::run(&cases, &now_s, context)
+    })?;
     let took_s = now_s();
-    let page = || table::battery(&rows, took_s, text::width());
-    let object = || tables::json(&rows);
-    arguments.rows.alone().deliver_report(page, object, &tables::table(&rows))?;
+    let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
+    arguments.rows.alone().deliver_report(&page, &object, &table(&rows))?;
     let mut good = true;
     for row in &rows {
         if let Some(shortfall) = row.shortfall {
@@ -72,7 +73,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
             ));
         }
     }
-    Ok(line.exit_code(good))
+    Ok(progress::exit_code(good))
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
@@ -80,13 +81,78 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let preset = arguments.scene.load()?;
     map::accepts(&preset.scene)?;
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
-    let mut line = ProgressLine::begin();
-    let map = line.study(1, "rows", |context| {
+    let map = progress::study(1, "rows", |context| {
         map::map(&preset.scene, (arguments.method, axis), cells, context)
     });
     let name = preset.name.as_str();
-    let (page, object) = (|| table::map(&map, name), || tables::map_json(name, &map));
+    let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &tables::map_table(name, &map))?;
-    Ok(line.exit_code(true))
+    table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
+    Ok(progress::exit_code(true))
+}
+
+/// From this width on there is room for what makes a scene hard.
+const WIDE: usize = 118;
+
+/// The table of the battery, what it means, and one line that sums it up.
+fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
+    let mut keys = vec!["scene"];
+    keys.extend(HOW_IT_RAN);
+    if width >= WIDE {
+        keys.extend(["reference", "why_hard"]);
+    }
+    let mut text = table(rows).page(&keys, if width >= WIDE { usize::MAX } else { width });
+    for row in rows {
+        if let Some(shortfall) = row.shortfall {
+            let end = row.run.end.words();
+            let _ = writeln!(text, "{} fails: {} ({end})", row.case.name, shortfall.words());
+        }
+    }
+    text.push('\n');
+    text.push_str(LEGEND);
+    summary(&mut text, rows, took_s);
+    text
+}
+
+/// What the columns mean, a line each.
+const LEGEND: &str = "\
+ends        arrested, perforated, separated, moving (undecided at the horizon), or CUT
+error       of final depth (of exit time if perforated), against s stored digits, D DOP853 or R Radau IIA at 1e-13 on a \
+second implementation of the equations, or t this solver at 1e-12 (where motion after the contact decides, or D and R fail)
+stiff       largest rate of spring or damper times the contact's duration
+expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps
+th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s: ok (error below 1e-6, thesis 1e-2), else the error, \
+or end! wrong outcome, DIV diverged, stop no progress, many too many steps, late out of time, - not applicable, or nothing to \
+compare with
+
+";
+
+fn summary(text: &mut String, rows: &[Row], took_s: f64) {
+    let short: Vec<&str> =
+        rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
+    let without = rows.iter().filter(|row| row.basis == Basis::None).count();
+    let _ = writeln!(
+        text,
+        "{} of {} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
+        rows.len() - short.len(),
+        rows.len(),
+        took_s
+    );
+    if !short.is_empty() {
+        let _ = writeln!(text, "auto fails on: {}", short.join("; "));
+    }
+}
+
+/// The map, and the largest step of the scene.
+fn map_page(map: &Map, scene: &str) -> String {
+    let largest = map.largest_stable_dt_s.map_or_else(
+        || "no limit".to_owned(),
+        |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
+    );
+    let picture = draw::map(&figures::stability::map(map), draw::MAP, Theme::PLAIN);
+    format!(
+        "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
+        map.method.name(),
+        map.axis.symbol()
+    )
 }

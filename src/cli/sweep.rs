@@ -239,7 +239,7 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut line = ProgressLine::stopped_by(self.stop.clone());
+        let mut line = ProgressLine::begin();
         let all = self.points();
         let (first, count) = (all.start, all.end - all.start);
         let worker = || {

@@ -141,40 +141,34 @@ struct Source<'a> {
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver<R>(&self, page: &str, table: &Table<'_, R>) -> Result<(), CliError> {
-        self.deliver_texts(&|| page.to_owned(), &|| table.json(), &|| table.csv())
+        self.deliver_texts(page, &|| table.json(), &|| table.csv())
     }
 
-    /// The same for a report whose JSON object has more than its rows, with warnings: at the top of the page, as `warnings` in the
-    /// object and in every row.
+    /// The same for a report whose JSON object has more than its rows.
+    pub(super) fn deliver_report<R>(
+        &self,
+        page: &str,
+        object: &Value,
+        rows: &Table<'_, R>,
+    ) -> Result<(), CliError> {
+        self.deliver_texts(page, &|| pretty(object), &|| rows.csv())
+    }
+
+    /// The same with warnings: at the top of the page, as `warnings` in the object and in every row.
     pub(super) fn deliver_warned<R>(
         &self,
         warnings: &[String],
-        page: impl Fn() -> String,
-        object: impl Fn() -> Value,
-        table: Table<'_, R>,
+        page: &str,
+        mut object: Value,
+        rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        let page = || at_top(&page(), warnings);
-        let object = || {
-            let mut object = object();
-            object["warnings"] = warnings.into();
-            object
-        };
-        self.deliver_report(page, object, &table.with_warnings(warnings))
-    }
-
-    /// The same without warnings.
-    pub(super) fn deliver_report<R>(
-        &self,
-        page: impl Fn() -> String,
-        object: impl Fn() -> Value,
-        rows: &Table<'_, R>,
-    ) -> Result<(), CliError> {
-        self.deliver_texts(&page, &|| pretty(&object()), &|| rows.csv())
+        object["warnings"] = warnings.into();
+        self.deliver_report(&at_top(page, warnings), &object, &rows.with_warnings(warnings))
     }
 
     fn deliver_texts(
         &self,
-        page: &dyn Fn() -> String,
+        page: &str,
         object: &dyn Fn() -> String,
         csv: &dyn Fn() -> String,
     ) -> Result<(), CliError> {
@@ -187,7 +181,7 @@ impl Delivery<'_> {
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
-        output::print(&if table.json { object() } else { text::fitted(&(changed() + &page())) })?;
+        output::print(&if table.json { object() } else { text::fitted(&(changed() + page)) })?;
         written.map_err(exists)
     }
 

@@ -32,7 +32,8 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
         ErrorKind::ValueValidation => {
             let value = first(ContextKind::InvalidValue).unwrap_or_default();
             let why = error.source().map(ToString::to_string).unwrap_or_default();
-            format!("{argument} {value}: {why}")
+            let option = argument.split(" <").next().unwrap_or_default();
+            format!("{option} {value}: {why}")
         }
         ErrorKind::UnknownArgument => return Some(unknown(error, program, &command)),
         ErrorKind::InvalidSubcommand => {

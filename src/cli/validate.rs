@@ -5,10 +5,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::progress::ProgressLine;
 use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output, text};
+use crate::cli::{CliError, output, progress, text};
 use crate::files::validation;
 use crate::model::scene::Closure;
 use crate::model::units::{Engineering, fixed_significant};
@@ -24,15 +23,14 @@ pub(super) struct ValidateArguments {
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let mut line = ProgressLine::begin();
-    let report = line.study(all_threads(), "measurements", validation::report)?;
+    let report = progress::study(all_threads(), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
     for id in &missing {
         output::note(&format!("nothing could be computed for {id}"));
     }
-    Ok(line.exit_code(missing.is_empty()))
+    Ok(progress::exit_code(missing.is_empty()))
 }
 
 fn page(report: &[Row]) -> String {

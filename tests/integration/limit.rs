@@ -83,7 +83,7 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     for (option, value, told) in [
         ("--scatter", "2", "outside 0..0.5"),
         ("--scatter", "wide", "write a fraction, for example 0.02 or 2%"),
-        ("--samples", "1", "outside 2.."),
+        ("--samples", "1", "1 is not in 2.."),
     ] {
         let refused = cmra("limit", &[option, value]).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();

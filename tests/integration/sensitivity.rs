@@ -47,7 +47,7 @@ fn the_page_has_all_three_and_the_bounds_of_the_thesis() {
 fn bad_options_are_refused_before_anything_runs() {
     for (arguments, told) in [
         (&["--samples", "1000"][..], "write 1024"),
-        (&["--trajectories", "1"], "outside 2.."),
+        (&["--trajectories", "1"], "1 is not in 2.."),
         (&["--over", "gamma=2..2"], "both ends are 2"),
         (&["--over", "gama=1..2"], "did you mean `gamma`"),
         (&["--output", "depth"], "depth"),
