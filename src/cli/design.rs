@@ -19,6 +19,7 @@ use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 
 #[derive(Debug, Args)]
+#[command(arg_required_else_help = false)]
 pub(super) struct DesignArguments {
     #[command(subcommand)]
     what: What,
