@@ -68,15 +68,6 @@ pub(super) struct Computed {
     pub(super) took: Duration,
 }
 
-/// Whether charts stand below the summary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Charts {
-    /// No charts.
-    Without,
-    /// With charts, drawn with these characters.
-    With(Glyphs),
-}
-
 const DT_ROWS_MAX: usize = 5_000_000;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
@@ -172,16 +163,15 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         output::print(&report::json(name, &computed.run, took.as_secs_f64()))?;
     } else {
         output::print(&arguments.scene.changed())?;
-        let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };
-        print_readable(&computed, charts)?;
+        print_readable(&computed, arguments.plain.then_some(arguments.glyphs))?;
     }
     Ok(exit_code(&computed.run))
 }
 
-/// The summary, with charts where they are wanted.
-pub(super) fn print_readable(computed: &Computed, charts: Charts) -> Result<(), CliError> {
+/// The summary, with charts of these characters below it where they are wanted.
+pub(super) fn print_readable(computed: &Computed, charts: Option<Glyphs>) -> Result<(), CliError> {
     let mut text = summary::text(computed);
-    if let Charts::With(glyphs) = charts {
+    if let Some(glyphs) = charts {
         text.push_str(&drawn(&computed.run, glyphs));
     }
     output::print(&fitted(&text))

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::run::{self, Charts};
+use crate::cli::run::{compute, print_readable};
 use crate::cli::{CliError, Glyphs, commands, output, scene};
 use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
@@ -60,8 +60,8 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
-    let computed = run::compute(preset)?;
-    run::print_readable(&computed, Charts::With(glyphs))?;
+    let computed = compute(preset)?;
+    print_readable(&computed, Some(glyphs))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -64,7 +64,7 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 /// # Errors
 /// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
-    prepare(path, existing).map(drop)
+    Growing::prepare(path, existing).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
@@ -88,9 +88,12 @@ pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
 
 /// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in
 /// between leaves a file alone, and never beside one that belongs to another.
-fn name_all(ready: Vec<Ready>, existing: Existing) -> Result<(), FileError> {
-    for file in &ready {
-        file.sync()?;
+fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
+    for Growing { target, place, .. } in &ready {
+        if let Place::Beside(file) = place {
+            let synced = file.as_file().sync_all();
+            synced.map_err(|source| FileError::write(target, source))?;
+        }
     }
     if existing == Existing::Replace {
         for file in ready.iter().skip(1).filter(|file| matches!(file.place, Place::Beside(_))) {
@@ -101,7 +104,7 @@ fn name_all(ready: Vec<Ready>, existing: Existing) -> Result<(), FileError> {
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();
-        if let Err(error) = file.finish(existing) {
+        if let Err(error) = file.name(existing) {
             // Only files that were not there before are taken back: a replaced one cannot be.
             if existing == Existing::Keep {
                 for path in &named {
@@ -169,8 +172,17 @@ pub fn wait_for_lock(path: &Path) -> Option<File> {
 
 /// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
 pub struct Growing {
+    /// Its name as it was given.
     path: PathBuf,
-    ready: Ready,
+    /// What a link of that name points to.
+    target: PathBuf,
+    place: Place,
+}
+
+enum Place {
+    Beside(NamedTempFile),
+    /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to, and is opened when it is.
+    Direct(Option<File>),
 }
 
 impl Growing {
@@ -180,9 +192,45 @@ impl Growing {
     /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         clear_leftovers(directory_of(path));
-        let mut ready = prepare(path, existing)?;
-        ready.open().map_err(|source| FileError::write(path, source))?;
-        Ok(Self { path: path.to_owned(), ready })
+        let mut file = Self::prepare(path, existing)?;
+        file.add(b"")?;
+        Ok(file)
+    }
+
+    fn prepare(path: &Path, existing: Existing) -> Result<Self, FileError> {
+        // A link stays a link: what it points to is replaced.
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let failed = |source| FileError::write(path, source);
+        let found = fs::metadata(&target).ok();
+        if let Some(found) = &found {
+            if found.is_dir() {
+                return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
+            }
+            if is_named_pipe(path, found) {
+                return Err(FileError::special(path));
+            }
+            if !found.is_file() {
+                return Ok(Self { path: path.to_owned(), target, place: Place::Direct(None) });
+            }
+        }
+        if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
+            return Err(FileError::Exists(path.to_owned()));
+        }
+        if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
+            let problem = "it is read-only: make it writable, or choose another name";
+            return Err(FileError::target(path, problem));
+        }
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX).suffix(SUFFIX);
+        usual_permissions(&mut builder);
+        let file = builder.tempfile_in(directory_of(&target)).map_err(failed)?;
+        // So that no other program takes it for one that was left behind.
+        let _ = lock(file.as_file());
+        if let Some(found) = found {
+            // Not by the builder: the user's mask would be taken off once more.
+            file.as_file().set_permissions(found.permissions()).map_err(failed)?;
+        }
+        Ok(Self { path: path.to_owned(), target, place: Place::Beside(file) })
     }
 
     /// Add a piece.
@@ -190,7 +238,15 @@ impl Growing {
     /// # Errors
     /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
-        self.ready.add(content).map_err(|source| FileError::write(&self.path, source))
+        let written = match &mut self.place {
+            Place::Beside(file) => file.as_file_mut().write_all(content),
+            Place::Direct(Some(device)) => device.write_all(content),
+            Place::Direct(device) => {
+                let opened = OpenOptions::new().write(true).open(&self.target);
+                opened.and_then(|file| device.insert(file).write_all(content))
+            }
+        };
+        written.map_err(|source| FileError::write(&self.path, source))
     }
 
     /// Give it its name, or another one in the same folder, and write the files that belong to it.
@@ -204,95 +260,21 @@ impl Growing {
         existing: Existing,
     ) -> Result<(), FileError> {
         // Only for another name: what a link points to keeps its own.
-        if path != self.path && matches!(self.ready.place, Place::Beside(_)) {
+        if path != self.path && matches!(self.place, Place::Beside(_)) {
             let name = path.file_name().unwrap_or_default();
-            self.ready.target = self.ready.target.with_file_name(name);
+            self.target = self.target.with_file_name(name);
         }
-        let mut ready = vec![self.ready];
+        let mut ready = vec![self];
         for (path, content) in beside {
-            let mut file = prepare(path, existing)?;
-            file.add(content).map_err(|source| FileError::write(path, source))?;
+            let mut file = Self::prepare(path, existing)?;
+            file.add(content)?;
             ready.push(file);
         }
         name_all(ready, existing)
     }
-}
 
-/// A file that waits for its name.
-struct Ready {
-    target: PathBuf,
-    place: Place,
-}
-
-enum Place {
-    Beside(NamedTempFile),
-    /// A device or pipe such as `/dev/stdout`: it cannot be replaced, only written to, and is opened when it is.
-    Direct(Option<File>),
-}
-
-fn prepare(path: &Path, existing: Existing) -> Result<Ready, FileError> {
-    // A link stays a link: what it points to is replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let failed = |source| FileError::write(path, source);
-    let found = fs::metadata(&target).ok();
-    if found.as_ref().is_some_and(fs::Metadata::is_dir) {
-        return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
-    }
-    if found.as_ref().is_some_and(|found| is_named_pipe(path, found)) {
-        return Err(FileError::special(path));
-    }
-    if found.as_ref().is_some_and(|found| !found.is_file()) {
-        return Ok(Ready { target, place: Place::Direct(None) });
-    }
-    if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
-        return Err(FileError::Exists(path.to_owned()));
-    }
-    if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
-        let problem = "it is read-only: make it writable, or choose another name";
-        return Err(FileError::target(path, problem));
-    }
-    let directory = directory_of(&target);
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX).suffix(SUFFIX);
-    usual_permissions(&mut builder);
-    let file = builder.tempfile_in(directory).map_err(failed)?;
-    // So that no other program takes it for one that was left behind.
-    let _ = lock(file.as_file());
-    if let Some(found) = found {
-        // Not by the builder: the user's mask would be taken off once more.
-        file.as_file().set_permissions(found.permissions()).map_err(failed)?;
-    }
-    Ok(Ready { target, place: Place::Beside(file) })
-}
-
-impl Ready {
-    /// The target.
-    fn open(&mut self) -> io::Result<&mut File> {
-        match &mut self.place {
-            Place::Beside(file) => Ok(file.as_file_mut()),
-            Place::Direct(Some(device)) => Ok(device),
-            Place::Direct(device) => {
-                Ok(device.insert(OpenOptions::new().write(true).open(&self.target)?))
-            }
-        }
-    }
-
-    fn add(&mut self, content: &[u8]) -> io::Result<()> {
-        self.open()?.write_all(content)
-    }
-
-    /// Wait until the content is on the disk.
-    fn sync(&self) -> Result<(), FileError> {
-        match &self.place {
-            Place::Beside(file) => {
-                let synced = file.as_file().sync_all();
-                synced.map_err(|source| FileError::write(&self.target, source))
-            }
-            Place::Direct(_) => Ok(()),
-        }
-    }
-
-    fn finish(self, existing: Existing) -> Result<(), FileError> {
+    /// Take the name; a device has its own.
+    fn name(self, existing: Existing) -> Result<(), FileError> {
         let (target, Place::Beside(file)) = (self.target, self.place) else { return Ok(()) };
         let named = match existing {
             Existing::Keep => file.persist_noclobber(&target),
