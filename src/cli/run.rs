@@ -162,7 +162,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let (name, took) = (&computed.preset.name, computed.took);
         output::print(&report::json(name, &computed.run, took.as_secs_f64()))?;
     } else {
-        output::print(&arguments.scene.changed())?;
+        output::print(&arguments.scene.changes.changed())?;
         print_readable(&computed, arguments.plain.then_some(arguments.glyphs))?;
     }
     Ok(exit_code(&computed.run))

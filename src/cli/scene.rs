@@ -25,7 +25,7 @@ pub(super) struct SceneArguments {
     /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
     scene: Option<OsString>,
     #[command(flatten)]
-    changes: Changes,
+    pub(super) changes: Changes,
 }
 
 /// Entries of the libraries, then `--set`.
@@ -73,32 +73,11 @@ impl SceneArguments {
     pub(super) fn name(&self) -> &str {
         self.scene.as_deref().map_or(bundled::BASELINE, |name| name.to_str().unwrap_or("a file"))
     }
-
-    /// Its changes.
-    pub(super) fn changes(&self) -> &Changes {
-        &self.changes
-    }
-
-    /// The same as lines for the head of a page; empty where nothing was.
-    pub(super) fn changed(&self) -> String {
-        self.changes.changed()
-    }
-
-    /// The first `--set` of a variable that is chosen by its key.
-    pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
-        self.changes.set_of(is_chosen)
-    }
 }
 
 impl Changes {
     pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), CliError> {
-        let asked = [
-            (Library::Threats, &self.threat),
-            (Library::Materials, &self.material),
-            (Library::Absorbers, &self.absorber),
-        ];
-        for (library, name) in asked {
-            let Some(name) = name else { continue };
+        for (library, name) in self.entries() {
             let entry = library::find(library, name, Paths::of_user().ok().as_ref())?;
             entry.apply(scene)?;
             if !entry.warning.is_empty() {
@@ -123,6 +102,16 @@ impl Changes {
         Ok(())
     }
 
+    /// The entries that were named, by their libraries.
+    fn entries(&self) -> impl Iterator<Item = (Library, &str)> {
+        let named = [
+            (Library::Threats, &self.threat),
+            (Library::Materials, &self.material),
+            (Library::Absorbers, &self.absorber),
+        ];
+        named.into_iter().filter_map(|(library, name)| Some((library, name.as_deref()?)))
+    }
+
     /// Lines for the head of a page that repeat what was changed; empty where nothing was.
     pub(super) fn changed(&self) -> String {
         let typed = self.typed();
@@ -135,18 +124,12 @@ impl Changes {
 
     /// The changes as they were typed.
     fn typed(&self) -> Vec<String> {
-        let asked = [
-            (Library::Threats, &self.threat),
-            (Library::Materials, &self.material),
-            (Library::Absorbers, &self.absorber),
-        ];
-        let entries = asked
-            .into_iter()
-            .filter_map(|(library, name)| Some(format!("{} {}", library.word(), name.as_deref()?)));
+        let entries = self.entries().map(|(library, name)| format!("{} {name}", library.word()));
         entries.chain(self.set.iter().cloned()).collect()
     }
 
-    fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
+    /// The first `--set` of a variable that is chosen by its key.
+    pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
         let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))

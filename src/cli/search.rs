@@ -13,7 +13,7 @@ use crate::study::sweep::{Axis, COUNTS};
 /// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
 /// loaded beyond what it can carry. Gives the note to print.
 pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
-    let chosen = arguments.set_of(|key| key == "interface.law").is_some();
+    let chosen = arguments.changes.set_of(|key| key == "interface.law").is_some();
     let is_fused = scene.interface.law == InterfaceLaw::Fused
         && scene.contact.model == ContactModel::Hydrodynamic
         && scene.plate.mount == Mount::Sprung;

@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Option(page::undrawable()));
     }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
-    if let Some(set) = arguments.scene.set_of(is_swept) {
+    if let Some(set) = arguments.scene.changes.set_of(is_swept) {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
     }
     let threads = arguments.threads.count();
@@ -96,7 +96,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
         let text = job.page(&ended, kept.as_ref(), start.elapsed().as_secs_f64());
-        output::print(&fitted(&(arguments.scene.changed() + &text)))?;
+        output::print(&fitted(&(arguments.scene.changes.changed() + &text)))?;
     }
     arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
     Ok(job.ended(&ended, columns, &arguments.table, start))

@@ -106,7 +106,7 @@ impl TableArguments {
 
     /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
     pub(super) fn of<'a>(&'a self, typed: &'a SceneArguments, scene: &'a Scene) -> Delivery<'a> {
-        self.of_scene(typed.name(), typed.changes(), Some(scene))
+        self.of_scene(typed.name(), &typed.changes, Some(scene))
     }
 
     /// The same of a scene by its name and changes; of several scenes there is none to go beside the file.

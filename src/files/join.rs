@@ -133,16 +133,6 @@ fn found(path: &Path) -> Result<Found, FileError> {
 
 /// The difference of two sweeps, in words; `None` for parts of one sweep.
 fn difference(one: &Found, other: &Found) -> Option<String> {
-    let both = |what: &str, one: &str, other: &str| {
-        (one != other).then(|| format!("{what} is {one} in one and {other} in the other"))
-    };
-    let count = |found: &Found| found.part.shard.place().1.to_string();
-    let design = |found: &Found| found.part.design.to_string();
-    let variable = || {
-        VARIABLES.iter().find_map(|variable| {
-            both(variable.symbol, &variable.show(&one.scene), &variable.show(&other.scene))
-        })
-    };
     let axes = |found: &Found| match found.scene.sweep.as_ref().map(Axis::all_of) {
         None => String::new(),
         Some(Ok(axes)) => axes.iter().map(|axis| format!("{axis:?}")).collect::<Vec<_>>().join(" "),
@@ -153,16 +143,26 @@ fn difference(one: &Found, other: &Found) -> Option<String> {
         let outputs = sweep.map(|sweep| sweep.outputs.join(",")).unwrap_or_default();
         if outputs.is_empty() { "all".to_owned() } else { outputs }
     };
-    let same = one.scene == other.scene;
-    both("the number of parts", &count(one), &count(other))
-        .or_else(|| both("the axes", &axes(one), &axes(other)))
-        .or_else(|| both("the outputs", &outputs(one), &outputs(other)))
-        .or_else(|| both("the design", &design(one), &design(other)))
-        .or_else(|| both("the CSV style", one.part.style.word(), other.part.style.word()))
-        .or_else(|| both("the scene's name", &one.part.name, &other.part.name))
-        .or_else(|| both("the version", &one.version, &other.version))
-        .or_else(variable)
-        .or_else(|| (!same).then(|| "their scenes differ".to_owned()))
+    let described = |found: &Found| {
+        let part = &found.part;
+        let mut all = vec![
+            ("the number of parts", part.shard.place().1.to_string()),
+            ("the axes", axes(found)),
+            ("the outputs", outputs(found)),
+            ("the design", part.design.to_string()),
+            ("the CSV style", part.style.word().to_owned()),
+            ("the scene's name", part.name.clone()),
+            ("the version", found.version.clone()),
+        ];
+        all.extend(VARIABLES.iter().map(|variable| (variable.symbol, variable.show(&found.scene))));
+        all
+    };
+    let mut both = described(one).into_iter().zip(described(other));
+    let differing = both.find(|(one, other)| one.1 != other.1);
+    let in_words =
+        |((what, one), (_, other))| format!("{what} is {one} in one and {other} in the other");
+    let is_same = one.scene == other.scene;
+    differing.map(in_words).or_else(|| (!is_same).then(|| "their scenes differ".to_owned()))
 }
 
 /// Whether every part is there once; they are in order.

@@ -440,35 +440,27 @@ fn unknown(path: &str, is_table: bool) -> String {
 }
 
 fn nearest_table(path: &str) -> String {
-    let mut tables: Vec<&str> =
-        VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0)).collect();
-    tables.push("sweep");
-    tables.dedup();
-    let mut unique: Vec<&str> = Vec::new();
-    for table in tables {
-        if !unique.contains(&table) {
-            unique.push(table);
+    let tables = VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0));
+    nearest(path, &once_each(tables.chain(["sweep"])), "the tables are")
+}
+
+/// Names in their order, without those that have been there.
+fn once_each<'n>(names: impl Iterator<Item = &'n str>) -> Vec<&'n str> {
+    let mut once = Vec::new();
+    for name in names {
+        if !once.contains(&name) {
+            once.push(name);
         }
     }
-    nearest(path, &unique, "the tables are")
+    once
 }
 
 /// The keys and tables directly below a table (`""`: the top level).
 fn keys_below(table: &str) -> String {
     let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
-    let mut names: Vec<&str> =
-        if table.is_empty() { vec!["format", "title", "notes", "sweep"] } else { Vec::new() };
-    for variable in VARIABLES.iter() {
-        let Some(rest) = variable.key.strip_prefix(&prefix) else {
-            continue;
-        };
-        let name = rest.split('.').next().unwrap_or(rest);
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    if WhichSpring::WORDS.contains(&table) {
-        names.push("table");
-    }
-    names.join(", ")
+    let own: &[&str] = if table.is_empty() { &["format", "title", "notes", "sweep"] } else { &[] };
+    let rest = VARIABLES.iter().filter_map(|variable| variable.key.strip_prefix(&prefix));
+    let names = rest.filter_map(|rest| rest.split('.').next());
+    let points = WhichSpring::WORDS.contains(&table).then_some("table");
+    once_each(own.iter().copied().chain(names).chain(points)).join(", ")
 }

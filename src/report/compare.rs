@@ -30,36 +30,15 @@ const LINES: [&str; 20] = [
     "penetration_m",
 ];
 
-/// The figures of some candidates.
-fn figures(entries: &[Entry]) -> Table<'_, &Entry> {
-    add_figures(Table::of(entries))
-}
-
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
-    let words = Table::of(&report.entries)
+    let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
+    Table::of(&report.entries)
         .with("scene", "scene", "", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
         .with("outcome", "at the design velocity", "", |it| it.outcome.word())
         .shown(|it, _| Some(format!("{}{}", it.outcome.word(), if it.is_held { "" } else { "*" })))
-        .with("governed_by", "governed by", "", |it| governed_by(it));
-    add_figures(words)
-}
-
-/// The candidates beside each other, a figure on each line, as on a page of this width.
-pub fn beside(report: &Report, width: usize) -> String {
-    let mut page = table("", report).turned(&LINES, width);
-    if report.entries.iter().any(|entry| !entry.is_held) {
-        page.push_str(
-            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
-        );
-    }
-    page
-}
-
-fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
-    let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
-    table
+        .with("governed_by", "governed by", "", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .with("sized_thickness_m", "thickness to just stop", "m", |it| {
             Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
@@ -94,6 +73,17 @@ fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
         .with("penetration_m", "depth", "m", |it| it.depth_m)
 }
 
+/// The candidates beside each other, a figure on each line, as on a page of this width.
+pub fn beside(report: &Report, width: usize) -> String {
+    let mut page = table("", report).turned(&LINES, width);
+    if report.entries.iter().any(|entry| !entry.is_held) {
+        page.push_str(
+            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
+        );
+    }
+    page
+}
+
 fn governed_by(entry: &Entry) -> &'static str {
     match (entry.failure, entry.limit_m_s) {
         (Some(failure), _) => failure.word(),
@@ -104,14 +94,12 @@ fn governed_by(entry: &Entry) -> &'static str {
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
-    let figures = figures(&report.entries);
+    let table = table(name, report);
     let candidates = Candidate::ALL.into_iter().map(|candidate| {
         let entry = report.of(candidate).map_or(Value::Null, |entry| {
-            let mut object = figures.object(&entry, |_| true);
+            let mut object = table.object(&entry, |key| !["scene", "candidate"].contains(&key));
             object.extend([
-                ("outcome".to_owned(), entry.outcome.word().into()),
                 ("held".to_owned(), entry.is_held.into()),
-                ("governed_by".to_owned(), governed_by(entry).into()),
                 ("no_limit".to_owned(), entry.no_limit().into()),
                 (
                     "no_mass_efficiency".to_owned(),
