@@ -9,6 +9,30 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
+/// What the files of the pages have in common.
+pub(crate) mod prelude {
+    pub(crate) use std::error::Error;
+    pub(crate) use std::sync::Arc;
+
+    pub(crate) use super::{About, Page, Progress, Rows, StatusPart, note, part, progress};
+    pub(crate) use crate::model::scene::Scene;
+    pub(crate) use crate::model::units::significant;
+    pub(crate) use crate::study::context::Context;
+    pub(crate) use crate::tui::app::jobs::Running;
+    pub(crate) use crate::tui::app::layout::{split_bottom, split_left, split_top};
+    pub(crate) use crate::tui::app::status::{clip, wrap};
+    pub(crate) use crate::tui::chart::{Scale, ViewRange};
+    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+    pub(crate) use crate::tui::message::PageTable;
+    pub(crate) use crate::tui::prelude::*;
+    pub(crate) use crate::tui::update::zoom::Across;
+    pub(crate) use crate::tui::update::{edit, jobs};
+    pub(crate) use crate::tui::widgets::RowList;
+    pub(crate) use crate::tui::widgets::text::{TextLine, columns};
+    pub(crate) use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
+    pub(crate) use crate::worker::{Finding, ReportBody};
+}
+
 use crossterm::event::{KeyCode, KeyModifiers};
 
 use crate::tui::app::jobs::Running;

@@ -3,22 +3,13 @@
 pub mod accuracy;
 pub mod stability;
 
-use std::sync::Arc;
-
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
 use crate::study::stability::map::Map;
-use crate::tui::app::jobs::Running;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
-use crate::tui::pages::{About, Page, Rows, StatusPart, note};
-use crate::tui::prelude::*;
-use crate::tui::update::zoom::Across;
-use crate::worker::ReportBody;
-use crate::worker::study::RowsSoFar;
+use crate::tui::pages::prelude::*;
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);

@@ -4,31 +4,22 @@ pub(crate) mod draw;
 pub mod setup;
 pub mod state;
 
-use std::sync::Arc;
-
 use crate::model::scene::SweepAxis;
 use crate::study::quantities::named;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::Snapshot;
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{NARROW, setup_width, split_left};
+use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::dialogs::wrap;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Request, Row};
-use crate::tui::pages::{About, Page, Rows, StatusPart};
-use crate::tui::prelude::*;
 use crate::tui::update::act::{along, move_by};
-use crate::tui::update::zoom::Across;
-use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_beside};
-use crate::worker::ReportBody;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;

@@ -1,22 +1,19 @@
 //! The Sweep tab: an output, or two, over one variable, with a curve for each value of a second one; what has no value is a
 //! letter on the axis, never a number.
 
-use crate::model::units::significant;
 use crate::report::figures::{axis_of, column_of, map_over, sweeps};
 use crate::report::map::{Cell, Map};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::app::status::{clip, shortened, wrap};
+use crate::tui::app::status::shortened;
 use crate::tui::chart::heatmap::{dot, role, swatch};
-use crate::tui::chart::{
-    self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Scale, Unit, ViewRange,
-};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, no_value, place, quadratic};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::put;
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::sweep::grid::GRID_COUNTS;
@@ -10,11 +10,10 @@ use crate::study::sweep::{Axis, Sampling};
 use crate::tui::app::find::quantity_called;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, has_family, sweep_of};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::Press;
 use crate::tui::pages::{explore, run};
-use crate::tui::prelude::*;
-use crate::tui::update::edit;
 use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
 use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_beside};
 

@@ -1,27 +1,19 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, the map of
 //! mass efficiency and the design under its cursor. No drawing.
 
-use std::error::Error;
-use std::sync::Arc;
-
 use crate::model::library::{Entry, Library};
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::report;
 use crate::report::figures::{column_of, efficiency};
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware};
-use crate::study::context::{Context, Progress};
+use crate::study::context::Progress;
 use crate::study::sweep::Axis;
-use crate::tui::app::status::wrap;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::{TextLine, columns, put};
-use crate::worker::Finding;
-use crate::worker::study::{Reporter, Study};
+use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::put;
 
 /// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;

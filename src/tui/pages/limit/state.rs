@@ -1,28 +1,20 @@
 //! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
 
-use std::error::Error;
 use std::fmt::Write as _;
-use std::sync::Arc;
 
 use crate::model::run::Outcome;
-use crate::model::scene::Scene;
-use crate::model::units::{fixed_significant, significant};
+use crate::model::units::fixed_significant;
 use crate::report::Remark;
 use crate::report::figures::limit::residual;
 use crate::report::limit::{remarks, velocity};
-use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{CHART_ROWS, split_bottom, split_left, split_top};
-use crate::tui::app::status::{fitting, wrap};
-use crate::tui::chart::{Emphasis, Layout, Scale, ViewRange};
+use crate::tui::app::layout::CHART_ROWS;
+use crate::tui::app::status::fitting;
+use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::{RESIDUAL, panes};
-use crate::tui::pages::{Progress, StatusPart, part, progress};
-use crate::tui::prelude::*;
-use crate::worker::Finding;
-use crate::worker::study::{Reporter, Study};
+use crate::tui::pages::prelude::*;
 
 /// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {

@@ -1,30 +1,18 @@
 //! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
 
-use std::error::Error;
-use std::sync::Arc;
-
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::model::variables::{VARIABLES, Value};
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::report::{self, figures};
-use crate::study::context::Context;
 use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
-use crate::tui::app::jobs::Running;
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
-use crate::tui::pages::{Progress, StatusPart, part, progress};
-use crate::tui::prelude::*;
+use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::update::{edit, jobs};
-use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::{Grid, Sorting};
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns};
-use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
+use crate::tui::widgets::text::NEEDS_SINGLE;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =

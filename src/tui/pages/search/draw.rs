@@ -10,15 +10,13 @@ use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::seek;
 use crate::study::sweep::{self, PointOutcome};
 use crate::study::{monte_carlo, sensitivity};
-use crate::tui::app::layout::{split_bottom, split_top};
-use crate::tui::app::status::clip;
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Unit};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
-use crate::tui::prelude::*;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{TextLine, broken, columns, first_row};
+use crate::tui::widgets::text::{broken, first_row};
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;

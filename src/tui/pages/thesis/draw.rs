@@ -1,15 +1,10 @@
 //! The Thesis tab: claims with the selected one in full, principles with what serves them, the screening matrix.
 
-use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
-use crate::tui::app::layout::{split_bottom, split_left};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
-use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::columns;
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;

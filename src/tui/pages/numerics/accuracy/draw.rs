@@ -4,15 +4,13 @@ use crate::report::accuracy::{self, TARGETS};
 use crate::report::figures::accuracy::axes;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
-use crate::tui::app::layout::{WIDE, split_bottom, split_left};
-use crate::tui::app::status::clip;
-use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
+use crate::tui::app::layout::WIDE;
+use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark};
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
-use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
+use crate::tui::pages::prelude::*;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, TextLine, wrapped};
+use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
