@@ -38,7 +38,7 @@ use crossterm::event::{KeyCode, KeyModifiers};
 use crate::tui::app::jobs::Running;
 use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
 use crate::tui::message::PageTable;
-use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::form::Form;
@@ -163,11 +163,6 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// Take the next value of a row of the form, or the one before.
-    fn step(&self, _app: &mut App, _row: usize, _press: Press) -> Result<(), String> {
-        Ok(())
-    }
-
     /// The rows of the pane, where it is a list or a form.
     fn rows(&self, app: &App) -> Option<Rows> {
         self.form(app).map(|form| form.rows(app.list_rows()))
@@ -212,8 +207,8 @@ pub(crate) trait Page: Sync {
         Some(Action::Down)
     }
 
-    /// Take what was typed into the field of a row.
-    fn take(&self, _app: &mut App, _row: usize, _text: &str) -> Result<(), String> {
+    /// Change the value of a row of the pane.
+    fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
         Ok(())
     }
 

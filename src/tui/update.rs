@@ -17,6 +17,7 @@ use crate::tui::dialogs::{Dialog, Purpose, ask, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
 
@@ -209,7 +210,7 @@ fn commit(app: &mut App) {
     if field.text.all_selected || !page.is_new(app, field.row, &text) {
         return;
     }
-    if let Err(error) = page.take(app, field.row, &text) {
+    if let Err(error) = page.change(app, field.row, Input::Text(&text)) {
         field.text.error = Some(error);
         app.field = Some(field);
     }

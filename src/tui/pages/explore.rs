@@ -16,7 +16,7 @@ use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
-use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{cursor_moved, moved};
 use crate::tui::widgets::form::Form;
 
@@ -160,12 +160,8 @@ impl Page for ExploreTab {
         app.pages.explore.row = app.setup_choices()[row];
     }
 
-    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
-        setup::step(app, app.setup_choices()[row], press)
-    }
-
-    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
-        setup::take(app, app.setup_choices()[row], text)
+    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
+        setup::change(app, app.setup_choices()[row], input)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {

@@ -12,7 +12,7 @@ use crate::tui::app::layout::{ROOMY, WIDE};
 use crate::tui::dialogs::List;
 use crate::tui::pages;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::steps::{Press, Size};
+use crate::tui::pages::run::steps::{Input, Press, Size};
 use crate::tui::update;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
@@ -160,8 +160,8 @@ impl Page for RunTab {
         app.editor.variable().show(&app.scene)
     }
 
-    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<(), String> {
-        edit::type_value(app, app.editor.selected, text)
+    fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
+        edit::change(app, app.editor.selected, input)
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {

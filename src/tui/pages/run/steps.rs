@@ -4,6 +4,15 @@ use crate::model::units::Quantity;
 use crate::model::variables::{Number, Step};
 use crate::tui::pages::run::editor::shown_number;
 
+/// What changes the value of a row.
+#[derive(Clone, Copy, Debug)]
+pub enum Input<'a> {
+    /// Arrow keys.
+    Step(Press),
+    /// What was typed into its field.
+    Text(&'a str),
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Press {
     /// To the next value; else to the one before.
