@@ -384,16 +384,14 @@ fn saved(app: &mut App, name: String, path: &Path) {
 fn exported(app: &mut App, outcome: ExportOutcome) {
     match (outcome, &mut app.dialog) {
         (ExportOutcome::Written(files), dialog) => {
-            if matches!(dialog, Some(Dialog::Export(_) | Dialog::Ask(_))) {
+            if matches!(dialog, Some(Dialog::Ask(_))) {
                 *dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.tell(format!("written: {}", names.join(" and ")));
         }
-        (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
         (ExportOutcome::Exists(_), Some(Dialog::Ask(ask))) => ask.question = true,
         (ExportOutcome::Failed(text), Some(Dialog::Ask(ask))) => ask.text.error = Some(text),
-        (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
         (ExportOutcome::Exists(path), _) => {
             app.refuse(format!("{} already exists and was not replaced", path.display()));
         }

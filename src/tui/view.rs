@@ -165,16 +165,15 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             (Purpose::Curve(_), false) => {
                 &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
             }
+            (Purpose::Runs, false) => &[
+                ("Enter", "write"),
+                ("Up/Down", "move"),
+                ("Space", "tick"),
+                ("a", "all or none"),
+                ("Tab", "complete path"),
+                ("Esc", "close"),
+            ],
         },
-        Dialog::Export(export) if export.question => REPLACE,
-        Dialog::Export(_) => &[
-            ("Enter", "write"),
-            ("Up/Down", "move"),
-            ("Space", "tick"),
-            ("a", "all or none"),
-            ("Tab", "complete path"),
-            ("Esc", "close"),
-        ],
     }
 }
 

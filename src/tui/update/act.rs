@@ -139,7 +139,7 @@ fn anywhere(app: &mut App, action: Action) {
         }
         A::Save => ask::save(app),
         A::Export if of_runs(app.tab) => export::open(app),
-        A::Export => ask::export(app),
+        A::Export => ask::export_table(app),
         A::Copy if of_runs(app.tab) => runs::copy(app),
         A::Copy => ask::copy(app),
         A::Models => runs::models(app),
