@@ -46,6 +46,11 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Accuracy", panes: &[ACCURACY] },
+    PageSpec { name: "Stability", panes: &[STABILITY, STIFF_SCENES] },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
@@ -60,25 +65,7 @@ pub(crate) struct NumericsTab;
 
 impl Page for NumericsTab {
     fn about(&self) -> &'static About {
-        &About {
-            name: "Numerics",
-            pages: &["Accuracy", "Stability"],
-            panes: PANES,
-            commands: COMMANDS,
-        }
-    }
-
-    fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        if self.shown(app) == 0 { vec![ACCURACY] } else { vec![STABILITY, STIFF_SCENES] }
-    }
-
-    fn shown(&self, app: &App) -> usize {
-        usize::from(app.pane() != ACCURACY)
-    }
-
-    fn turn_to(&self, app: &mut App, page: usize) {
-        app.focus_on(if page == 0 { ACCURACY } else { STABILITY });
-        self.enter(app);
+        &About { name: "Numerics", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) {

@@ -54,6 +54,15 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const BOTH: &[Pane] = &[SETUP, RESULTS];
+/// The pages, in the order of [`state::Page`].
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Goal seek", panes: BOTH },
+    PageSpec { name: "Pareto front", panes: BOTH },
+    PageSpec { name: "Sensitivity", panes: BOTH },
+    PageSpec { name: "Monte Carlo", panes: BOTH },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
@@ -67,7 +76,7 @@ pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
     fn about(&self) -> &'static About {
-        &About { name: "Search", pages: &state::Page::TITLES, panes: PANES, commands: COMMANDS }
+        &About { name: "Search", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn shown(&self, app: &App) -> usize {

@@ -42,6 +42,12 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Claims", panes: &[CLAIMS] },
+    PageSpec { name: "Principles", panes: &[PRINCIPLES] },
+    PageSpec { name: "Screening", panes: &[SCREENING] },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
@@ -54,25 +60,7 @@ pub(crate) struct ThesisTab;
 
 impl Page for ThesisTab {
     fn about(&self) -> &'static About {
-        &About {
-            name: "Thesis",
-            pages: &["Claims", "Principles", "Screening"],
-            panes: PANES,
-            commands: COMMANDS,
-        }
-    }
-
-    fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        vec![app.pane()]
-    }
-
-    fn shown(&self, app: &App) -> usize {
-        PANES.iter().position(|spec| spec.pane == app.pane()).unwrap_or(0)
-    }
-
-    fn turn_to(&self, app: &mut App, page: usize) {
-        app.focus_on(PANES[page.min(PANES.len() - 1)].pane);
-        self.enter(app);
+        &About { name: "Thesis", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) {

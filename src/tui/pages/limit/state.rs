@@ -303,23 +303,21 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
 }
 
 /// The text in the chart's place if there is no curve.
-fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);
-    let text = match (app.jobs.running::<LimitSearch>(), &app.pages.limit.report) {
-        (Some(_), _) => "finding the limit",
-        (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
-        (None, Some(_)) => "no shot perforates: no curve to draw",
-        (None, None) => NO_RESULTS,
-    };
-    canvas.put_centred(inner, text);
+    let why = app.pages.limit.report.as_ref().map(|report| match report.is_complete {
+        true => "no shot perforates: no curve to draw",
+        false => "cancelled before there was a curve",
+    });
+    canvas.put_centred(inner, nothing::<LimitSearch>(app, "finding the limit", why));
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let drawn = tab.report.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
-        nothing(app, area, canvas);
+        no_curve(app, area, canvas);
         return;
     };
     let old = app.limit_is_old();

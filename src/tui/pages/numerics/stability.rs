@@ -298,13 +298,8 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((_, found)) = &tab.map else {
         let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(focused);
         let inner = pane.draw(area, canvas);
-        let text = match app.jobs.running::<StabilityMap>() {
-            Some(_) => "computing the map",
-            None if app.needs_single_plate() => NEEDS_SINGLE,
-            None => NO_RESULTS,
-        };
-        canvas.put_centred(inner, text);
-        return;
+        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
+        return canvas.put_centred(inner, nothing::<StabilityMap>(app, "computing the map", why));
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));
     let map =
@@ -367,11 +362,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = if app.jobs.running::<StiffScenes>().is_some() {
-            "running the first scenes"
-        } else {
-            NO_RESULTS
-        };
+        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
         canvas.put(inner, (1, 2), text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

@@ -10,6 +10,7 @@ use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::setup::brief;
 
 pub use crate::tui::pages::search::setup::Bound;
@@ -35,11 +36,8 @@ impl Page {
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
     /// Their subject, in two or three words.
-    pub(crate) const TITLES: [&str; 4] =
-        ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
-
     pub fn title(self) -> &'static str {
-        Self::TITLES[self as usize]
+        PAGES[self as usize].name
     }
 
     /// The file proposed for an export.

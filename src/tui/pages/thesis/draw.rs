@@ -49,10 +49,9 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
-        let text = match (app.jobs.running::<Claims>(), tab.rows().is_empty()) {
-            (_, false) => "no row has this verdict: v for the next",
-            (Some(_), true) => "checking the first claims",
-            (None, true) => NO_RESULTS,
+        let text = match tab.rows() {
+            [] => nothing::<Claims>(app, "checking the first claims", None),
+            _ => "no row has this verdict: v for the next",
         };
         canvas.put(inner, (1, 1), text, Role::Dim);
     }
