@@ -12,7 +12,7 @@ use ratatui::widgets::{Clear, Widget};
 
 use crate::model::scene::WhichSpring;
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::dialogs::export::Export;
+use crate::tui::dialogs::export::Choices;
 use crate::tui::keymap::{LINES, Line, Scope};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages;
@@ -23,8 +23,7 @@ use crate::tui::widgets::input::TextField;
 pub enum Dialog {
     List(List, Picker),
     /// A question that a text answers.
-    Ask(Ask),
-    Export(Box<Export>),
+    Ask(Box<Ask>),
 }
 
 impl Dialog {
@@ -32,8 +31,7 @@ impl Dialog {
     pub fn field_mut(&mut self) -> Option<&mut TextField> {
         match self {
             Self::List(_, picker) => picker.typing.then_some(&mut picker.filter),
-            Self::Ask(ask) => Some(&mut ask.text),
-            Self::Export(export) => export.field_mut(),
+            Self::Ask(ask) => ask.field_mut(),
         }
     }
 }
@@ -72,19 +70,24 @@ pub struct Picker {
     pub selected: usize,
 }
 
-/// A dialog for one text: a preset's name, or a path.
+/// A dialog for a text, a preset's name or a path, and for what is chosen beside it.
 #[derive(Clone, Debug)]
 pub struct Ask {
     pub purpose: Purpose,
     pub text: TextField,
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
     pub question: bool,
+    /// Names that complete the path.
+    pub completions: Vec<String>,
+    pub choices: Choices,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The name to save the scene under.
     Preset,
+    /// The file to write runs to.
+    Runs,
     /// The file to write the page's table to; what the table is.
     Table(&'static str),
     /// The file that has a spring's measured curve.
@@ -157,7 +160,6 @@ pub(crate) fn render(app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
             };
             draw(app, picker, screen, canvas);
         }
-        Some(Dialog::Export(state)) => export::render(app, state, screen, canvas),
         Some(Dialog::Ask(state)) => ask::render(app, state, screen, canvas),
         None => {}
     }

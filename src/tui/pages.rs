@@ -9,12 +9,37 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
+/// What the files of the pages have in common.
+pub(crate) mod prelude {
+    pub(crate) use std::error::Error;
+    pub(crate) use std::sync::Arc;
+
+    pub(crate) use super::{About, Page, PageSpec, Progress, Rows, StatusPart};
+    pub(crate) use super::{note, nothing, part, progress};
+    pub(crate) use crate::model::scene::Scene;
+    pub(crate) use crate::model::units::significant;
+    pub(crate) use crate::study::context::Context;
+    pub(crate) use crate::tui::app::jobs::Running;
+    pub(crate) use crate::tui::app::layout::{split_bottom, split_left, split_top};
+    pub(crate) use crate::tui::app::status::{clip, wrap};
+    pub(crate) use crate::tui::chart::{Scale, ViewRange};
+    pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
+    pub(crate) use crate::tui::message::PageTable;
+    pub(crate) use crate::tui::prelude::*;
+    pub(crate) use crate::tui::update::zoom::Across;
+    pub(crate) use crate::tui::update::{edit, jobs};
+    pub(crate) use crate::tui::widgets::RowList;
+    pub(crate) use crate::tui::widgets::text::{TextLine, columns};
+    pub(crate) use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
+    pub(crate) use crate::worker::{Finding, ReportBody};
+}
+
 use crossterm::event::{KeyCode, KeyModifiers};
 
 use crate::tui::app::jobs::Running;
 use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
 use crate::tui::message::PageTable;
-use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
 use crate::tui::update::zoom::Across;
 use crate::tui::widgets::form::Form;
@@ -31,6 +56,16 @@ pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
 
 /// The words of a pane, and of its row of status, before anything was computed.
 pub(crate) const NO_RESULTS: &str = "no results yet: press r";
+
+/// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
+pub(crate) fn nothing<S: Study>(
+    app: &App,
+    running: &'static str,
+    why: Option<&'static str>,
+) -> &'static str {
+    let waits = app.jobs.running::<S>().is_some();
+    if waits { running } else { why.unwrap_or(NO_RESULTS) }
+}
 
 /// How what a page computes stands: its words in the status row are the same on every page.
 pub(crate) enum Progress<'a> {
@@ -80,11 +115,17 @@ pub(crate) struct Rows {
     pub shown: usize,
 }
 
+/// A page of a tab that has several.
+pub(crate) struct PageSpec {
+    pub name: &'static str,
+    pub panes: &'static [Pane],
+}
+
 /// The constants of a tab.
 pub(crate) struct About {
     pub name: &'static str,
-    /// The names of its pages, where it has several.
-    pub pages: &'static [&'static str],
+    /// Its pages, where it has several.
+    pub pages: &'static [PageSpec],
     /// All of its panes; the first one has the focus at the start.
     pub panes: &'static [PaneSpec],
     /// The entries of the palette.
@@ -96,17 +137,24 @@ pub(crate) trait Page: Sync {
     fn about(&self) -> &'static About;
 
     /// The panes shown, in the order in which Tab goes through them.
-    fn shown_panes(&self, _app: &App) -> Vec<Pane> {
-        self.about().panes.iter().map(|spec| spec.pane).collect()
+    fn shown_panes(&self, app: &App) -> Vec<Pane> {
+        let all = || self.about().panes.iter().map(|spec| spec.pane).collect();
+        self.about().pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
     }
 
-    /// The page shown, by its place among the names.
-    fn shown(&self, _app: &App) -> usize {
-        0
+    /// The page shown, by its place: the first one that has the pane with the keys.
+    fn shown(&self, app: &App) -> usize {
+        let pages = self.about().pages.iter();
+        pages.take_while(|page| !page.panes.contains(&app.pane())).count()
     }
 
     /// Show another page; it computes what it has not.
-    fn turn_to(&self, _app: &mut App, _page: usize) {}
+    fn turn_to(&self, app: &mut App, page: usize) {
+        if let Some(page) = self.about().pages.get(page) {
+            app.focus_on(page.panes[0]);
+            self.enter(app);
+        }
+    }
 
     /// The tab is shown: it computes what it has not, for the scene there is.
     fn enter(&self, _app: &mut App) {}
@@ -137,11 +185,6 @@ pub(crate) trait Page: Sync {
 
     fn form(&self, _app: &App) -> Option<Form> {
         None
-    }
-
-    /// Take the next value of a row of the form, or the one before.
-    fn step(&self, _app: &mut App, _row: usize, _press: Press) -> Result<(), String> {
-        Ok(())
     }
 
     /// The rows of the pane, where it is a list or a form.
@@ -188,8 +231,8 @@ pub(crate) trait Page: Sync {
         Some(Action::Down)
     }
 
-    /// Take what was typed into the field of a row.
-    fn take(&self, _app: &mut App, _row: usize, _text: &str) -> Result<(), String> {
+    /// Change the value of a row of the pane.
+    fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
         Ok(())
     }
 

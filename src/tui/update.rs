@@ -17,6 +17,7 @@ use crate::tui::dialogs::{Dialog, Purpose, ask, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
 use crate::tui::widgets::input::{Field, TEXT_MAX, TextField};
 
@@ -209,7 +210,7 @@ fn commit(app: &mut App) {
     if field.text.all_selected || !page.is_new(app, field.row, &text) {
         return;
     }
-    if let Err(error) = page.take(app, field.row, &text) {
+    if let Err(error) = page.change(app, field.row, Input::Text(&text)) {
         field.text.error = Some(error);
         app.field = Some(field);
     }
@@ -383,16 +384,14 @@ fn saved(app: &mut App, name: String, path: &Path) {
 fn exported(app: &mut App, outcome: ExportOutcome) {
     match (outcome, &mut app.dialog) {
         (ExportOutcome::Written(files), dialog) => {
-            if matches!(dialog, Some(Dialog::Export(_) | Dialog::Ask(_))) {
+            if matches!(dialog, Some(Dialog::Ask(_))) {
                 *dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.tell(format!("written: {}", names.join(" and ")));
         }
-        (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
         (ExportOutcome::Exists(_), Some(Dialog::Ask(ask))) => ask.question = true,
         (ExportOutcome::Failed(text), Some(Dialog::Ask(ask))) => ask.text.error = Some(text),
-        (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
         (ExportOutcome::Exists(path), _) => {
             app.refuse(format!("{} already exists and was not replaced", path.display()));
         }

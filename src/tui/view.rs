@@ -8,7 +8,7 @@ use ratatui::widgets::{Clear, Widget};
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::{self, Dialog, List, Purpose};
-use crate::tui::pages;
+use crate::tui::pages::{self, PageSpec};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
@@ -165,16 +165,15 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             (Purpose::Curve(_), false) => {
                 &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
             }
+            (Purpose::Runs, false) => &[
+                ("Enter", "write"),
+                ("Up/Down", "move"),
+                ("Space", "tick"),
+                ("a", "all or none"),
+                ("Tab", "complete path"),
+                ("Esc", "close"),
+            ],
         },
-        Dialog::Export(export) if export.question => REPLACE,
-        Dialog::Export(_) => &[
-            ("Enter", "write"),
-            ("Up/Down", "move"),
-            ("Space", "tick"),
-            ("a", "all or none"),
-            ("Tab", "complete path"),
-            ("Esc", "close"),
-        ],
     }
 }
 
@@ -313,7 +312,7 @@ fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, name) in page.about().pages.iter().enumerate() {
+    for (at, PageSpec { name, .. }) in page.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         let text = if is_shown { format!("[{name}]") } else { (*name).to_owned() };
         let role = if is_shown { Role::Selection } else { Role::Text };

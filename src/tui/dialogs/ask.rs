@@ -1,4 +1,4 @@
-//! The dialogs for one text: a preset's name, the path of a table, the file of a measured curve.
+//! The dialogs that ask for a text: a preset's name, the path of a table or of runs, the file of a measured curve.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,6 +10,7 @@ use crate::files::export::{Destination, Meta};
 use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::tui::app::Origin;
+use crate::tui::dialogs::export::{self, Choices};
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
@@ -18,8 +19,33 @@ use crate::tui::update::edit;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::wrapped;
 
-pub(crate) fn open(app: &mut App, purpose: Purpose, text: TextField) {
-    app.dialog = Some(Dialog::Ask(Ask { purpose, text, question: false }));
+fn open(app: &mut App, purpose: Purpose, text: TextField) {
+    open_with(app, purpose, text, Choices::default());
+}
+
+pub(crate) fn open_with(app: &mut App, purpose: Purpose, text: TextField, choices: Choices) {
+    let (question, completions) = (false, Vec::new());
+    app.dialog = Some(Dialog::Ask(Box::new(Ask { purpose, text, question, completions, choices })));
+}
+
+impl Ask {
+    /// The field that takes characters, where the selected line has one.
+    pub(crate) fn field_mut(&mut self) -> Option<&mut TextField> {
+        if self.choices.is_on_path() { Some(&mut self.text) } else { self.choices.field_mut() }
+    }
+
+    /// Another text or choice: what was said about the old one is removed.
+    pub(super) fn forget(&mut self) {
+        self.question = false;
+        self.text.error = None;
+        self.completions.clear();
+    }
+
+    /// Change what the selected line chooses.
+    fn change(&mut self, by: isize) {
+        self.choices.change(by);
+        self.text.error = None;
+    }
 }
 
 /// Ask for the name to save the scene under.
@@ -30,7 +56,7 @@ pub(crate) fn save(app: &mut App) {
 }
 
 /// Ask for the file to write the table shown to, if there is anything in it.
-pub(crate) fn export(app: &mut App) {
+pub(crate) fn export_table(app: &mut App) {
     match pages::of(app.tab).table(app) {
         Some(table) => open(app, Purpose::Table(table.title), TextField::new(table.file)),
         None => app.refuse("nothing to export yet: press r to compute it"),
@@ -63,26 +89,37 @@ fn proposed_name(app: &App) -> String {
 
 pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
     let is_path = state.purpose != Purpose::Preset;
+    let (typing, chooses) = (state.field_mut().is_some(), state.choices.is_on_words());
     match key.code {
         KeyCode::Esc if !(is_path && state.question) => return,
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
+        KeyCode::Char('q') if !typing => return,
         KeyCode::Char('y' | 'o') if state.question => accept(app, &mut state, true),
         KeyCode::Char('r') if state.question && is_path => {
             state.text = TextField::new(next_name(state.text.value()));
+            state.choices.select_path();
             state.question = false;
         }
         KeyCode::Enter if state.question => {}
         KeyCode::Enter => accept(app, &mut state, false),
-        KeyCode::Tab if is_path => {
+        KeyCode::Tab if is_path && state.choices.is_on_path() => {
             app.request(Effect::Files(FileTask::Complete(state.text.value().to_owned())));
         }
+        KeyCode::Down | KeyCode::Tab => state.choices.move_by(1),
+        KeyCode::Up | KeyCode::BackTab => state.choices.move_by(-1),
+        KeyCode::Char('j') if !typing => state.choices.move_by(1),
+        KeyCode::Char('k') if !typing => state.choices.move_by(-1),
+        KeyCode::Left | KeyCode::Char('h') if chooses => state.change(-1),
+        KeyCode::Right | KeyCode::Char('l') if chooses => state.change(1),
+        KeyCode::Char(' ') if !typing => state.change(1),
+        KeyCode::Char('a') if !typing => state.choices.all_or_none(),
         _ => {
-            if state.text.press(key) {
-                state.question = false;
+            if state.field_mut().is_some_and(|field| field.press(key)) {
+                state.forget();
             }
         }
     }
-    app.dialog = Some(Dialog::Ask(state));
+    app.dialog = Some(Dialog::Ask(Box::new(state)));
 }
 
 /// Does what the text was typed for; `overwrite`: a file or preset of this name may be replaced.
@@ -106,16 +143,23 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
             let to = Destination { path, existing, meta: Meta::Beside };
             FileTask::Export(to, Content::Page(table))
         }
+        Purpose::Runs => {
+            let path = path_of(app, state.text.value(), "run.csv")?;
+            let table = export::table(app, &state.choices)?;
+            let existing = Existing::replaced(overwrite);
+            let to = Destination { path, existing, meta: state.choices.meta() };
+            FileTask::Export(to, Content::Runs(table))
+        }
         Purpose::Curve(which) => {
             FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)
         }
     };
-    state.question = false;
+    (state.question, state.text.error) = (false, None);
     Ok(Some(task))
 }
 
 /// The path that was typed.
-pub(crate) fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
+fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
     let text = text.trim();
     if text.is_empty() || text.ends_with('/') {
         return Err(format!("the path needs a file name, for example `{example}`"));
@@ -145,7 +189,7 @@ fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTas
 }
 
 /// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
-pub(crate) fn next_name(text: &str) -> String {
+fn next_name(text: &str) -> String {
     let (stem, ending) = match text.rsplit_once('.') {
         Some((stem, ending)) if !ending.contains('/') => (stem, format!(".{ending}")),
         _ => (text, String::new()),
@@ -171,6 +215,7 @@ pub(crate) fn base_stem(app: &App) -> &str {
 
 pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
     let (title, right) = match state.purpose {
+        Purpose::Runs => return export::render(app, state, screen, canvas),
         Purpose::Preset => ("Save the scene as a preset", ""),
         Purpose::Table(title) => (title, "Enter writes"),
         Purpose::Curve(_) => {
@@ -198,7 +243,7 @@ fn question(app: &App, state: &Ask) -> String {
         Purpose::Preset => {
             format!("you have a preset `{text}` already: overwrite it? y / n (its comments stay)")
         }
-        Purpose::Table(_) | Purpose::Curve(_) => {
+        Purpose::Runs | Purpose::Table(_) | Purpose::Curve(_) => {
             let path = app.directory.join(text);
             format!("{} exists: [o]verwrite, [r]ename, Esc back", path.display())
         }
@@ -208,7 +253,7 @@ fn question(app: &App, state: &Ask) -> String {
 fn hint(app: &App, state: &Ask) -> String {
     match state.purpose {
         Purpose::Preset => "kept with your own presets; `cmra NAME` opens it".to_owned(),
-        Purpose::Table(_) => {
+        Purpose::Runs | Purpose::Table(_) => {
             format!("to {}", app.directory.join(state.text.value().trim()).display())
         }
         Purpose::Curve(which) => curve_hint(app, which),
@@ -247,7 +292,7 @@ pub(crate) fn extent(points: &[[f64; 2]]) -> String {
 }
 
 fn is_asked(dialog: Option<&Dialog>) -> bool {
-    matches!(dialog, Some(Dialog::Ask(Ask { purpose: Purpose::Curve(_), .. })))
+    matches!(dialog, Some(Dialog::Ask(ask)) if matches!(ask.purpose, Purpose::Curve(_)))
 }
 
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.

@@ -1,16 +1,12 @@
-//! The export dialog: what, which runs, which columns, and where.
+//! The export of runs: what, which runs, which columns.
 
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent};
-
-use crate::files::atomic::Existing;
-use crate::files::export::{Destination, Meta, RunTable};
+use crate::files::export::{Meta, RunTable};
 use crate::files::style::Style;
 use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::status::clip;
-use crate::tui::dialogs::{Dialog, ask, frame, wrap};
-use crate::tui::message::{Content, FileTask};
+use crate::tui::dialogs::{Ask, Purpose, ask, frame, wrap};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
@@ -66,6 +62,8 @@ impl Part {
 
 #[derive(Clone, Debug)]
 enum Value {
+    /// What the dialog asks for.
+    Path,
     Text(TextField),
     /// One of some words.
     Choice(usize, Vec<&'static str>),
@@ -84,18 +82,14 @@ struct Line {
     value: Value,
 }
 
-#[derive(Clone, Debug)]
-pub struct Export {
+/// What is chosen beside the file; nothing for other files.
+#[derive(Clone, Debug, Default)]
+pub struct Choices {
     lines: Vec<Line>,
     selected: usize,
-    /// The file exists: the answer to "overwrite?" is awaited.
-    pub(crate) question: bool,
-    /// Names that complete the path.
-    pub(crate) completions: Vec<String>,
-    pub(crate) error: Option<String>,
 }
 
-impl Export {
+impl Choices {
     /// The lines there are now: the grid's number only for a grid, columns only for a series.
     fn shown(&self) -> Vec<usize> {
         let is_shown = |at: &usize| match self.lines[*at].part {
@@ -144,46 +138,47 @@ impl Export {
         Style::ALL[self.choice(Part::Style)]
     }
 
-    fn meta(&self) -> Meta {
+    pub(super) fn meta(&self) -> Meta {
         Meta::ALL[self.choice(Part::Scene)]
     }
 
-    /// The file, as typed.
-    pub fn path(&self) -> &str {
-        self.text(Part::File)
+    fn value(&self) -> &Value {
+        self.lines.get(self.selected).map_or(&Value::Path, |line| &line.value)
     }
 
-    /// Put another text in the place of the path.
-    pub(super) fn set_path(&mut self, text: String) {
-        self.lines[0].value = Value::Text(TextField::new(text));
+    /// Whether the selected line is the path.
+    pub(super) fn is_on_path(&self) -> bool {
+        matches!(self.value(), Value::Path)
     }
 
+    /// Whether it is one of some words.
+    pub(super) fn is_on_words(&self) -> bool {
+        matches!(self.value(), Value::Choice(..))
+    }
+
+    /// The field of the selected line, where that is not the path.
     pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
-        match &mut self.lines[self.selected].value {
+        match &mut self.lines.get_mut(self.selected)?.value {
             Value::Text(field) => Some(field),
-            Value::Choice(..) | Value::Tick { .. } => None,
+            Value::Path | Value::Choice(..) | Value::Tick { .. } => None,
         }
     }
 
-    /// Another text or choice: the message about the old one is removed.
-    pub(super) fn forget(&mut self) {
-        self.question = false;
-        self.error = None;
-        self.completions.clear();
+    pub(super) fn select_path(&mut self) {
+        self.selected = 0;
     }
 
     /// Change what the selected line chooses, round and round, or tick it.
-    fn change(&mut self, by: isize) {
+    pub(super) fn change(&mut self, by: isize) {
         match &mut self.lines[self.selected].value {
             Value::Choice(at, words) => *at = wrap(*at, by, words.len()),
             Value::Tick { on, .. } => *on = !*on,
-            Value::Text(_) => {}
+            Value::Path | Value::Text(_) => {}
         }
-        self.error = None;
     }
 
     /// All lines like the selected one when one is missing, else none.
-    fn all_or_none(&mut self) {
+    pub(super) fn all_or_none(&mut self) {
         let part = self.lines[self.selected].part;
         let all = self.of(part).any(|it| matches!(it, Value::Tick { on: false, .. }));
         for line in self.lines.iter_mut().filter(|line| line.part == part) {
@@ -194,10 +189,20 @@ impl Export {
     }
 
     /// Move the selection, stopping at the ends.
-    fn move_by(&mut self, by: isize) {
+    pub(super) fn move_by(&mut self, by: isize) {
         let shown = self.shown();
         let here = shown.iter().position(|at| *at == self.selected).unwrap_or(0);
-        self.selected = shown[here.saturating_add_signed(by).min(shown.len() - 1)];
+        let next = here.saturating_add_signed(by).min(shown.len().saturating_sub(1));
+        self.selected = shown.get(next).copied().unwrap_or(0);
+    }
+
+    /// A click on a row: it selects, and ticks or changes what was selected.
+    pub(super) fn click(&mut self, row: usize) {
+        let Some(row) = self.shown().get(row).copied() else { return };
+        if self.selected == row {
+            self.change(1);
+        }
+        self.selected = row;
     }
 }
 
@@ -214,7 +219,7 @@ pub(crate) fn open(app: &mut App) {
     let text = |text: String| Value::Text(TextField::new(text));
     let tick = |name: String, about| Value::Tick { name, about, on: true };
     let mut lines = vec![
-        line(Part::File, text(format!("{}.csv", ask::base_stem(app)))),
+        line(Part::File, Value::Path),
         line(Part::What, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
         line(Part::Rows, text(GRID_ROWS.to_string())),
     ];
@@ -224,13 +229,8 @@ pub(crate) fn open(app: &mut App) {
     lines.extend(names.map(|it| line(Part::Columns, tick(it.to_owned(), String::new()))));
     lines.push(line(Part::Style, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
     lines.push(line(Part::Scene, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
-    app.dialog = Some(Dialog::Export(Box::new(Export {
-        lines,
-        selected: 0,
-        question: false,
-        completions: Vec::new(),
-        error: None,
-    })));
+    let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
+    ask::open_with(app, Purpose::Runs, path, Choices { lines, selected: 0 });
 }
 
 /// The runs that can be exported: the current one and the pins, those with a result.
@@ -240,78 +240,25 @@ fn available(app: &App) -> Vec<NamedRun> {
     now.chain(pins.filter_map(|pin| Some((pin.letter.to_string(), pin.run.clone()?)))).collect()
 }
 
-pub(crate) fn press(app: &mut App, mut state: Export, key: KeyEvent) {
-    let typing = state.field_mut().is_some();
-    let chooses = matches!(state.lines[state.selected].value, Value::Choice(..));
-    match key.code {
-        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Esc => return,
-        KeyCode::Char('q') if !typing => return,
-        KeyCode::Char('y' | 'o') if state.question => submit(app, &mut state, Existing::Replace),
-        KeyCode::Char('r') if state.question => {
-            state.set_path(ask::next_name(state.path()));
-            (state.selected, state.question) = (0, false);
-        }
-        KeyCode::Enter => submit(app, &mut state, Existing::Keep),
-        KeyCode::Tab if state.selected == 0 => {
-            app.request(Effect::Files(FileTask::Complete(state.path().to_owned())));
-        }
-        KeyCode::Down | KeyCode::Tab => state.move_by(1),
-        KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
-        KeyCode::Char('j') if !typing => state.move_by(1),
-        KeyCode::Char('k') if !typing => state.move_by(-1),
-        KeyCode::Left | KeyCode::Char('h') if chooses => state.change(-1),
-        KeyCode::Right | KeyCode::Char('l') if chooses => state.change(1),
-        KeyCode::Char(' ') if !typing => state.change(1),
-        KeyCode::Char('a') if !typing => state.all_or_none(),
-        _ => {
-            if state.field_mut().is_some_and(|field| field.press(key)) {
-                state.forget();
-            }
-        }
-    }
-    app.dialog = Some(Dialog::Export(Box::new(state)));
-}
-
-/// A click on a row: it selects, and ticks or changes what was selected.
-pub(crate) fn click(state: &mut Export, row: usize) {
-    let Some(row) = state.shown().get(row).copied() else { return };
-    if state.selected == row {
-        state.change(1);
-    }
-    state.selected = row;
-}
-
-fn submit(app: &mut App, state: &mut Export, existing: Existing) {
-    match task(app, state, existing) {
-        Ok(task) => {
-            (state.question, state.error) = (false, None);
-            app.request(Effect::Files(task));
-        }
-        Err(error) => state.error = Some(error),
-    }
-}
-
-fn task(app: &App, state: &Export, existing: Existing) -> Result<FileTask, String> {
-    let path = ask::path_of(app, state.path(), "run.csv")?;
-    let chosen = state.ticked(Part::Runs);
+/// The table of what is chosen.
+pub(super) fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
+    let chosen = choices.ticked(Part::Runs);
     let runs = available(app).into_iter().filter(|(name, _)| chosen.contains(&&**name));
     let runs: Vec<NamedRun> = runs.collect();
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let what = state.choice(Part::What);
-    let grid = if what == GRID { grid_rows(state.text(Part::Rows), runs.len())? } else { 0 };
-    let mut columns = state.columns();
-    if state.is_series() && columns.is_empty() {
+    let what = choices.choice(Part::What);
+    let grid = if what == GRID { grid_rows(choices.text(Part::Rows), runs.len())? } else { 0 };
+    let mut columns = choices.columns();
+    if choices.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
     }
-    if columns.len() == state.of(Part::Columns).count() {
+    if columns.len() == choices.of(Part::Columns).count() {
         columns.clear();
     }
-    let to = Destination { path, existing, meta: state.meta() };
     let rows = (KINDS[what].rows)(grid);
-    Ok(FileTask::Export(to, Content::Runs(RunTable { rows, runs, columns, style: state.style() })))
+    Ok(RunTable { rows, runs, columns, style: choices.style() })
 }
 
 /// The number of rows typed; all runs together have no more than [`GRID_ROWS_MAX`].
@@ -329,14 +276,15 @@ const VALUE: u16 = 11;
 /// Rows below the list: absolute path, note or question, preview.
 const FOOT: u16 = 8;
 
-pub(crate) fn render(app: &App, state: &Export, screen: Rect, canvas: &mut Canvas<'_>) {
-    let rows = state.shown();
+pub(super) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
+    let choices = &state.choices;
+    let rows = choices.shown();
     let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
     let pane = PaneFrame::new("Export to CSV").right("Enter writes");
     let inner = frame(screen, (100, wanted), pane, canvas);
     let foot = FOOT.min(inner.height.saturating_sub(4));
     let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
-    let selected = rows.iter().position(|at| *at == state.selected).unwrap_or(0);
+    let selected = rows.iter().position(|at| *at == choices.selected).unwrap_or(0);
     let shown = RowList { count: rows.len(), selected, painted: false };
     let first = shown.first(list.height);
     shown.in_dialog(canvas, list, |canvas, line, at| one(state, rows[at], line, canvas));
@@ -350,9 +298,10 @@ pub(crate) fn render(app: &App, state: &Export, screen: Rect, canvas: &mut Canva
     below(app, state, lower, canvas);
 }
 
-fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
-    let (here, shown) = (state.selected == at, &state.lines[at]);
-    if at == 0 || state.lines[at - 1].part != shown.part {
+fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
+    let lines = &state.choices.lines;
+    let (here, shown) = (state.choices.selected == at, &lines[at]);
+    if at == 0 || lines[at - 1].part != shown.part {
         canvas.put(line, (2, 0), shown.part.label(), Role::Title);
     }
     if here {
@@ -361,9 +310,12 @@ fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let room = line.width.saturating_sub(VALUE + 1);
     let role = if here { Role::Selection } else { Role::Text };
     let text = match &shown.value {
-        Value::Text(field) if here => {
+        Value::Path | Value::Text(_) if here => {
+            let field = if let Value::Text(field) = &shown.value { field } else { &state.text };
+            let field = TextField { error: None, ..field.clone() };
             return field.draw(canvas, Rect { x: line.x + VALUE, width: room, ..line });
         }
+        Value::Path => window(&state.text.input, room).0,
         Value::Text(field) => window(&field.input, room).0,
         Value::Choice(at, words) => format!("< {} >", words[*at]),
         Value::Tick { name, about, on } => {
@@ -375,11 +327,11 @@ fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The absolute path, then the question, error or completions, else the first lines.
-fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
+fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     let width = usize::from(area.width);
-    let text = format!("to {}", app.directory.join(state.path().trim()).display());
+    let text = format!("to {}", app.directory.join(state.text.value().trim()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
-    let note = match state.meta() {
+    let note = match state.choices.meta() {
         Meta::Beside => "with a .toml file beside it that reproduces the same digits",
         Meta::Inline => "with the scene in # lines at the top, which some programs cannot read",
     };
@@ -387,10 +339,10 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
     let lines: Vec<TextLine> = if state.question {
         let text = "! this file exists: o overwrite, r rename to -2, Esc back";
         vec![(text.to_owned(), Role::Warning)]
-    } else if let Some(error) = &state.error {
+    } else if let Some(error) = &state.text.error {
         wrapped(&format!("x {error}"), area.width, Role::Error).collect()
     } else if state.completions.is_empty() {
-        preview(app, state).into_iter().map(|line| (line, Role::Dim)).collect()
+        preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect()
     } else {
         wrapped(&state.completions.join("  "), area.width, Role::Note).collect()
     };
@@ -399,11 +351,11 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The first three lines as they would be written.
-fn preview(app: &App, state: &Export) -> Vec<String> {
+fn preview(app: &App, choices: &Choices) -> Vec<String> {
     let Some(shown) = &app.shown else { return Vec::new() };
     let named = [("now".to_owned(), Arc::clone(&shown.run))];
-    let rows = (KINDS[state.choice(Part::What)].rows)(3);
-    let text = run::csv(rows, &named, &state.columns(), 2).unwrap_or_default();
-    let text = state.style().file("", &text).unwrap_or_default();
-    text.trim_start_matches(state.style().head()).lines().take(3).map(str::to_owned).collect()
+    let rows = (KINDS[choices.choice(Part::What)].rows)(3);
+    let text = run::csv(rows, &named, &choices.columns(), 2).unwrap_or_default();
+    let text = choices.style().file("", &text).unwrap_or_default();
+    text.trim_start_matches(choices.style().head()).lines().take(3).map(str::to_owned).collect()
 }

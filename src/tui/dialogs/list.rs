@@ -5,7 +5,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::model::variables::{self, Value};
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::options::{self, OptionRow};
-use crate::tui::dialogs::{self, Dialog, List, Picker, ask, export, frame, palette, presets};
+use crate::tui::dialogs::{self, Dialog, List, Picker, ask, frame, palette, presets};
 use crate::tui::prelude::*;
 use crate::tui::update::{act, edit};
 use crate::tui::widgets::RowList;
@@ -15,8 +15,7 @@ use crate::tui::widgets::text::wrapped;
 pub(crate) fn press(app: &mut App, key: KeyEvent) {
     match app.dialog.take() {
         Some(Dialog::List(list, picker)) => in_list(app, list, picker, key),
-        Some(Dialog::Ask(state)) => ask::press(app, state, key),
-        Some(Dialog::Export(state)) => export::press(app, *state, key),
+        Some(Dialog::Ask(state)) => ask::press(app, *state, key),
         None => {}
     }
 }
@@ -33,7 +32,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
         (Some(Dialog::List(..)), Target::Beside) => {
             app.dialog = None;
         }
-        (Some(Dialog::Export(state)), Target::DialogRow(row)) => export::click(state, row),
+        (Some(Dialog::Ask(state)), Target::DialogRow(row)) => state.choices.click(row),
         // What has been typed is not thrown away by a click.
         _ => {}
     }
@@ -109,8 +108,7 @@ fn moves(key: KeyEvent, letter: bool) -> Option<isize> {
 pub(crate) fn after_typing(app: &mut App) {
     match &mut app.dialog {
         Some(Dialog::List(_, picker)) => picker.selected = 0,
-        Some(Dialog::Ask(ask)) => ask.question = false,
-        Some(Dialog::Export(export)) => export.forget(),
+        Some(Dialog::Ask(ask)) => ask.forget(),
         None => {}
     }
 }
@@ -147,16 +145,13 @@ fn take_word(app: &mut App, picker: &Picker) {
 
 /// Names that complete a path: of one it is taken, of several what they have in common, and the list.
 pub(crate) fn complete(app: &mut App, names: Vec<String>) {
-    let error = || Some("no file or directory begins like this".to_owned());
-    match (&mut app.dialog, common_start(&names)) {
-        (Some(Dialog::Export(export)), None) => export.error = error(),
-        (Some(Dialog::Ask(ask)), None) => ask.text.error = error(),
-        (Some(Dialog::Export(export)), Some(common)) => {
-            export.set_path(common);
-            export.completions = if names.len() > 1 { names } else { Vec::new() };
+    let Some(Dialog::Ask(ask)) = &mut app.dialog else { return };
+    match common_start(&names) {
+        None => ask.text.error = Some("no file or directory begins like this".to_owned()),
+        Some(common) => {
+            ask.text = TextField::new(common);
+            ask.completions = if names.len() > 1 { names } else { Vec::new() };
         }
-        (Some(Dialog::Ask(ask)), Some(common)) => ask.text = TextField::new(common),
-        (Some(Dialog::List(..)) | None, _) => {}
     }
 }
 

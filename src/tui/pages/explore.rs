@@ -5,29 +5,20 @@ pub mod plan;
 pub mod setup;
 pub mod state;
 
-use std::sync::Arc;
-
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{ROOMY, setup_width, split_bottom, split_left};
+use crate::tui::app::layout::{ROOMY, setup_width};
 use crate::tui::dialogs::{ask, wrap};
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, sweep_of};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
-use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::{About, Page, StatusPart, note};
-use crate::tui::prelude::*;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::update::zoom::Across;
-use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::form::Form;
-use crate::worker::ReportBody;
 
 /// The curves or the map.
 pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
@@ -169,12 +160,8 @@ impl Page for ExploreTab {
         app.pages.explore.row = app.setup_choices()[row];
     }
 
-    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
-        setup::step(app, app.setup_choices()[row], press)
-    }
-
-    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
-        setup::take(app, app.setup_choices()[row], text)
+    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
+        setup::change(app, app.setup_choices()[row], input)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {

@@ -3,26 +3,16 @@
 pub mod comparison;
 pub mod state;
 
-use std::sync::Arc;
-
 use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
 use crate::study::limit::Report;
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{NARROW, split_bottom, split_left};
-use crate::tui::chart::Scale;
+use crate::tui::app::layout::NARROW;
 use crate::tui::dialogs::{ask, wrap};
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::state::LimitSearch;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::{About, Page, Rows, StatusPart, note};
-use crate::tui::prelude::*;
 use crate::tui::update::act::{along, cursor_moved, moved};
-use crate::tui::update::zoom::Across;
-use crate::tui::update::{edit, jobs};
-use crate::worker::ReportBody;
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
@@ -219,7 +209,7 @@ fn load_shot(app: &mut App) {
     };
     let mut scene = (*app.scene).clone();
     scene.projectile.velocity_m_s = velocity_m_s;
-    let text = format!("v_i = {} m/s", crate::model::units::significant(velocity_m_s, 4));
+    let text = format!("v_i = {} m/s", significant(velocity_m_s, 4));
     edit::load_design(app, Ok((scene, text)));
 }
 

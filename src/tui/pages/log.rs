@@ -3,11 +3,9 @@
 use crate::model::run::envelope;
 use crate::report::run::page::{computation, energy, events, results, sentence};
 use crate::tui::app::notice::Notice;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, key};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
-use crate::tui::pages::{About, Page, Rows, StatusPart};
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::{TextLine, broken, text_role};
+use crate::tui::widgets::text::{broken, text_role};
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 

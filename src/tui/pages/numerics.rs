@@ -3,22 +3,13 @@
 pub mod accuracy;
 pub mod stability;
 
-use std::sync::Arc;
-
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
 use crate::study::stability::map::Map;
-use crate::tui::app::jobs::Running;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
-use crate::tui::pages::{About, Page, Rows, StatusPart, note};
-use crate::tui::prelude::*;
-use crate::tui::update::zoom::Across;
-use crate::worker::ReportBody;
-use crate::worker::study::RowsSoFar;
+use crate::tui::pages::prelude::*;
 
 /// Error against run time.
 pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
@@ -55,6 +46,11 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Accuracy", panes: &[ACCURACY] },
+    PageSpec { name: "Stability", panes: &[STABILITY, STIFF_SCENES] },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
@@ -69,25 +65,7 @@ pub(crate) struct NumericsTab;
 
 impl Page for NumericsTab {
     fn about(&self) -> &'static About {
-        &About {
-            name: "Numerics",
-            pages: &["Accuracy", "Stability"],
-            panes: PANES,
-            commands: COMMANDS,
-        }
-    }
-
-    fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        if self.shown(app) == 0 { vec![ACCURACY] } else { vec![STABILITY, STIFF_SCENES] }
-    }
-
-    fn shown(&self, app: &App) -> usize {
-        usize::from(app.pane() != ACCURACY)
-    }
-
-    fn turn_to(&self, app: &mut App, page: usize) {
-        app.focus_on(if page == 0 { ACCURACY } else { STABILITY });
-        self.enter(app);
+        &About { name: "Numerics", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) {

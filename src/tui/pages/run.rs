@@ -8,14 +8,12 @@ pub mod steps;
 pub mod summary;
 
 use crate::model::variables::Kind;
-use crate::tui::app::layout::{ROOMY, WIDE, split_bottom, split_left};
+use crate::tui::app::layout::{ROOMY, WIDE};
 use crate::tui::dialogs::List;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::pages::run::steps::{Press, Size};
-use crate::tui::pages::{self, About, Page, Rows, StatusPart, note};
-use crate::tui::prelude::*;
-use crate::tui::update::zoom::Across;
-use crate::tui::update::{self, edit, jobs};
+use crate::tui::pages;
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::run::steps::{Input, Press, Size};
+use crate::tui::update;
 
 pub const VARIABLES: Pane = Pane::of(Tab::Run, 0);
 pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
@@ -162,8 +160,8 @@ impl Page for RunTab {
         app.editor.variable().show(&app.scene)
     }
 
-    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<(), String> {
-        edit::type_value(app, app.editor.selected, text)
+    fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
+        edit::change(app, app.editor.selected, input)
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {

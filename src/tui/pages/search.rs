@@ -4,31 +4,20 @@ pub(crate) mod draw;
 pub mod setup;
 pub mod state;
 
-use std::sync::Arc;
-
-use crate::model::scene::SweepAxis;
 use crate::study::quantities::named;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
-use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::Snapshot;
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{NARROW, setup_width, split_left};
+use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::dialogs::wrap;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::Press;
-use crate::tui::pages::search::setup::read_bound;
+use crate::tui::pages::run::steps::{Input, Press};
+use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
 use crate::tui::pages::search::state::{Request, Row};
-use crate::tui::pages::{About, Page, Rows, StatusPart};
-use crate::tui::prelude::*;
 use crate::tui::update::act::{along, move_by};
-use crate::tui::update::zoom::Across;
-use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::axis::whole;
-use crate::tui::widgets::form::{Form, quantity_beside};
-use crate::worker::ReportBody;
+use crate::tui::widgets::form::{Form, quantity_after};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -65,6 +54,15 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const BOTH: &[Pane] = &[SETUP, RESULTS];
+/// The pages, in the order of [`state::Page`].
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Goal seek", panes: BOTH },
+    PageSpec { name: "Pareto front", panes: BOTH },
+    PageSpec { name: "Sensitivity", panes: BOTH },
+    PageSpec { name: "Monte Carlo", panes: BOTH },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
@@ -78,7 +76,7 @@ pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
     fn about(&self) -> &'static About {
-        &About { name: "Search", pages: &state::Page::TITLES, panes: PANES, commands: COMMANDS }
+        &About { name: "Search", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn shown(&self, app: &App) -> usize {
@@ -167,12 +165,16 @@ impl Page for SearchTab {
         (app.pane() == SETUP).then(|| app.search_form())
     }
 
-    fn step(&self, app: &mut App, row: usize, press: Press) -> Result<(), String> {
+    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
         let row = app.search_choices()[row];
         let before = app.snapshot();
-        change(app, row, press)?;
-        note(app, row, before, true);
-        after_edit(app);
+        change(app, row, input)?;
+        note(app, row, before, matches!(input, Input::Step(_)));
+        // A search that takes less than a second follows at once.
+        let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
+        if quick && app.search_is_old() {
+            look(app);
+        }
         Ok(())
     }
 
@@ -197,15 +199,6 @@ impl Page for SearchTab {
 
     fn after_enter(&self) -> Option<Action> {
         None
-    }
-
-    fn take(&self, app: &mut App, row: usize, text: &str) -> Result<(), String> {
-        let row = app.search_choices()[row];
-        let before = app.snapshot();
-        read(app, row, text)?;
-        note(app, row, before, false);
-        after_edit(app);
-        Ok(())
     }
 
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
@@ -274,14 +267,6 @@ fn look(app: &mut App) {
     jobs::study(app, Tab::Search, request);
 }
 
-/// After an edit of the setup: a search that takes less than a second follows at once.
-fn after_edit(app: &mut App) {
-    let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
-    if quick && app.search_is_old() {
-        look(app);
-    }
-}
-
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
 fn note(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     if app.pages.search.setup == before.search {
@@ -303,77 +288,70 @@ fn note(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     edit::note(app, before, label, stepping);
 }
 
-fn change(app: &mut App, row: Row, press: Press) -> Result<(), String> {
+fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
     let setup = Arc::make_mut(&mut app.pages.search.setup);
-    let (up, by) = (press.up, press.by());
-    let within = |value: usize, (least, most, each): (usize, usize, usize)| {
-        let moved = if up { value + each } else { value.saturating_sub(each) };
-        moved.clamp(least, most)
-    };
-    let objective = |at: usize| wrap(at.min(objectives - 1), by, objectives);
-    match row {
-        Row::Axis(part) => {
+    match (row, input) {
+        (Row::Axis(part), _) => {
             let mut axis = setup.seek.clone();
-            part.step(&mut axis, &app.scene, press)?;
-            setup.seek = checked(axis)?;
+            part.change(&mut axis, &app.scene, input, &SCAN)?;
+            // There can be a scan of it.
+            Axis::of(&axis, &SCAN).map_err(|error| error.to_string())?;
+            setup.seek = axis;
         }
-        Row::Result => setup.goal.0 = quantity_beside(setup.goal.0, by),
-        Row::Output => setup.output = quantity_beside(setup.output, by),
-        Row::Bound(at) => {
-            setup.bounds = bounds;
-            if let Some(bound) = setup.bounds.get_mut(at) {
-                bound.on = !bound.on;
-            }
+        (Row::Result, _) => setup.goal.0 = quantity_after(setup.goal.0, input)?,
+        (Row::Output, _) => setup.output = quantity_after(setup.output, input)?,
+        (Row::Goal, Input::Text(text)) => {
+            let column = named(setup.goal.0).map_err(|error| error.to_string())?;
+            setup.goal.1 = column.parse(text)?;
         }
-        Row::Objective(at) => setup.objectives[at] = !setup.objectives[at],
-        Row::Stroke => setup.stroke_m = up.then(|| setup.stroke_m.unwrap_or(1.0)),
-        Row::Feasible => setup.feasible = !setup.feasible,
-        Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
-        Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
-        Row::Across => setup.axes.0 = objective(setup.axes.0),
-        Row::Up => setup.axes.1 = objective(setup.axes.1),
-        Row::Percent => {
-            setup.percent = (setup.percent + if up { 0.5 } else { -0.5 }).clamp(0.5, 50.0);
+        (Row::Goal, Input::Step(_)) => app.tell("Enter types a value here"),
+        (Row::Bound(at), _) => {
+            let old = bounds.get(at).ok_or("this variable no longer exists")?;
+            let new = match input {
+                Input::Text(text) => read_bound(old, text)?,
+                Input::Step(_) => Bound { on: !old.on, ..old.clone() },
+            };
+            setup.bounds.clone_from(&bounds);
+            setup.bounds[at] = new;
         }
-        Row::Samples => {
-            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
-            setup.samples = SAMPLES[at.saturating_add_signed(by).min(SAMPLES.len() - 1)];
+        (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
+        (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
+        (Row::Across | Row::Up, Input::Step(press)) => {
+            let (across, up) = &mut setup.axes;
+            let axis = if row == Row::Up { up } else { across };
+            *axis = wrap((*axis).min(objectives - 1), press.by(), objectives);
         }
-        Row::Goal => app.tell("Enter types a value here"),
-        Row::Heading(_) => {}
+        (_, Input::Step(press)) => step_number(setup, row, press),
+        (_, Input::Text(text)) => read_number(setup, row, text)?,
     }
     Ok(())
 }
 
-/// The axis of a scan, where there can be one.
-fn checked(axis: SweepAxis) -> Result<SweepAxis, String> {
-    Axis::of(&axis, &SCAN).map(|_| axis).map_err(|error| error.to_string())
+fn step_number(setup: &mut Setup, row: Row, press: Press) {
+    let within = |value: usize, (least, most, each): (usize, usize, usize)| {
+        let moved = if press.up { value + each } else { value.saturating_sub(each) };
+        moved.clamp(least, most)
+    };
+    match row {
+        Row::Stroke => setup.stroke_m = press.up.then(|| setup.stroke_m.unwrap_or(1.0)),
+        Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
+        Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
+        Row::Percent => {
+            setup.percent = (setup.percent + 0.5 * press.by() as f64).clamp(0.5, 50.0);
+        }
+        Row::Samples => {
+            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
+            let next = at.saturating_add_signed(press.by());
+            setup.samples = SAMPLES[next.min(SAMPLES.len() - 1)];
+        }
+        _ => {}
+    }
 }
 
-fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
-    let scene = Arc::clone(&app.scene);
-    let bounds = app.search_bounds();
-    let setup = Arc::make_mut(&mut app.pages.search.setup);
-    let name = |text: &str| quantity_called(text).map(|column| column.name);
+fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
     match row {
-        Row::Axis(part) => {
-            let mut axis = setup.seek.clone();
-            part.read(&mut axis, &scene, text, &SCAN)?;
-            setup.seek = checked(axis)?;
-        }
-        Row::Result => setup.goal.0 = name(text)?,
-        Row::Goal => {
-            let column = named(setup.goal.0).map_err(|error| error.to_string())?;
-            setup.goal.1 = column.parse(text)?;
-        }
-        Row::Bound(at) => {
-            let old = bounds.get(at).ok_or("this variable no longer exists")?;
-            let new = read_bound(old, text)?;
-            setup.bounds.clone_from(&bounds);
-            setup.bounds[at] = new;
-        }
         Row::Stroke if text == "none" => setup.stroke_m = None,
         Row::Stroke => {
             let column = named("stroke_m").map_err(|error| error.to_string())?;
@@ -391,7 +369,6 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             setup.effort.0 = value;
         }
         Row::Generations => setup.effort.1 = whole(text, &(1..=100_000))?,
-        Row::Output => setup.output = name(text)?,
         Row::Percent => {
             let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
             setup.percent = value
@@ -399,7 +376,7 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
-        Row::Heading(_) | Row::Objective(_) | Row::Feasible | Row::Across | Row::Up => {}
+        _ => {}
     }
     Ok(())
 }

@@ -2,31 +2,19 @@
 
 pub(crate) mod draw;
 
-use std::error::Error;
-use std::sync::Arc;
-
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::report::thesis;
-use crate::study::context::Context;
 use crate::study::principles;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::sweep::Sampling;
 use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::jobs::Running;
 use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::presets::base_of;
-use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
-use crate::tui::message::PageTable;
 use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::{self, step_of};
-use crate::tui::pages::{self, About, Page, Progress, Rows, StatusPart, explore, note, progress};
-use crate::tui::prelude::*;
-use crate::tui::update::{edit, jobs};
-use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
-use crate::worker::{Finding, ReportBody};
+use crate::tui::pages::{self, explore};
 
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
 pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
@@ -54,6 +42,12 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+const PAGES: &[PageSpec] = &[
+    PageSpec { name: "Claims", panes: &[CLAIMS] },
+    PageSpec { name: "Principles", panes: &[PRINCIPLES] },
+    PageSpec { name: "Screening", panes: &[SCREENING] },
+];
+
 #[rustfmt::skip]
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
@@ -66,25 +60,7 @@ pub(crate) struct ThesisTab;
 
 impl Page for ThesisTab {
     fn about(&self) -> &'static About {
-        &About {
-            name: "Thesis",
-            pages: &["Claims", "Principles", "Screening"],
-            panes: PANES,
-            commands: COMMANDS,
-        }
-    }
-
-    fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        vec![app.pane()]
-    }
-
-    fn shown(&self, app: &App) -> usize {
-        PANES.iter().position(|spec| spec.pane == app.pane()).unwrap_or(0)
-    }
-
-    fn turn_to(&self, app: &mut App, page: usize) {
-        app.focus_on(PANES[page.min(PANES.len() - 1)].pane);
-        self.enter(app);
+        &About { name: "Thesis", pages: PAGES, panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) {

@@ -3,7 +3,7 @@
 use crate::tui::dialogs::{List, around, ask, export, options, wrap};
 use crate::tui::keymap::Part;
 use crate::tui::pages;
-use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::run::{runs, step_of};
 use crate::tui::prelude::*;
 use crate::tui::update::{self, edit, zoom};
@@ -45,7 +45,7 @@ fn in_form(app: &mut App, action: Action) -> bool {
     page.select(app, row);
     if enters && form.line().is_some_and(|line| line.text.is_some()) {
         update::open_field(app, row);
-    } else if let Err(why) = page.step(app, row, press) {
+    } else if let Err(why) = page.change(app, row, Input::Step(press)) {
         app.refuse(why);
     }
     true
@@ -139,7 +139,7 @@ fn anywhere(app: &mut App, action: Action) {
         }
         A::Save => ask::save(app),
         A::Export if of_runs(app.tab) => export::open(app),
-        A::Export => ask::export(app),
+        A::Export => ask::export_table(app),
         A::Copy if of_runs(app.tab) => runs::copy(app),
         A::Copy => ask::copy(app),
         A::Models => runs::models(app),

@@ -12,7 +12,7 @@ use crate::tui::dialogs::wrap;
 use crate::tui::pages::explore;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
-use crate::tui::pages::run::steps::{self, Press};
+use crate::tui::pages::run::steps::{self, Input, Press};
 use crate::tui::prelude::*;
 use crate::tui::update::jobs;
 
@@ -53,8 +53,16 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
-pub(crate) fn type_value(app: &mut App, index: usize, text: &str) -> Result<(), String> {
+/// Step a variable, or set it to what was typed: a value with its unit, a fraction, or a change of the old value.
+pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<(), String> {
+    let text = match input {
+        Input::Step(press) => {
+            app.editor.selected = index;
+            step(app, press);
+            return Ok(());
+        }
+        Input::Text(text) => text,
+    };
     let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
@@ -117,7 +125,7 @@ pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Opt
 }
 
 /// Make the change of an edit: what it left alone stays as it is now.
-fn change(app: &mut App, from: &Snapshot, to: Snapshot) {
+fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     if (&from.scene, &from.base) != (&to.scene, &to.base) {
         (app.scene, app.base) = (to.scene, to.base);
     }
@@ -170,8 +178,8 @@ fn go_to(app: &mut App, done: usize) {
         let edit = if forward { app.history.redo() } else { app.history.undo() };
         let Some(made) = edit.map(|edit| edit.change.clone()) else { break };
         match made {
-            Change::State(states) if forward => change(app, &states.0, states.1),
-            Change::State(states) => change(app, &states.1, states.0),
+            Change::State(states) if forward => make(app, &states.0, states.1),
+            Change::State(states) => make(app, &states.1, states.0),
             Change::Unpinned(pin) if forward => runs::take_away(app, &pin),
             Change::Unpinned(pin) => runs::put_back(app, pin),
         }

@@ -9,7 +9,7 @@ use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::run::editor::shown_number;
-use crate::tui::pages::run::steps::{self, Press};
+use crate::tui::pages::run::steps::{self, Input};
 use crate::tui::widgets::form::{Line, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
@@ -43,21 +43,30 @@ impl Part {
         line.means(variable.map_or_else(|| axis.name.clone(), meaning))
     }
 
-    /// Take the next value, or the one before.
-    pub(crate) fn step(
+    /// Take another value; counts are of these numbers of points.
+    pub(crate) fn change(
         self,
         axis: &mut SweepAxis,
         scene: &Scene,
-        press: Press,
+        input: Input<'_>,
+        counts: &RangeInclusive<u64>,
     ) -> Result<(), String> {
-        match self {
-            Self::Name => {
+        match (self, input) {
+            (Self::Name, Input::Text(text)) => *axis = over(scene, find(text)?, axis.count)?,
+            (Self::Name, Input::Step(press)) => {
                 let all: Vec<&'static Variable> = numeric().collect();
                 let next = wrap(place(axis, &all).unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
-            Self::From | Self::To => step_end(self, axis, press)?,
-            Self::Points => {
+            (Self::From | Self::To, _) => {
+                let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
+                let end = if self == Self::From { &mut axis.from } else { &mut axis.to };
+                *end = changed_end(find(&axis.name)?, *end, greatest, input)?;
+            }
+            (Self::Points, Input::Text(text)) => {
+                axis.count = usize::try_from(whole(text, counts)?).unwrap_or(usize::MAX);
+            }
+            (Self::Points, Input::Step(press)) => {
                 let next = if press.up {
                     COUNTS.into_iter().find(|other| *other > axis.count)
                 } else {
@@ -65,48 +74,30 @@ impl Part {
                 };
                 axis.count = next.unwrap_or(axis.count);
             }
-            Self::Spacing => axis.log = !axis.log,
-        }
-        Ok(())
-    }
-
-    /// Take what was typed.
-    pub(crate) fn read(
-        self,
-        axis: &mut SweepAxis,
-        scene: &Scene,
-        text: &str,
-        counts: &RangeInclusive<u64>,
-    ) -> Result<(), String> {
-        match self {
-            Self::Name => *axis = over(scene, find(text)?, axis.count)?,
-            Self::From | Self::To => {
-                let variable = find(&axis.name)?;
-                let quantity = number_of(variable)?.quantity;
-                let end = if self == Self::From { &mut axis.from } else { &mut axis.to };
-                *end = units::parse_relative(text, *end, quantity, Bare::Stored)
-                    .map_err(|problem| format!("{}: {problem}", variable.symbol))?;
-            }
-            Self::Points => {
-                axis.count = usize::try_from(whole(text, counts)?).unwrap_or(usize::MAX);
-            }
-            Self::Spacing => {}
+            (Self::Spacing, _) => axis.log = !axis.log,
         }
         Ok(())
     }
 }
 
-/// Step an end by the size of the range: from 0 there is no size of its own.
-fn step_end(part: Part, axis: &mut SweepAxis, press: Press) -> Result<(), String> {
-    let variable = find(&axis.name)?;
+/// Another value of an end; it is stepped by the size of the range: from 0 there is no size of its own.
+fn changed_end(
+    variable: &'static Variable,
+    end: f64,
+    greatest: f64,
+    input: Input<'_>,
+) -> Result<f64, String> {
     let number = number_of(variable)?;
-    let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
-    let plain = steps::decade(number, greatest);
-    let end = if part == Part::From { &mut axis.from } else { &mut axis.to };
-    *end = steps::stepped(number, *end, press, plain).ok_or_else(|| {
-        format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
-    })?;
-    Ok(())
+    match input {
+        Input::Text(text) => units::parse_relative(text, end, number.quantity, Bare::Stored)
+            .map_err(|problem| format!("{}: {problem}", variable.symbol)),
+        Input::Step(press) => {
+            let plain = steps::decade(number, greatest);
+            steps::stepped(number, end, press, plain).ok_or_else(|| {
+                format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
+            })
+        }
+    }
 }
 
 /// `gamma: mass ratio of the plate to the projectile`.

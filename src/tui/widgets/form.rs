@@ -1,9 +1,11 @@
 //! A form: rows with their values below each other, the field that is open over the selected one.
 
 use crate::study::quantities::{QUANTITIES, Quantity, named};
+use crate::tui::app::find::quantity_called;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::Rows;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::text::columns;
@@ -109,10 +111,15 @@ pub(crate) fn quantity_meaning(name: &str) -> String {
     )
 }
 
-/// The name of the quantity this many after another one, in a circle.
-pub(crate) fn quantity_beside(name: &str, by: isize) -> &'static str {
-    let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
-    QUANTITIES[wrap(at, by, QUANTITIES.len())].name
+/// The name of another quantity: the one that was typed, or the next one, in a circle.
+pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static str, String> {
+    match input {
+        Input::Text(text) => quantity_called(text).map(|quantity| quantity.name),
+        Input::Step(press) => {
+            let at = QUANTITIES.iter().position(|one| one.name == name).unwrap_or(0);
+            Ok(QUANTITIES[wrap(at, press.by(), QUANTITIES.len())].name)
+        }
+    }
 }
 
 /// The setup of a study.

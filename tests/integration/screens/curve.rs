@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cmra::model::scene::{SpringKind, WhichSpring};
 use cmra::model::variables::VARIABLES;
-use cmra::tui::dialogs::{Ask, Dialog, Purpose};
+use cmra::tui::dialogs::{Dialog, Purpose};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
 
 use super::bench::Bench;
@@ -31,7 +31,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     assert!(
         matches!(
             bench.app.dialog,
-            Some(Dialog::Ask(Ask { purpose: Purpose::Curve(WhichSpring::First), .. }))
+            Some(Dialog::Ask(ref ask)) if ask.purpose == Purpose::Curve(WhichSpring::First)
         ),
         "{:?}",
         bench.app.dialog

@@ -1,29 +1,26 @@
 //! The Sweep tab: an output, or two, over one variable, with a curve for each value of a second one; what has no value is a
 //! letter on the axis, never a number.
 
-use crate::model::units::significant;
 use crate::report::figures::{axis_of, column_of, map_over, sweeps};
 use crate::report::map::{Cell, Map};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
-use crate::tui::app::status::{clip, shortened, wrap};
+use crate::tui::app::status::shortened;
 use crate::tui::chart::heatmap::{dot, role, swatch};
-use crate::tui::chart::{
-    self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Scale, Unit, ViewRange,
-};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::PictureSweep;
 use crate::tui::pages::explore::state::{Found, Picture, no_value, place, quadratic};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::put;
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
     let picture = Picture::Line;
     let Some(found) = app.pages.explore.found(picture) else {
         if let Some(area) = panes.plots.first() {
-            nothing(app, "Curves", *area, canvas);
+            waiting(app, "Curves", *area, canvas);
         }
         return;
     };
@@ -33,7 +30,7 @@ pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'
         // The shown output first, then the ones after it.
         let output = (shown + place) % outputs;
         if place > 0 && place >= outputs {
-            nothing(app, "", *area, canvas);
+            waiting(app, "", *area, canvas);
             continue;
         }
         curves(app, found, output, *area, canvas);
@@ -41,13 +38,10 @@ pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'
 }
 
 /// A pane that has nothing to show yet.
-pub(crate) fn nothing(app: &App, title: &str, area: Rect, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new(title.to_owned()).draw(area, canvas);
-    let text = match (app.jobs.running::<PictureSweep>(), &app.pages.explore.problem) {
-        (Some(_), _) => "sweeping the first points",
-        (None, Some(_)) => "see the message below",
-        (None, None) => NO_RESULTS,
-    };
+fn waiting(app: &App, title: &'static str, area: Rect, canvas: &mut Canvas<'_>) {
+    let inner = PaneFrame::new(title).draw(area, canvas);
+    let why = app.pages.explore.problem.as_ref().map(|_| "see the message below");
+    let text = nothing::<PictureSweep>(app, "sweeping the first points", why);
     canvas.put_centred(inner, text);
 }
 
@@ -137,13 +131,7 @@ fn marks(app: &App, grid: &Grid, output: usize, layout: &Layout, canvas: &mut Ca
 }
 
 /// No point of the sweep has this output: say why, and what to do.
-pub(crate) fn nothing_exists(
-    title: &str,
-    grid: &Grid,
-    output: usize,
-    area: Rect,
-    canvas: &mut Canvas<'_>,
-) {
+fn nothing_exists(title: &str, grid: &Grid, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new(title.to_owned()).draw(area, canvas);
     let room = usize::from(inner.width.saturating_sub(2)).max(8);
     let texts = no_value(grid, output);
@@ -166,7 +154,7 @@ pub(crate) fn render_map(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>)
     let all = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
     all.for_each(|area| canvas.pane(*area, RESULTS));
     let Some(found) = app.pages.explore.found(Picture::Surface) else {
-        nothing(app, "Map", area, canvas);
+        waiting(app, "Map", area, canvas);
         for area in panes.scale.iter().chain(&panes.slices) {
             PaneFrame::new("").draw(*area, canvas);
         }

@@ -1,20 +1,14 @@
 //! The plan of a chart or map of the Explore tab.
 
-use std::error::Error;
-use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::scene::Scene;
 use crate::model::units;
-use crate::study::context::Context;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
-use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, show_duration};
+use crate::tui::app::show_duration;
 use crate::tui::pages::explore::state::{Picture, has_family, quadratic, sweep_of};
-use crate::tui::pages::{Progress, StatusPart, part};
-use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, Study, Tempo};
+use crate::tui::pages::prelude::*;
+use crate::worker::study::Tempo;
 
 /// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
 const FIRST: Duration = Duration::from_millis(25);

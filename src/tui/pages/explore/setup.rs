@@ -2,21 +2,19 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{Axis, Sampling};
-use crate::tui::app::find::quantity_called;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, has_family, sweep_of};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::steps::Press;
+use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
-use crate::tui::prelude::*;
-use crate::tui::update::edit;
 use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
-use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_beside};
+use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_after};
 
 pub use crate::tui::widgets::axis::Part;
 
@@ -163,30 +161,53 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 
 /// The variable along on the other scale.
 pub(crate) fn toggle_spacing(app: &mut App) {
-    if let Err(error) = step(app, SetupRow::Axis(0, Part::Spacing), Press::NEXT) {
+    let next = Input::Step(Press::NEXT);
+    if let Err(error) = change(app, SetupRow::Axis(0, Part::Spacing), next) {
         app.refuse(error);
     }
 }
 
-/// Take what was typed into the field of a row.
-pub(crate) fn take(app: &mut App, row: SetupRow, text: &str) -> Result<(), String> {
+/// Take another value in a row.
+pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
-    match row {
-        SetupRow::Axis(1, Part::Name) if app.picture() == Picture::Line && text == "none" => {
+    let picture = app.picture();
+    match (row, input) {
+        (SetupRow::Axis(1, Part::Name), Input::Text("none")) if picture == Picture::Line => {
             sweep.axes.truncate(1);
             store(app, sweep, "one curve".to_owned());
         }
-        SetupRow::Axis(at, part) => {
-            part.read(&mut sweep.axes[at], &app.scene, text, &GRID_COUNTS)?;
+        (SetupRow::Axis(at, Part::Name), Input::Step(press)) => {
+            next_variable(app, at, press.by())?;
+        }
+        (SetupRow::Axis(at, part), _) => {
+            part.change(&mut sweep.axes[at], &app.scene, input, &GRID_COUNTS)?;
             checked(app, sweep, at)?;
         }
-        SetupRow::Curves => {
-            let curves = whole(text, &CURVES)?;
-            tried(app, app.picture(), |sweeping| sweeping.plan.curves = curves)?;
+        (SetupRow::Picture, Input::Step(press)) => {
+            let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
+            tried(app, next, |sweeping| sweeping.plan.picture = next)?;
         }
-        SetupRow::Output => choose_output(app, sweep, quantity_called(text)?.name),
-        SetupRow::Held(index) => edit::type_value(app, index, text)?,
-        SetupRow::Heading(_) | SetupRow::Design | SetupRow::Picture => {}
+        (SetupRow::Design, Input::Step(press)) => {
+            let next = around(&Sampling::ALL, app.pages.explore.sampling(picture), press.by());
+            tried(app, picture, |sweeping| sweeping.plan.samplings[picture as usize] = next)?;
+        }
+        (SetupRow::Curves, _) => {
+            let curves = app.pages.explore.plan.curves;
+            let next = match input {
+                Input::Text(text) => whole(text, &CURVES)?,
+                Input::Step(press) => curves
+                    .saturating_add_signed(press.by() as i64)
+                    .clamp(*CURVES.start(), *CURVES.end()),
+            };
+            tried(app, picture, |sweeping| sweeping.plan.curves = next)?;
+        }
+        (SetupRow::Output, _) => {
+            let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
+            let next = quantity_after(name, input)?;
+            choose_output(app, sweep, next);
+        }
+        (SetupRow::Held(index), _) => edit::change(app, index, input)?,
+        (SetupRow::Heading(_) | SetupRow::Design | SetupRow::Picture, _) => {}
     }
     Ok(())
 }
@@ -200,40 +221,6 @@ fn choose_output(app: &mut App, mut sweep: Sweep, name: &str) {
     let at = app.pages.explore.output_of(&sweep);
     name.clone_into(&mut sweep.outputs[at]);
     store(app, sweep, format!("show {name}"));
-}
-
-/// One press of an arrow on a row.
-pub(crate) fn step(app: &mut App, row: SetupRow, press: Press) -> Result<(), String> {
-    let mut sweep = sweep_of(&app.scene);
-    let picture = app.picture();
-    let by = press.by();
-    match row {
-        SetupRow::Axis(at, Part::Name) => next_variable(app, at, by)?,
-        SetupRow::Axis(at, part) => {
-            part.step(&mut sweep.axes[at], &app.scene, press)?;
-            checked(app, sweep, at)?;
-        }
-        SetupRow::Picture => {
-            let next = around(&[Picture::Line, Picture::Surface], picture, by);
-            tried(app, next, |sweeping| sweeping.plan.picture = next)?;
-        }
-        SetupRow::Design => {
-            let next = around(&Sampling::ALL, app.pages.explore.sampling(picture), by);
-            tried(app, picture, |sweeping| sweeping.plan.samplings[picture as usize] = next)?;
-        }
-        SetupRow::Curves => {
-            let curves = app.pages.explore.plan.curves.saturating_add_signed(by as i64);
-            let next = curves.clamp(*CURVES.start(), *CURVES.end());
-            tried(app, picture, |sweeping| sweeping.plan.curves = next)?;
-        }
-        SetupRow::Output => {
-            let next = quantity_beside(&sweep.outputs[app.pages.explore.output_of(&sweep)], by);
-            choose_output(app, sweep, next);
-        }
-        SetupRow::Held(_) => edit::step(app, press),
-        SetupRow::Heading(_) => {}
-    }
-    Ok(())
 }
 
 /// Another variable on an axis; across curves also none.

@@ -4,18 +4,16 @@
 //! none, usual ones stand in until something is changed. The cursor is the scene itself: moving it changes the variables
 //! on the axes, and the grid point nearest to them is marked.
 
-use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
 use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, PointOutcome, Sampling, USUAL_OUTPUTS};
-use crate::tui::app::App;
-use crate::tui::chart::{Scale, ViewRange};
+use crate::tui::pages::prelude::*;
 
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
@@ -236,8 +234,8 @@ impl App {
             let value = grid.coordinate((x, y), place);
             let shown = match words {
                 Detail::Long => axis.show(value, 5),
-                Detail::Short => units::significant(value, 5),
-                Detail::Least => units::significant(value, 4),
+                Detail::Short => significant(value, 5),
+                Detail::Least => significant(value, 4),
             };
             format!("{} {shown}", axis.symbol())
         };
@@ -333,7 +331,7 @@ pub fn placed<'a>(
 /// An output with its unit: `64.27 %`, `37.98 mm`.
 pub fn output_value(output: &Quantity, value: f64) -> String {
     match output.unit() {
-        "" => units::significant(value, 5),
+        "" => significant(value, 5),
         "%" => format!("{} %", units::fixed_significant(value, 4)),
         unit => Engineering { value, unit, digits: 4 }.to_string(),
     }

@@ -1,27 +1,19 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, the map of
 //! mass efficiency and the design under its cursor. No drawing.
 
-use std::error::Error;
-use std::sync::Arc;
-
 use crate::model::library::{Entry, Library};
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::report;
 use crate::report::figures::{column_of, efficiency};
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware};
-use crate::study::context::{Context, Progress};
+use crate::study::context::Progress;
 use crate::study::sweep::Axis;
-use crate::tui::app::status::wrap;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::{TextLine, columns, put};
-use crate::worker::Finding;
-use crate::worker::study::{Reporter, Study};
+use crate::tui::pages::prelude::*;
+use crate::tui::widgets::text::put;
 
 /// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;
@@ -196,7 +188,8 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new(title).right(right).focused(focused);
     let inner = frame.draw(area, canvas);
     if lines.is_empty() {
-        nothing(app, inner, canvas);
+        let running = "comparing with a rigid mount and a solid plate of the same areal mass";
+        canvas.put_centred(inner, nothing::<EqualMass>(app, running, None));
     }
     let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
     let shown = whole(&lines[first..], height);
@@ -210,14 +203,6 @@ fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
     &lines[..(1..=room).rev().find(ends).unwrap_or(room)]
 }
 
-fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let text = match app.jobs.running::<EqualMass>() {
-        Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
-        None => NO_RESULTS,
-    };
-    canvas.put_centred(area, text);
-}
-
 /// The map of mass efficiency with the line of 1, and below it what its colours mean.
 pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, EFFICIENCY_MAP);
@@ -226,13 +211,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((found, map)) = found.and_then(|it| Some((it, efficiency::map(it)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.draw(area, canvas);
-        let text = match (app.jobs.running::<EqualMass>().is_some(), found) {
-            (true, _) => "computing the map",
-            (false, Some(_)) => "no point has a mass efficiency",
-            (false, None) => NO_RESULTS,
-        };
-        canvas.put_centred(inner, text);
-        return;
+        let why = found.map(|_| "no point has a mass efficiency");
+        return canvas.put_centred(inner, nothing::<EqualMass>(app, "computing the map", why));
     };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let cursor = app.efficiency_cursor();

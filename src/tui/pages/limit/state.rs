@@ -1,28 +1,20 @@
 //! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
 
-use std::error::Error;
 use std::fmt::Write as _;
-use std::sync::Arc;
 
 use crate::model::run::Outcome;
-use crate::model::scene::Scene;
-use crate::model::units::{fixed_significant, significant};
+use crate::model::units::fixed_significant;
 use crate::report::Remark;
 use crate::report::figures::limit::residual;
 use crate::report::limit::{remarks, velocity};
-use crate::study::context::Context;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
-use crate::tui::app::jobs::Running;
-use crate::tui::app::layout::{CHART_ROWS, split_bottom, split_left, split_top};
-use crate::tui::app::status::{fitting, wrap};
-use crate::tui::chart::{Emphasis, Layout, Scale, ViewRange};
+use crate::tui::app::layout::CHART_ROWS;
+use crate::tui::app::status::fitting;
+use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::{RESIDUAL, panes};
-use crate::tui::pages::{Progress, StatusPart, part, progress};
-use crate::tui::prelude::*;
-use crate::worker::Finding;
-use crate::worker::study::{Reporter, Study};
+use crate::tui::pages::prelude::*;
 
 /// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {
@@ -311,23 +303,21 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
 }
 
 /// The text in the chart's place if there is no curve.
-fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);
-    let text = match (app.jobs.running::<LimitSearch>(), &app.pages.limit.report) {
-        (Some(_), _) => "finding the limit",
-        (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
-        (None, Some(_)) => "no shot perforates: no curve to draw",
-        (None, None) => NO_RESULTS,
-    };
-    canvas.put_centred(inner, text);
+    let why = app.pages.limit.report.as_ref().map(|report| match report.is_complete {
+        true => "no shot perforates: no curve to draw",
+        false => "cancelled before there was a curve",
+    });
+    canvas.put_centred(inner, nothing::<LimitSearch>(app, "finding the limit", why));
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let drawn = tab.report.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
-        nothing(app, area, canvas);
+        no_curve(app, area, canvas);
         return;
     };
     let old = app.limit_is_old();

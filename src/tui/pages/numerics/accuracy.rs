@@ -2,30 +2,19 @@
 
 pub(crate) mod draw;
 
-use std::error::Error;
-use std::sync::Arc;
-
 use crate::model::contact_phase::Ending;
-use crate::model::scene::{ContactModel, Scene};
+use crate::model::scene::ContactModel;
 use crate::model::units::Engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, percent, seconds};
 use crate::report::figures::accuracy::curve;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{self, Effort, Measured, MethodReport, Report};
-use crate::study::context::Context;
-use crate::tui::app::App;
-use crate::tui::app::jobs::Running;
-use crate::tui::app::notice::Severity;
-use crate::tui::chart::{Curve, Mapping, Scale, ViewRange};
-use crate::tui::pages::{Progress, StatusPart, part};
-use crate::tui::prelude::*;
+use crate::tui::chart::{Curve, Mapping};
+use crate::tui::pages::prelude::*;
 use crate::tui::update::act::along;
-use crate::tui::update::{edit, jobs};
 use crate::tui::view::plot_columns;
-use crate::tui::widgets::text::TextLine;
-use crate::worker::study::{Lane, Reporter, Study};
-use crate::worker::{Finding, clock};
+use crate::worker::clock;
 
 /// The uncertainty of the reference is shown if it is at least this part of the least error drawn.
 const FLOOR_NEAR: f64 = 1e-4;

@@ -1,30 +1,18 @@
 //! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
 
-use std::error::Error;
-use std::sync::Arc;
-
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::model::variables::{VARIABLES, Value};
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::report::{self, figures};
-use crate::study::context::Context;
 use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
-use crate::tui::app::jobs::Running;
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
-use crate::tui::pages::{Progress, StatusPart, part, progress};
-use crate::tui::prelude::*;
+use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::update::{edit, jobs};
-use crate::tui::widgets::RowList;
 use crate::tui::widgets::table::{Grid, Sorting};
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns};
-use crate::worker::Finding;
-use crate::worker::study::{Lane, Reporter, RowsSoFar, Study};
+use crate::tui::widgets::text::NEEDS_SINGLE;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
@@ -310,13 +298,8 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((_, found)) = &tab.map else {
         let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(focused);
         let inner = pane.draw(area, canvas);
-        let text = match app.jobs.running::<StabilityMap>() {
-            Some(_) => "computing the map",
-            None if app.needs_single_plate() => NEEDS_SINGLE,
-            None => NO_RESULTS,
-        };
-        canvas.put_centred(inner, text);
-        return;
+        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
+        return canvas.put_centred(inner, nothing::<StabilityMap>(app, "computing the map", why));
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));
     let map =
@@ -379,11 +362,7 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = if app.jobs.running::<StiffScenes>().is_some() {
-            "running the first scenes"
-        } else {
-            NO_RESULTS
-        };
+        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
         canvas.put(inner, (1, 2), text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

@@ -7,13 +7,11 @@ use std::ops::Range;
 use crate::model::run::Run;
 use crate::numerics::{larger, smaller};
 use crate::report::series::{Quantity, thinned};
-use crate::tui::app::App;
-use crate::tui::chart::{Mapping, Scale, ViewRange};
-use crate::tui::keymap::Action;
+use crate::tui::chart::Mapping;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::panes;
 use crate::tui::pages::run::runs::{self, RunView};
 use crate::tui::update::act::along;
-use crate::tui::update::zoom::Across;
 use crate::tui::view::plot_columns;
 
 /// Which part of the time is shown.

@@ -1,16 +1,14 @@
 //! The list of variables: which rows there are, which is selected, and how a value is shown.
 
 use crate::model::run::envelope;
-use crate::model::scene::{Scene, SpringKind, WhichSpring};
+use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::status::clip;
 use crate::tui::dialogs::ask::extent;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
-use crate::tui::prelude::*;
 use crate::tui::widgets::input::Field;
-use crate::tui::widgets::text::columns;
 
 #[derive(Clone, Debug, Default)]
 pub struct Editor {
@@ -97,7 +95,7 @@ pub fn shown_value(variable: &Variable, scene: &Scene, width: usize) -> String {
 pub fn shown_number(number: f64, width: usize) -> String {
     (1..=6)
         .rev()
-        .map(|digits| units::significant(number, digits))
+        .map(|digits| significant(number, digits))
         .find(|text| text.len() <= width)
         .unwrap_or_else(|| format!("{number:.0e}"))
 }

@@ -5,10 +5,9 @@ use crate::model::scene::Mount;
 use crate::numerics::{larger, smaller};
 use crate::report::run::page;
 use crate::report::series::Quantity;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::runs::engineering;
-use crate::tui::prelude::*;
-use crate::tui::widgets::text::columns;
 
 /// The projectile, its nose at the right; the plate.
 const PROJECTILE: &str = "===)";

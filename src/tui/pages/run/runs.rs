@@ -1,11 +1,9 @@
 //! The result on the screen, the pinned ones, and what the worker has been asked.
 
 use std::fmt::Write as _;
-use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::run::Run;
-use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VARIABLES};
 use crate::report::run::page;
@@ -13,14 +11,11 @@ use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
 use crate::study::models::by_every_model;
 use crate::study::quantities;
-use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::editor::shown_value;
-use crate::tui::prelude::*;
-use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{TextLine, columns};
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];

@@ -4,6 +4,15 @@ use crate::model::units::Quantity;
 use crate::model::variables::{Number, Step};
 use crate::tui::pages::run::editor::shown_number;
 
+/// What changes the value of a row.
+#[derive(Clone, Copy, Debug)]
+pub enum Input<'a> {
+    /// Arrow keys.
+    Step(Press),
+    /// What was typed into its field.
+    Text(&'a str),
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Press {
     /// To the next value; else to the one before.
@@ -63,17 +72,7 @@ fn decade_at_zero(number: &Number) -> i32 {
         (None, Quantity::Angle | Quantity::Velocity | Quantity::Density) => 0,
         (None, Quantity::Length | Quantity::Mass | Quantity::Time) => -3,
         (None, Quantity::Pressure) => 6,
-        (
-            None,
-            Quantity::Number
-            | Quantity::Force
-            | Quantity::Energy
-            | Quantity::SpecificEnergy
-            | Quantity::Stiffness
-            | Quantity::Damping
-            | Quantity::SpringCoefficient
-            | Quantity::DamperCoefficient,
-        ) => -1,
+        (None, _) => -1,
     }
 }
 
@@ -91,22 +90,7 @@ pub fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<
 
 /// A value to begin with where there was none.
 pub fn first_value(number: &Number) -> f64 {
-    match number.quantity {
-        Quantity::Length | Quantity::Time => 0.01,
-        Quantity::Number
-        | Quantity::Mass
-        | Quantity::Velocity
-        | Quantity::Angle
-        | Quantity::Density
-        | Quantity::Pressure
-        | Quantity::Force
-        | Quantity::Energy
-        | Quantity::SpecificEnergy
-        | Quantity::Stiffness
-        | Quantity::Damping
-        | Quantity::SpringCoefficient
-        | Quantity::DamperCoefficient => 1.0,
-    }
+    if matches!(number.quantity, Quantity::Length | Quantity::Time) { 0.01 } else { 1.0 }
 }
 
 fn linear(value: f64, up: bool, decade: i32) -> f64 {

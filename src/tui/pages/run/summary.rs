@@ -3,8 +3,7 @@
 use crate::model::run::Warning;
 use crate::model::run::envelope;
 use crate::report::run::page::{self, LABEL};
-use crate::tui::app::App;
-use crate::tui::app::status::wrap;
+use crate::tui::pages::prelude::*;
 
 impl App {
     /// The last result in a few lines, for the main screen after leaving.

@@ -10,15 +10,13 @@ use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::seek;
 use crate::study::sweep::{self, PointOutcome};
 use crate::study::{monte_carlo, sensitivity};
-use crate::tui::app::layout::{split_bottom, split_top};
-use crate::tui::app::status::clip;
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Unit};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
-use crate::tui::prelude::*;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{TextLine, broken, columns, first_row};
+use crate::tui::widgets::text::{broken, first_row};
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
@@ -28,7 +26,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     app.search_form().render(app, SETUP, setup, canvas);
     let lines = app.search_lines(usize::from(results.width.saturating_sub(2)));
     let Some(found) = app.pages.search.shown() else {
-        nothing(app, results, canvas);
+        waiting(app, results, canvas);
         return;
     };
     let below = app.pages.search.words_height(results.height, lines.len());
@@ -59,17 +57,14 @@ fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The text shown before there are results.
-fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = app.pages.search.page.title();
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { "Tab: setup" } else { "" };
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
-    let text = match (app.jobs.running::<Request>(), &app.pages.search.problem) {
-        (Some(_), _) => "searching",
-        (None, Some(_)) => "see the message below",
-        (None, None) => "No results yet. Press r to search.",
-    };
-    canvas.put_centred(inner, text);
+    let problem = app.pages.search.problem.as_ref().map(|_| "see the message below");
+    let why = problem.unwrap_or("No results yet. Press r to search.");
+    canvas.put_centred(inner, nothing::<Request>(app, "searching", Some(why)));
 }
 
 fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {

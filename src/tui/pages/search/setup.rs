@@ -1,7 +1,7 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, Bare, significant};
+use crate::model::scene::SweepAxis;
+use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Group, Value};
 use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
@@ -10,9 +10,8 @@ use crate::study::search::nsga;
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
-use crate::tui::app::App;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Page, Request};
-use crate::tui::theme::Role;
 use crate::tui::widgets::axis::{Part, meaning, over};
 use crate::tui::widgets::form::{Form, Line, quantity_meaning};
 

@@ -1,27 +1,17 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
-use std::error::Error;
-use std::sync::Arc;
-
-use crate::model::scene::Scene;
-use crate::model::units::significant;
 use crate::numerics::statistics::ascending;
 use crate::report;
-use crate::study::context::Context;
 use crate::study::monte_carlo::{self, Summary};
 use crate::study::search::front::{self, Design, Front, Task};
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
-use crate::tui::app::App;
 use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::notice::Severity;
-use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::pages::explore::state::{copy_value, placed};
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::PAGES;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::{Progress, StatusPart, part};
-use crate::worker::Finding;
-use crate::worker::study::{Reporter, Study};
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -46,11 +36,8 @@ impl Page {
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
     /// Their subject, in two or three words.
-    pub(crate) const TITLES: [&str; 4] =
-        ["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"];
-
     pub fn title(self) -> &'static str {
-        Self::TITLES[self as usize]
+        PAGES[self as usize].name
     }
 
     /// The file proposed for an export.

@@ -1,15 +1,10 @@
 //! The Thesis tab: claims with the selected one in full, principles with what serves them, the screening matrix.
 
-use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
-use crate::tui::app::layout::{split_bottom, split_left};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
-use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
-use crate::tui::widgets::text::columns;
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
@@ -54,10 +49,9 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
-        let text = match (app.jobs.running::<Claims>(), tab.rows().is_empty()) {
-            (_, false) => "no row has this verdict: v for the next",
-            (Some(_), true) => "checking the first claims",
-            (None, true) => NO_RESULTS,
+        let text = match tab.rows() {
+            [] => nothing::<Claims>(app, "checking the first claims", None),
+            _ => "no row has this verdict: v for the next",
         };
         canvas.put(inner, (1, 1), text, Role::Dim);
     }

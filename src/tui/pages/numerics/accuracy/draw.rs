@@ -4,15 +4,13 @@ use crate::report::accuracy::{self, TARGETS};
 use crate::report::figures::accuracy::axes;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
-use crate::tui::app::layout::{WIDE, split_bottom, split_left};
-use crate::tui::app::status::clip;
-use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark, Scale, ViewRange};
+use crate::tui::app::layout::WIDE;
+use crate::tui::chart::{Chart, Curve, Emphasis, Legend, Mark};
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
-use crate::tui::prelude::*;
-use crate::tui::widgets::RowList;
+use crate::tui::pages::prelude::*;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, TextLine, wrapped};
+use crate::tui::widgets::text::{NEEDS_SINGLE, wrapped};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -62,15 +60,13 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = "Relative error";
     let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
         let inner = PaneFrame::new(title).draw(area, canvas);
-        let text = match (app.jobs.running::<Measurements>(), &tab.report) {
-            (Some(_), _) => "measuring the first points",
-            (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
-            (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
-            (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
-            (None, None) => NO_RESULTS,
+        let why = match &tab.report {
+            Some(_) if tab.view.times.is_some() => Some("nothing in view: 0 shows everything"),
+            Some(_) => Some("nothing to draw: no point, or all are hidden (V)"),
+            None => app.needs_single_plate().then_some(NEEDS_SINGLE),
         };
-        canvas.put_centred(inner, text);
-        return;
+        let text = nothing::<Measurements>(app, "measuring the first points", why);
+        return canvas.put_centred(inner, text);
     };
     let old = app.accuracy_is_old();
     let emphasis = |method: Method| {

@@ -1,23 +1,18 @@
 //! The charts of the Run tab: one or three on a common time axis, with readouts below a single one.
 
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::series::Quantity;
-use crate::tui::app::App;
-use crate::tui::app::status::{clip, short_name, value_at};
+use crate::tui::app::status::{short_name, value_at};
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side, Unit,
-    ViewRange, align_gutters,
+    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Side, Unit,
+    align_gutters,
 };
-use crate::tui::message::Target;
-use crate::tui::pages::NO_RESULTS;
+use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window};
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::theme::{PaneFrame, Role};
-use crate::tui::widgets::Canvas;
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
