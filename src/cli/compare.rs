@@ -120,7 +120,7 @@ impl CompareArguments {
         let page = at_top(&map_page(name, &map), &warnings);
         let table = self.table.of(&self.scene, &preset.scene);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, &tables::map_table(name, &map).with_warnings(&warnings))?;
+            table.deliver(&page, &tables::map_table(name, &map))?;
         }
         let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;
@@ -204,8 +204,11 @@ fn masses(page: &mut String, report: &Report) {
         fixed_significant(1e4 * report.face_m2, 3),
         gram(report.hardware.mount_kg)
     );
-    if report.has_stop {
-        page.push_str("stop: absorbs energy, and its mass is not known; add it to --mount-mass\n");
+    for part in &report.uncounted {
+        let _ = writeln!(
+            page,
+            "{part}: takes up energy, and its mass is not known; add it to --mount-mass"
+        );
     }
 }
 

@@ -81,12 +81,9 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let report =
         progress::study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
-    // Validity at the limit is that of the shot at the limit.
-    let mut at_limit = (*report.scene).clone();
-    if let Some(velocity_m_s) = report.limit.velocity_m_s() {
-        at_limit.projectile.velocity_m_s = velocity_m_s;
-    }
-    let warnings = validity::of_scene(&at_limit);
+    // They are those of the shot at the limit; without a limit, of the scene's own.
+    let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
+    let warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
     if !arguments.pictures.is_stdout() {
         let table = arguments.table.of(&arguments.scene, &report.scene);
         let (page, object) = (page(name, &report), limit::json(name, &report));

@@ -106,7 +106,7 @@ fn page(name: &str, report: &Report) -> String {
             count => format!("   truncated: {count} impossible samples drawn again"),
         };
         let words = format!("{} {unit}", tolerance.distribution.words());
-        let _ = writeln!(page, "  {:8}{}{again}", tolerance.symbol(), words.trim_end());
+        let _ = writeln!(page, "  {:8} {}{again}", tolerance.symbol(), words.trim_end());
     }
     let _ = writeln!(page, "\n{}", report.outcomes);
     if let Some(perforation) = perforation(report) {

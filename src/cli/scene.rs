@@ -146,6 +146,7 @@ fn say_changed(before: &Scene, scene: &mut Scene) {
 }
 
 fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
+    refuse_two_sizes(set)?;
     let old = scene.mechanism.clone();
     let mut with_curve = Vec::new();
     for argument in set {
@@ -174,6 +175,22 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
         }
     }
     Ok(())
+}
+
+/// Refuses two inputs that both give the plate's size: the last one would win without a word.
+fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
+    const SIZES: [&str; 3] = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"];
+    let key = |argument: &String| {
+        let variable = variables::find(argument.split('=').next()?.trim()).ok()?;
+        Some((variable.key, argument.clone()))
+    };
+    let mut given = set.iter().filter_map(key).filter(|(key, _)| SIZES.contains(key));
+    let Some((first_key, first)) = given.next() else { return Ok(()) };
+    given.find(|(key, _)| *key != first_key).map_or(Ok(()), |(_, second)| {
+        Err(CliError::Option(format!(
+            "--set {first} and --set {second}: both give the plate's size; give one of gamma, m_2 and face"
+        )))
+    })
 }
 
 /// The spring whose measured curve a name means.

@@ -70,21 +70,22 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     say_if_long(&space, goal.axis.count(), "runs", threads);
     let report = progress::study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
-    if let Some(law) = law {
-        output::note(&law);
+    if let Some(law) = &law {
+        output::note(law);
     }
     let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
     for solution in report.solutions() {
         let scene = space.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
     }
-    let (page, object) = (page(name, &report), seek::json(name, &report));
+    let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
     let table = arguments.table.of(&arguments.scene, &preset.scene);
     table.deliver_warned(&warnings, &page, object, seek::table(name, &report))?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 
-fn page(name: &str, report: &Report) -> String {
+/// The page; of a search that has taken the plastic interface by itself, what runs a solution names that too.
+fn page(name: &str, report: &Report, is_plastic: bool) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();
     let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
@@ -104,7 +105,8 @@ fn page(name: &str, report: &Report) -> String {
     }
     if let Some(solution) = report.solutions().next() {
         let set = format!("{}={}", axis.symbol(), shortest(solution.place.at));
-        let _ = writeln!(page, "\n`--set {set}` runs it");
+        let law = if is_plastic { " --set interface=plastic" } else { "" };
+        let _ = writeln!(page, "\n`--set {set}{law}` runs it");
     }
     page
 }

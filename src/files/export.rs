@@ -242,7 +242,7 @@ pub fn unit_behind(variable: &Variable) -> String {
 
 /// What came out of a run, as comment lines; the sign stands between a result's name and its value.
 fn outcome(run: &Run, sign: &str) -> String {
-    let mut text = format!("# outcome: {} ({})\n", run.outcome.word(), run.end.words());
+    let mut text = format!("# outcome: {} ({})\n", run.shot_outcome().word(), run.end.words());
     for column in of_runs() {
         if let Some(value) = column.value(run) {
             let _ = writeln!(text, "# {}{sign} {}", column.name, units::shortest(value));

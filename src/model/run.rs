@@ -360,6 +360,16 @@ impl Run {
         Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
     }
 
+    /// The outcome of the whole shot: into a stack, that in the last plate struck.
+    pub fn shot_outcome(&self) -> Outcome {
+        self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome)
+    }
+
+    /// The residual velocity behind the plate, or behind the base plate of a stack, m/s.
+    pub fn shot_residual_m_s(&self) -> Option<f64> {
+        self.stack.as_ref().map_or(self.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
+    }
+
     /// By how much the nose of a shot that is not perforated stands out of the rear face, m; `None` where it does not. By the
     /// army criterion that is a complete penetration.
     pub fn protrusion_m(&self) -> Option<f64> {

@@ -2,6 +2,7 @@
 
 use serde_json::{Map as Object, Value, json};
 
+use crate::model::run::envelope;
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
@@ -52,9 +53,11 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("mass_efficiency_as_built", "mass efficiency as built", "", |it| it.as_built)
         .with("areal_mass_kg_m2", "areal mass", "kg/m^2", |it| it.areal_kg_m2)
         .with("spring_mass_kg", "spring mass", "kg", |it| it.spring_kg)
-        .with("limit_velocity_m_s", "limit velocity", "m/s", |it| it.limit_m_s)
+        .with("limit_velocity_m_s", "limit with hardware", "m/s", |it| it.limit_m_s)
         .shown(beyond)
-        .with("perforation_velocity_m_s", "perforation", "m/s", |it| it.perforation.velocity_m_s())
+        .with("perforation_velocity_m_s", "ballistic limit", "m/s", |it| {
+            it.perforation.velocity_m_s()
+        })
         .shown(beyond)
         .with("equivalent_thickness_m", "solid of equal limit", "m", |it| it.equivalent_m)
         .with("stroke_m", "stroke", "m", |it| it.load.stroke_m)
@@ -124,6 +127,8 @@ pub fn json(name: &str, report: &Report) -> Value {
         "verdict": report.verdict().words(),
         "pays": report.verdict().pays(),
         "mass_efficiency": own.and_then(Entry::mass_efficiency),
+        "mass_not_counted": report.uncounted,
+        "spare_mass_kg": report.spare_mass_kg(),
         "closed_form": closed,
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
@@ -148,4 +153,8 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
+        .with("warnings", "warnings", "", move |at| {
+            let breaches = envelope::of_scene(&map.placed(at.0, at.1));
+            breaches.iter().map(ToString::to_string).collect::<Vec<String>>().join("; ")
+        })
 }

@@ -10,7 +10,7 @@ use crate::report::table::Table;
 use crate::study::compare::Load;
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
-use crate::study::limit::{Closures, Limit, Report, Shot};
+use crate::study::limit::{AtLimit, Closures, Limit, Report, Shot};
 
 /// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
@@ -29,7 +29,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::caution("warning", text));
     }
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
-    if let Some(load) = &report.load {
+    if let Some(AtLimit { load, .. }) = &report.at_limit {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         remarks.push(Remark::new("at the limit", self::load(load).unwrap_or_else(none)));
     }
@@ -126,6 +126,10 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         let (bias, spread) = (100.0 * asked.model.bias, percent(asked.model.spread));
         let _ =
             write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
+    } else {
+        inputs.push_str(
+            "; the model's own error is not included (--model-bias, --model-spread, from cmra validate)",
+        );
     }
     [("V50", v50), ("perforation", through), ("scatter", inputs)]
         .map(|(about, text)| Remark::new(about, text))
@@ -185,7 +189,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
     let (above, below) = report.limit.bracket_m_s();
-    let load = report.load.unwrap_or_default();
+    let load = report.at_limit.as_ref().map(|it| it.load).unwrap_or_default();
     let closures = report.closures.map(|closures| {
         json!({
             "double_yield_dishing_m_s": closures.double_yield_m_s,

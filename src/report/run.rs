@@ -148,7 +148,7 @@ fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usi
 fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
         .with("scene", "scene", "", |it| it.1.scene.title.as_str())
-        .with("outcome", "outcome", "", |it| it.1.outcome.word())
+        .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())
         .with("end", "end", "", |it| it.1.end.words())
         .with("method", "method", "", |it| it.1.cost.method);
     of_runs().fold(table, |table, quantity| {
@@ -261,7 +261,7 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
         ("title", Value::from(scene.title.as_str())),
         ("model", word("contact.model")),
         ("interface", word("interface.law")),
-        ("outcome", Value::from(run.outcome.word())),
+        ("outcome", Value::from(run.shot_outcome().word())),
         ("end", Value::from(run.end.words())),
         ("complete", Value::from(run.end.is_complete())),
     ];

@@ -34,7 +34,16 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         remarks.push(Remark::caution("", text));
     }
     if report.solutions().next().is_none() {
-        remarks.push(Remark::caution("", format!("nothing reaches {}", shown(report.target))));
+        let text = if report.is_complete {
+            format!("nothing reaches {}", shown(report.target))
+        } else {
+            format!(
+                "cancelled after {} runs: {} not reached so far",
+                report.runs,
+                shown(report.target)
+            )
+        };
+        remarks.push(Remark::caution("", text));
         let nearest = report.of(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));
         let range = report
             .range

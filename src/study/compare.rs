@@ -26,7 +26,7 @@
 use std::sync::Arc;
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Outcome, Run};
+use crate::model::run::Outcome;
 use crate::model::scene::{self, Combination, Mount, OwnMass, Plate, Scene, Stack};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
@@ -45,7 +45,7 @@ pub mod summary;
 pub use closed_form::ClosedForm;
 pub use hardware::{Failure, Hardware};
 pub use load::Load;
-pub use sized::{Absence, Sized, areal_mass_kg_m2, mass_efficiency};
+pub use sized::{Absence, Sized, areal_mass_kg_m2, areal_mass_of_run, mass_efficiency};
 pub use solid::thickness_of_limit_m;
 
 pub(in crate::study) use hardware::spring_energy_j;
@@ -174,8 +174,8 @@ pub struct Report {
     pub face_m2: f64,
     /// The springs know their own mass.
     pub spring_is_own: bool,
-    /// A stop takes up energy, and its mass is not counted.
-    pub has_stop: bool,
+    /// The parts that take up energy and whose mass is not counted: a damper, a stop; empty: all mass is.
+    pub uncounted: Vec<&'static str>,
     /// The candidates, without those that cannot be made or were not reached.
     pub entries: Vec<Entry>,
     /// Whether it was done to its end.
@@ -186,6 +186,15 @@ impl Report {
     /// One candidate's figures.
     pub fn of(&self, candidate: Candidate) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.candidate == candidate)
+    }
+
+    /// The mass that the parts without a counted mass may have before the mechanism no longer pays, kg; `None` where all mass is
+    /// counted, it does not pay, or the scene is a stack.
+    pub fn spare_mass_kg(&self) -> Option<f64> {
+        let sized = self.of(Candidate::Scene)?.sized.as_ref().ok()?;
+        let is_open = !self.uncounted.is_empty() && self.scene.stack.base_thickness_m.is_none();
+        let spare = (sized.solid_areal_kg_m2 - sized.areal_kg_m2) * face_m2(&sized.scene);
+        Some(spare).filter(|_| is_open && self.verdict() == Verdict::Pays)
     }
 
     /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
@@ -247,7 +256,7 @@ pub fn compare(
         hardware,
         face_m2: face_m2(scene),
         spring_is_own: hardware.spring_kg.is_none() && hardware::is_own(scene),
-        has_stop: elements.iter().any(|element| Mechanism::of(element).stop.is_some()),
+        uncounted: uncounted(&elements, &hardware),
         entries: Vec::new(),
         is_complete: false,
     };
@@ -276,6 +285,19 @@ pub(in crate::study) fn elements(scene: &Scene) -> Vec<Scene> {
     let mut plates = stack::plates(scene);
     plates.pop();
     plates
+}
+
+/// The parts of a scene that take up energy and whose mass is not counted, unless the mass of the mount is given.
+fn uncounted(elements: &[Scene], hardware: &Hardware) -> Vec<&'static str> {
+    let mechanisms: Vec<Mechanism> = elements
+        .iter()
+        .filter(|element| element.plate.mount == Mount::Sprung && hardware.mount_kg == 0.0)
+        .map(Mechanism::of)
+        .collect();
+    let parts: [(&str, fn(&Mechanism) -> bool); 2] =
+        [("damper", |it| !it.damper.is_absent()), ("stop", |it| it.stop.is_some())];
+    let has = |part: &(&str, fn(&Mechanism) -> bool)| mechanisms.iter().any(part.1);
+    parts.into_iter().filter(has).map(|(name, _)| name).collect()
 }
 
 /// The area of a plate, m²: its mass over rho h.
@@ -318,16 +340,6 @@ fn hold_spring_mass(scene: &mut Scene) {
     if is_alone && spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() {
         spring.mass_kg = mass_kg;
     }
-}
-
-/// The outcome of the shot, in the plate or in the stack.
-pub(in crate::study) fn outcome(run: &Run) -> Outcome {
-    run.stack.as_ref().map_or(run.outcome, |stack| stack.outcome)
-}
-
-/// The residual velocity behind the plate, or behind the base plate of the stack, m/s.
-pub(in crate::study) fn residual_m_s(run: &Run) -> Option<f64> {
-    run.stack.as_ref().map_or(run.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
 }
 
 /// Whether something stops the plates of a scene.

@@ -12,7 +12,6 @@ use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
-use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
 use fit::{LambertJonas, RechtIpson};
 use monte_carlo::{SampledLimit, Sampling};
@@ -23,7 +22,7 @@ pub mod fit;
 pub mod monte_carlo;
 mod search;
 
-pub use at_limit::Closures;
+pub use at_limit::{AtLimit, Closures};
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
@@ -178,8 +177,8 @@ pub struct Report {
     pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
-    /// The load of the mechanism and its mount for a shot just below the limit; `None` without a limit.
-    pub load: Option<Load>,
+    /// A shot just below the limit; `None` without a limit.
+    pub at_limit: Option<AtLimit>,
     /// The limits by both closures, where the flow strength comes from a yield stress.
     pub closures: Option<Closures>,
     /// The curve, in order of velocity.
@@ -225,7 +224,7 @@ pub fn find(
         scene: Arc::clone(scene),
         criterion: effort.criterion,
         limit,
-        load: None,
+        at_limit: None,
         closures: None,
         shots: range.curve(limit),
         recht_ipson: None,
@@ -234,7 +233,7 @@ pub fn find(
         is_complete: true,
     };
     if let Some(velocity_m_s) = limit.velocity_m_s() {
-        report.load = range.load(velocity_m_s);
+        report.at_limit = range.at_limit(velocity_m_s);
         report.closures = range.closures();
         let perforated: Vec<(f64, f64)> = report
             .shots

@@ -10,7 +10,7 @@ use crate::model::run::{EventKind, Run, envelope};
 use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units::{self, Bare, Engineering};
 use crate::study::compare::load::impulse_n_s;
-use crate::study::compare::{Hardware, mass_efficiency};
+use crate::study::compare::{Hardware, areal_mass_of_run, mass_efficiency};
 use crate::study::limit;
 use crate::study::sweep::kernel::Answer;
 
@@ -205,7 +205,7 @@ pub static QUANTITIES: &[Quantity] = &[
     of_run("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Run::stroke_m)
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.start_m())).absent(UNSTOPPED),
-    of_run("residual_velocity_m_s", "projectile velocity after perforation", |run| run.residual_velocity_m_s).of_perforation(),
+    of_run("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Run::shot_residual_m_s).of_perforation(),
     of_run("exit_time_s", "when the nose was clear of the rear face", |run| run.exit_time_s).of_perforation(),
     of_run("separation_time_s", "when the projectile left through the entry face", |run| Some(run.separation?.0)),
     of_run("separation_velocity_m_s", "projectile velocity when it left through the entry face", |run| Some(run.separation?.1)),
@@ -228,9 +228,9 @@ pub static QUANTITIES: &[Quantity] = &[
     of_scene("plate_mass_kg", "mass of the plate: gamma times that of the projectile", |scene| Some(scene.plate_mass_kg())),
     of_run("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", |run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m))
         .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
-    of_run("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring", |run| mount::system_kg(&run.scene, run.max_plate_displacement_m))
+    of_run("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring; a damper, a stop and the mount are not counted", |run| mount::system_kg(&run.scene, run.max_plate_displacement_m))
         .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.max_displacement_m))).short("system"),
-    of_run("areal_mass_kg_m2", "plate and springs over the plate's face", |run| mount::areal_kg_m2(&run.scene, run.max_plate_displacement_m))
+    of_run("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted", areal_mass_of_run)
         .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.max_displacement_m))),
     of_scene("plate_face_m", "side of the plate's square face: the plate is a block of its material", |scene| sprung(scene).then(|| scene.plate_face_m())),
     of_scene("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", envelope::face_ratio),

@@ -172,6 +172,10 @@ fn errors_of_the_command_line_have_one_line() {
             "run --set gamma=-1",
             &["gamma (plate.mass_ratio) = -1", "greater than 0", "did you mean 1?"],
         ),
+        (
+            "run --set m_2=100g --set gamma=2",
+            &["--set m_2=100g and --set gamma=2", "give one of gamma, m_2 and face"],
+        ),
         ("run --set m_p=nan", &["m_p (projectile.mass_kg)", "nan"]),
         ("run --set m_p=1e999", &["m_p (projectile.mass_kg)", "not a finite number"]),
         ("run --set h=3kg", &["h (target.thickness_m)", "`kg` is not a unit", "mm"]),

@@ -162,6 +162,17 @@ fn the_limit_comes_with_stroke_energy_and_mount_force() {
 }
 
 /// Three plates on rigid mounts without dishing and drag take their energies one after the other: v² = 2 S pi R² (h1 + h2 + h3)/m.
+/// The shot at the limit is stopped: its warnings are there whether or not rounding lets the limit itself through.
+#[test]
+fn warnings_are_those_of_the_shot_just_below_the_limit() {
+    let thin = ["--material", "aa6061-t6511", "--set", "h=3mm", "--scatter", "0"];
+    let (page, _) = crate::support::says("limit", &thin, 0);
+    let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    for fragment in ["the spring's end moves at", "the fused interface must carry 1.35"] {
+        assert!(flat.contains(fragment), "{page}");
+    }
+}
+
 #[test]
 fn stacks_have_limits() {
     let pairs =

@@ -129,7 +129,7 @@ fn valid_every_preset_gives_the_expected_results() {
         let run =
             simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap();
         assert!(run.end.is_complete(), "{name}: {}", run.end.words());
-        assert_eq!(run.outcome.word(), case.outcome, "{name}");
+        assert_eq!(run.shot_outcome().word(), case.outcome, "{name}");
         assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
         let value = |key: &str| {
             let column = quantities::find(key).unwrap_or_else(|| panic!("{name}: {key}"));

@@ -25,6 +25,20 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
     assert!((depth - 4.568_088_344_392e-3).abs() < 1e-12, "{depth}");
 }
 
+/// The search takes the plastic interface by itself; its solutions run with it.
+#[test]
+fn the_command_that_runs_a_solution_names_the_interface_of_the_search() {
+    let goal = ["--over", "d=0..0.5", "--goal", "percent_of_baseline=60"];
+    let (page, _) = out(&goal, 0);
+    let line = page.lines().find(|line| line.contains("runs it")).unwrap();
+    assert!(
+        line.starts_with("`--set d=0.0256") && line.contains(" --set interface=plastic`"),
+        "{line}"
+    );
+    let (page, _) = out(&[&goal[..], &["--set", "interface=fused"]].concat(), 0);
+    assert!(!page.contains("interface=plastic"), "{page}");
+}
+
 #[test]
 fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     let fused = ["--set", "interface=fused"];

@@ -7,7 +7,7 @@ use cmra::files::{read, write};
 use cmra::model::run::{Outcome, Run, Warning};
 use cmra::model::variables;
 
-use crate::support::{assert_near, run, scene};
+use crate::support::{assert_near, run, says, scene};
 
 #[test]
 fn a_stack_of_one_element_is_the_single_run() {
@@ -15,6 +15,8 @@ fn a_stack_of_one_element_is_the_single_run() {
         let single = run(scene(pairs));
         let mut stacked = run(scene(&format!("{pairs} base=0.01")));
         let stack = stacked.stack.take().unwrap();
+        // What goes through the first plate of a stack meets the next: no warning says that it goes through a rigid one, too.
+        stacked.warnings.extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).cloned());
         stacked.scene = Arc::clone(&single.scene);
         assert_eq!(stacked, single, "{pairs}");
         let reached_base = single.outcome == Outcome::Perforated;
@@ -24,6 +26,32 @@ fn a_stack_of_one_element_is_the_single_run() {
             assert_eq!((stack.passed(), stack.outcome), (0, single.outcome));
         }
     }
+}
+
+/// The preset's shot goes through two elements and is stopped by the base plate; its plates and its base weigh 51.49 kg/m².
+#[test]
+fn the_outcome_and_the_areal_mass_of_a_stack_are_those_of_all_its_plates() {
+    let json = |arguments: &[&str]| {
+        let (out, _) = says(arguments[0], &arguments[1..], 0);
+        serde_json::from_str::<serde_json::Value>(&out).unwrap()
+    };
+    let found = json(&["run", "array-stacked", "--json"]);
+    assert_eq!(found["outcome"], "arrested");
+    assert!(found["residual_velocity_m_s"].is_null());
+    // Behind the first element; from an independent computation: classical Runge-Kutta at 5 ns.
+    let behind = found["stack"]["elements"][0]["residual_velocity_m_s"].as_f64().unwrap();
+    assert_near(behind, 220.961_130_452_846_33, 1e-6);
+    let compared = json(&["compare", "array-stacked", "--json"]);
+    let whole = compared["candidates"]["scene"]["areal_mass_kg_m2"].as_f64().unwrap();
+    assert_near(found["areal_mass_kg_m2"].as_f64().unwrap(), whole, 1e-9);
+    assert!(whole > 51.49);
+    let (page, _) = says("sweep", &["array-stacked", "--over", "v_i=200,250,300", "--csv", "-"], 0);
+    let outcomes: Vec<&str> = page
+        .lines()
+        .skip(1)
+        .map(|line| if line.contains(",arrested,") { "arrested" } else { "perforated" })
+        .collect();
+    assert_eq!(outcomes, ["arrested", "arrested", "perforated"], "{page}");
 }
 
 /// Free plates: by momentum, and the closed form of the relative motion (Recht-Ipson's with p = 2).

@@ -186,7 +186,9 @@ fn warnings(
         let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
     }
-    if problem.flows() && problem.baseline_m.is_none() {
+    // What goes through the first plate of a stack meets the next.
+    let is_alone = problem.scene.stack.base_thickness_m.is_none();
+    if problem.flows() && problem.baseline_m.is_none() && is_alone {
         list.push(Warning::NoBaseline);
     }
     list

@@ -1,7 +1,9 @@
 //! The comparison in closed form: a free plate without dishing on a soft spring; see the module's head for the derivation.
 
+use crate::model::mechanism::Mechanism;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::study::compare::Hardware;
+use crate::study::compare::hardware::is_own;
 
 /// The closed-form result of a design.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,15 +28,19 @@ impl ClosedForm {
         }
     }
 
-    /// For a scene; `None` for a rigid mount, a stack, an oblique shot, another contact model, a stop, and a spring's mass that is given.
+    /// For a scene whose spring alone takes up energy; `None` for a rigid mount, a stack, an oblique shot, another contact model, a
+    /// cocked plate, a stop, a damper, and a spring whose mass is given or its own.
     pub fn of(scene: &Scene, hardware: &Hardware) -> Option<Self> {
         let fits = scene.plate.mount == Mount::Sprung
             && scene.stack.base_thickness_m.is_none()
             && scene.projectile.obliquity_deg == 0.0
             && scene.contact.model == ContactModel::Hydrodynamic
-            // A stop takes up energy beside the spring.
+            && scene.plate.cocking_m == 0.0
             && scene.mechanism.stop.position_m.is_none()
-            && hardware.spring_kg.is_none();
+            && scene.mechanism.damper.coefficient == 0.0
+            && !Mechanism::of(scene).spring.is_absent()
+            && hardware.spring_kg.is_none()
+            && !is_own(scene);
         let (gamma, velocity_m_s) = (scene.plate.mass_ratio, scene.projectile.velocity_m_s);
         fits.then(|| Self::new(gamma, velocity_m_s, scene.mechanism.specific_energy_j_kg()))
     }

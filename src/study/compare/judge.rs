@@ -8,9 +8,7 @@ use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::hardware::Built;
 use crate::study::compare::sized::{self, sized};
 use crate::study::compare::solid::thickness_of_limit_m;
-use crate::study::compare::{
-    Candidate, Entry, Failure, Hardware, Load, is_held, outcome, residual_m_s,
-};
+use crate::study::compare::{Candidate, Entry, Failure, Hardware, Load, is_held};
 use crate::study::context::Context;
 use crate::study::limit::{self, Limit};
 
@@ -45,7 +43,9 @@ impl Judge<'_, '_> {
         let run = self.fire(design_m_s)?;
         // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let sizing = match perforation.velocity_m_s() {
-            Some(limit) if outcome(&run) == Outcome::Perforated => Some(self.fire_below(limit)?),
+            Some(limit) if run.shot_outcome() == Outcome::Perforated => {
+                Some(self.fire_below(limit)?)
+            }
             Some(_) | None => None,
         };
         let built = Built::of(&scene, &self.hardware, sizing.as_ref().unwrap_or(&run));
@@ -61,12 +61,12 @@ impl Judge<'_, '_> {
         let areal_kg_m2 = built.areal_kg_m2(&scene);
         let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit));
         let equivalent = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
-        let stays = matches!(outcome(&run), Outcome::Arrested | Outcome::Separated);
+        let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         let depth_m =
             run.stack.as_ref().map_or(run.final_penetration_m, |stack| stack.penetration_m);
         Some(Entry {
             candidate,
-            outcome: outcome(&run),
+            outcome: run.shot_outcome(),
             is_held: is_held(&scene),
             areal_kg_m2,
             spring_kg: built.spring_kg(),
@@ -79,7 +79,7 @@ impl Judge<'_, '_> {
             load: Load::of(&run),
             limit_load,
             depth_m: depth_m.filter(|_| stays),
-            residual_m_s: residual_m_s(&run),
+            residual_m_s: run.shot_residual_m_s(),
             scene,
         })
     }

@@ -84,6 +84,13 @@ impl Map {
         self.cells.len() as u64 == self.plan.points()
     }
 
+    /// The scene of a point, counted along both axes from their first values.
+    pub fn placed(&self, x: u64, y: u64) -> Scene {
+        let mut scene = self.plan.base().clone();
+        self.plan.place(&mut scene, x * self.y().count() + y);
+        scene
+    }
+
     /// A point, counted along both axes from their first values; `None` where it was not reached.
     pub fn cell(&self, x: u64, y: u64) -> Option<Result<f64, Absence>> {
         let index = usize::try_from(x * self.y().count() + y).ok()?;

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::model::run::Outcome;
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
+use crate::study::compare::elements;
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
-use crate::study::compare::{elements, outcome};
 use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
 
@@ -20,8 +20,10 @@ const WIDENED_MAX: usize = 20;
 pub enum Absence {
     /// No solid plate has this limit velocity: no strength, or another contact model.
     NoSolid,
-    /// No thickness within a factor of a million of the solid plate's is just enough.
+    /// No thickness within a factor of a million of the solid plate's is enough.
     NoThickness,
+    /// Every thickness is enough, down to a millionth of the solid plate's: the mechanism does it.
+    EveryThickness,
     /// The spring's mass is not known.
     NoSpringMass,
     /// The mechanism fails under the shot.
@@ -33,7 +35,7 @@ impl Absence {
     pub fn letter(self) -> char {
         match self {
             Self::NoSolid => 'N',
-            Self::NoThickness => 'T',
+            Self::NoThickness | Self::EveryThickness => 'T',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
         }
@@ -43,7 +45,10 @@ impl Absence {
     pub fn words(self) -> String {
         match self {
             Self::NoSolid => "no solid plate to compare with".to_owned(),
-            Self::NoThickness => "no thickness just stops the shot".to_owned(),
+            Self::NoThickness => "no thickness stops the shot".to_owned(),
+            Self::EveryThickness => {
+                "however thin, the plate stops the shot: there is no least thickness".to_owned()
+            }
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
         }
@@ -76,6 +81,11 @@ impl Sized {
 /// scene in, number out.
 pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
     sized(scene, hardware, WIDTH).ok().map(|sized| sized.mass_efficiency())
+}
+
+/// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known.
+pub fn areal_mass_of_run(run: &Run) -> Option<f64> {
+    Built::of(&run.scene, &Hardware::default(), run).areal_kg_m2(&run.scene)
 }
 
 /// Areal mass of a valid scene as built, its springs sized for its own shot, kg/m²; `None` where it is not known.
@@ -124,7 +134,7 @@ fn shoot(scene: &Scene) -> Option<Shot> {
     }
     let run = plain_run(scene)?;
     // An undecided run is not a proof that the plate stops the shot.
-    let stopped = match outcome(&run) {
+    let stopped = match run.shot_outcome() {
         Outcome::Arrested | Outcome::Separated => true,
         Outcome::Moving => run.final_penetration_m.or(run.penetration_at_most_m).is_some(),
         Outcome::Perforated => false,
@@ -169,7 +179,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
         thin *= 0.5;
         widened += 1;
         if widened == WIDENED_MAX {
-            return Err(Absence::NoThickness);
+            return Err(Absence::EveryThickness);
         }
     }
     close_in((thin, thick), stops, width, &try_out)

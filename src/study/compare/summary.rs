@@ -13,10 +13,29 @@ pub fn verdict(report: &Report) -> String {
     match (verdict, own.mass_efficiency()) {
         (Verdict::Pays | Verdict::DoesNotPay, Some(efficiency)) => {
             let efficiency = fixed_significant(efficiency, 4);
-            format!("mass efficiency {efficiency} at {design}: {}", verdict.words())
+            let condition = condition(report);
+            format!("mass efficiency {efficiency} at {design}: {}{condition}", verdict.words())
+        }
+        (Verdict::Unknown, None) => {
+            let why =
+                own.sized.as_ref().err().map_or_else(String::new, |it| format!(": {}", it.words()));
+            format!("{} ({design}){why}", verdict.words())
         }
         (_, _) => format!("{} ({design})", verdict.words()),
     }
+}
+
+/// The condition on parts whose mass is not counted, as the end of the verdict; empty where there is none.
+fn condition(report: &Report) -> String {
+    if report.uncounted.is_empty() || report.verdict() != Verdict::Pays {
+        return String::new();
+    }
+    let parts = report.uncounted.join(" and ");
+    let most = report.spare_mass_kg().map_or_else(
+        || "nothing".to_owned(),
+        |kg| format!("less than {} g", fixed_significant(1e3 * kg, 3)),
+    );
+    format!(" if its {parts} weighs {most}")
 }
 
 /// What the verdict rests on, a sentence each.
@@ -25,9 +44,10 @@ pub fn reasons(report: &Report) -> Vec<String> {
     let mut lines = vec![sized(own, report.verdict())];
     lines.extend(as_built(own));
     if let Some(closed) = report.closed_form() {
+        let dishing = if report.scene.target.dishing { "; this plate dishes" } else { "" };
         lines.push(format!(
-            "closed form {}, without dishing on a soft spring: pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is below {} \
-             with {} J/kg",
+            "check in closed form, for a soft spring without dishing: {}; pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is \
+             below {} with {} J/kg{dishing}",
             fixed_significant(closed.mass_efficiency, 4),
             significant(closed.needed_j_per_kg, 4),
             velocity(closed.pays_below_m_s),

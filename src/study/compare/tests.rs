@@ -156,7 +156,7 @@ fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_f
     assert!(close(own.load.preload_j.unwrap(), 0.5 * 1e5 * 25e-6, 1e-14));
     assert!(close(own.load.stroke_m.unwrap(), own.load.max_displacement_m.unwrap() + 5e-3, 1e-14));
     let stopped = plain("k=1e5 x_stop=5mm");
-    assert!(stopped.has_stop);
+    assert_eq!(stopped.uncounted, ["stop"]);
     assert!(stopped.of(Candidate::Scene).unwrap().load.mount_force_n.is_none());
 }
 

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::run::EndReason;
+use crate::model::run::envelope::{self, Breach};
 use crate::model::scene::{Closure, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::Load;
@@ -60,10 +61,27 @@ fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     own
 }
 
-/// The load of the mechanism and its mount for a shot just below this limit; `None` when stopped.
-pub(super) fn load(scene: &Scene, limit_m_s: f64, context: &mut Context<'_>) -> Option<Load> {
-    let settings = Settings { series: true, estimate: false };
-    let own = aimed(scene, limit_m_s * (1.0 - BELOW));
-    let run = simulate(&own, &settings, &mut context.observer()).ok()?;
-    (run.end != EndReason::Cancelled).then(|| Load::of(&run))
+/// A shot just below the limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AtLimit {
+    /// The load of the mechanism and its mount.
+    pub load: Load,
+    /// Everything a careful reader should know of that shot.
+    pub warnings: Vec<String>,
+    /// What of it is outside the model's validity.
+    pub breaches: Vec<Breach>,
+}
+
+impl AtLimit {
+    /// For this limit, m/s; `None` when stopped.
+    pub(super) fn of(scene: &Scene, limit_m_s: f64, context: &mut Context<'_>) -> Option<Self> {
+        let settings = Settings { series: true, estimate: false };
+        let own = aimed(scene, limit_m_s * (1.0 - BELOW));
+        let run = simulate(&own, &settings, &mut context.observer()).ok()?;
+        (run.end != EndReason::Cancelled).then(|| Self {
+            load: Load::of(&run),
+            warnings: envelope::warnings(&run),
+            breaches: envelope::of_run(&run),
+        })
+    }
 }

@@ -7,10 +7,9 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
-use crate::study::compare::{Load, outcome, residual_m_s};
 use crate::study::context::Context;
 use crate::study::limit::{
-    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, at_limit,
+    ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
 use crate::study::sweep::kernel::{self, Wanted};
@@ -121,8 +120,8 @@ impl Range<'_, '_, '_> {
     }
 
     /// The load of the mechanism for a shot just below a limit; `None` when stopped.
-    pub(super) fn load(&mut self, limit_m_s: f64) -> Option<Load> {
-        self.goes_on().then(|| at_limit::load(self.scene, limit_m_s, self.context))?
+    pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<AtLimit> {
+        self.goes_on().then(|| AtLimit::of(self.scene, limit_m_s, self.context))?
     }
 
     /// The limits by both closures; `None` where there is but one, or when stopped.
@@ -324,7 +323,7 @@ fn shoot(
     run.map_or(
         (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
         |run| {
-            let (outcome, residual_m_s) = (outcome(&run), residual_m_s(&run));
+            let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());
             (Shot { impact_m_s, outcome, residual_m_s }, Verdict::of(&run, criterion))
         },
     )

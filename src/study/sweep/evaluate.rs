@@ -84,12 +84,12 @@ impl PointOutcome {
         }
     }
 
-    /// The outcome of a run.
+    /// The outcome of a run's shot.
     pub fn of(run: &Run) -> Self {
         if !run.end.is_complete() {
             return Self::Failed(Failure::Early(run.end));
         }
-        match run.outcome {
+        match run.shot_outcome() {
             Outcome::Arrested => Self::Arrested,
             Outcome::Perforated => Self::Perforated,
             Outcome::Separated => Self::Separated,

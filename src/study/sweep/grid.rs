@@ -7,10 +7,12 @@
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
+use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
 use crate::study::quantities::{Needs, Quantity};
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows, SweepError};
+use crate::study::validity;
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
@@ -70,6 +72,8 @@ pub struct Grid {
     /// The stride that is filled everywhere; 0: not even the coarsest.
     stride: usize,
     done: usize,
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself; known once all is filled.
+    pub outside_at_ends: Vec<Check>,
 }
 
 impl Grid {
@@ -91,6 +95,7 @@ impl Grid {
             values: vec![f64::NAN; points * plan.outputs().len()],
             stride: 0,
             done: 0,
+            outside_at_ends: Vec::new(),
             plan,
         })
     }
@@ -205,6 +210,9 @@ impl Grid {
             if context.is_stopped() {
                 break;
             }
+        }
+        if self.is_complete() {
+            self.outside_at_ends = validity::checks_at_ends(plan.base(), plan.axes());
         }
         self
     }

@@ -408,15 +408,21 @@ impl App {
         let found =
             run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
         // The load of the interface is shown there already, with its number.
-        let labels: Vec<&str> = found
-            .iter()
-            .filter(|breach| breach.check != Check::Interface)
-            .map(|breach| breach.check.label())
-            .collect();
-        let long = format!("! outside validity: {} (7:Log)", labels.join(", "));
-        let short = format!("! validity {}", labels.len());
-        (!labels.is_empty()).then_some((Severity::Warning, long, short))
+        let checks = found.iter().map(|breach| breach.check);
+        outside(checks.filter(|check| *check != Check::Interface), "", " (7:Log)")
     }
+}
+
+/// The checks of the model's validity that fail, and where.
+pub(crate) fn outside(
+    checks: impl Iterator<Item = Check>,
+    place: &str,
+    more: &str,
+) -> Option<StatusPart> {
+    let labels: Vec<&str> = checks.map(Check::label).collect();
+    let long = format!("! outside validity{place}: {}{more}", labels.join(", "));
+    let short = format!("! validity{place} {}", labels.len());
+    (!labels.is_empty()).then_some((Severity::Warning, long, short))
 }
 
 #[cfg(test)]

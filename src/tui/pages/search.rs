@@ -96,7 +96,9 @@ impl Page for SearchTab {
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
         let there = tab.shown().is_some() || app.jobs.running::<Request>().is_some();
-        if !there {
+        if there {
+            follow(app);
+        } else {
             look(app);
         }
     }
@@ -170,11 +172,7 @@ impl Page for SearchTab {
         let before = app.snapshot();
         change(app, row, input)?;
         note(app, row, before, matches!(input, Input::Step(_)));
-        // A search that takes less than a second follows at once.
-        let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
-        if quick && app.search_is_old() {
-            look(app);
-        }
+        follow(app);
         Ok(())
     }
 
@@ -250,6 +248,14 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
     match app.pages.search.words_height(area.height, lines) {
         0 => 0,
         below => lines.saturating_sub(usize::from(below.saturating_sub(2))),
+    }
+}
+
+/// After an edit of the setup or the scene: a search that takes less than a second is made again.
+fn follow(app: &mut App) {
+    let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
+    if quick && app.search_is_old() {
+        look(app);
     }
 }
 

@@ -43,7 +43,7 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         scene: Arc::clone(scene),
         criterion: cmra::study::limit::Criterion::Passage,
         limit: Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: None },
-        load: None,
+        at_limit: None,
         closures: None,
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),

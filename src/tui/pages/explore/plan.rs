@@ -6,6 +6,7 @@ use crate::model::units;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
 use crate::tui::app::show_duration;
+use crate::tui::app::status::outside;
 use crate::tui::pages::explore::state::{Picture, has_family, quadratic, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::worker::study::Tempo;
@@ -182,6 +183,8 @@ impl App {
             );
             parts.push(part(Severity::Note, text));
         }
+        let ends = found.map(|found| found.grid.outside_at_ends.iter().copied());
+        parts.extend(outside(ends.into_iter().flatten(), " at the ends", ""));
         parts.extend(self.validity_part());
         parts
     }

@@ -10,7 +10,7 @@ use crate::report::limit::{remarks, velocity};
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::status::fitting;
+use crate::tui::app::status::{fitting, outside};
 use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::{RESIDUAL, panes};
@@ -254,7 +254,11 @@ impl App {
                 Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
             }));
             parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
-            parts.extend(self.validity_part());
+            let at_limit = report.at_limit.as_ref();
+            parts.extend(at_limit.map_or_else(
+                || self.validity_part(),
+                |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit", ""),
+            ));
         }
         parts
     }
