@@ -108,7 +108,7 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
     vec![
         (
             "critical obliquity",
-            variables::critical_obliquity_deg(scene),
+            design::Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3),
             "deg",
             "Tate, eq. 2.3; rho_p and Y_p are assumptions",
         ),

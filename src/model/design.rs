@@ -1,7 +1,7 @@
 //! Formulas a designer works with that need no simulation: ricochet, Stone's depth, collisions, effective thickness, and what a
 //! coil spring weighs. Thesis chapters 2, 4 and 9.5; model page, section 5.
 
-use crate::model::scene::Wire;
+use crate::model::scene::{Scene, Wire};
 
 /// A projectile as Tate's formula sees it: a long rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +19,19 @@ pub struct Rod {
 }
 
 impl Rod {
+    /// A scene's shot, taken as a rod of its mass and radius.
+    pub fn of(scene: &Scene) -> Self {
+        let shot = &scene.projectile;
+        let section = std::f64::consts::PI * shot.tip_radius_m * shot.tip_radius_m;
+        Self {
+            density_kg_m3: shot.density_kg_m3,
+            strength_pa: shot.strength_pa,
+            velocity_m_s: shot.velocity_m_s,
+            length_m: shot.mass_kg / (shot.density_kg_m3 * section),
+            diameter_m: 2.0 * shot.tip_radius_m,
+        }
+    }
+
     /// Tate's critical obliquity, degrees from the plate's normal: beyond it ricochet or break-up is likely. Thesis equation
     /// 2.3; made for long rods, whose deceleration it omits: a rough guide.
     pub fn critical_obliquity_deg(&self, target_density_kg_m3: f64) -> f64 {

@@ -4,11 +4,13 @@
 //! (`simulation.rs`, `events.rs`, `termination.rs`) and gathers the [`Run`] (`report.rs`). It is a pure function: no clock, no
 //! file, no thread.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::Scene;
+use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use problem::Problem;
 use record::Record;
@@ -19,7 +21,6 @@ mod body;
 mod contact;
 mod crush;
 mod events;
-pub mod forced;
 mod problem;
 mod record;
 mod report;
@@ -97,4 +98,33 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     simulation.control.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut simulation, observer);
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
+}
+
+/// The one method of a simulation for comparison, where [`run`] chooses by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forced {
+    /// To Taylor steps, also where a closed form exists.
+    Taylor,
+    /// To the general path: whichever step is right where it is, but neither closed form nor bound in place of one.
+    General,
+}
+
+/// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
+/// the contact: on a stiff stretch.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
+    variables::validate(scene)?;
+    let problem = Problem::of(scene);
+    let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
+    simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
+    simulation.start();
+    if simulation.control.stiff && forced == Forced::Taylor {
+        return Ok(None);
+    }
+    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
+    let end = simulation.run::<TERMS>(observer);
+    let gave_way = forced == Forced::Taylor && simulation.control.stiff_steps > 0;
+    Ok((!gave_way).then(|| report::gather(&problem, simulation, end)))
 }

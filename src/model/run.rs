@@ -149,8 +149,9 @@ pub struct Arrest {
 
 worded! {
     /// The mode of motion.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Mode: word {
+        #[default]
         Penetrating = "penetrating",
         Fused = "fused",
         Withdrawing = "withdrawing",
@@ -163,7 +164,7 @@ worded! {
 }
 
 /// One row of the series.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Sample {
     /// Time since first contact, s.
     pub t_s: f64,
@@ -189,6 +190,28 @@ pub struct Sample {
     pub stop_force_n: f64,
     /// Whether this is the end of one of the solver's own steps (else it lies between two, for drawing).
     pub is_step: bool,
+}
+
+impl Sample {
+    /// The row at a part of the way from one row to the next: every number in proportion.
+    #[must_use]
+    pub fn between(low: &Self, high: &Self, part: f64) -> Self {
+        let mix = |get: fn(&Self) -> f64| get(low) + part * (get(high) - get(low));
+        Self {
+            t_s: mix(|row| row.t_s),
+            mode: low.mode,
+            penetration_m: mix(|row| row.penetration_m),
+            projectile_displacement_m: mix(|row| row.projectile_displacement_m),
+            projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
+            plate_displacement_m: mix(|row| row.plate_displacement_m),
+            plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
+            contact_force_n: mix(|row| row.contact_force_n),
+            spring_force_n: mix(|row| row.spring_force_n),
+            damper_force_n: mix(|row| row.damper_force_n),
+            stop_force_n: mix(|row| row.stop_force_n),
+            is_step: false,
+        }
+    }
 }
 
 /// Something that happened at a located moment.

@@ -13,18 +13,14 @@ use crate::model::worded::worded;
 mod describe;
 mod names;
 pub(in crate::model) mod part;
-mod springs;
-mod stack;
+mod rules;
 mod table;
-mod used;
 pub(in crate::model) mod visible;
 
 pub use describe::used_when;
 pub use names::{close, find, listing, nearest};
-pub use springs::require_plain;
-pub use stack::require_single;
+pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
-pub use used::{critical_obliquity_deg, require_hydrodynamic};
 pub use visible::{Visible, is_listed, is_offered, is_used};
 
 /// One row of the table.
@@ -292,6 +288,14 @@ impl Variable {
         }
     }
 
+    /// The words of a choice, in order; none for a number or a switch.
+    pub fn words(&self) -> &'static [&'static str] {
+        match &self.kind {
+            Kind::Choice(choice) => choice.words,
+            Kind::Number(_) | Kind::Switch { .. } => &[],
+        }
+    }
+
     /// The stored unit's name, `-` for pure numbers and words.
     pub fn unit(&self) -> &'static str {
         match &self.kind {
@@ -407,23 +411,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
             return Err(variable.impossible(number, value));
         }
     }
-    if let Some(position) = scene.mechanism.stop.position_m {
-        // Not `-d`, which is written as -0 where nothing is cocked.
-        let start = 0.0 - scene.plate.cocking_m;
-        if position < start {
-            return Err(VariableError(format!(
-                "x_stop (mechanism.stop.position_m) = {} m lies behind the plate's start at -d = {} m: it must be {} m or \
-                 more; move the stop or reduce d",
-                units::shortest(position),
-                units::shortest(start),
-                units::shortest(start)
-            )));
-        }
-    }
-    used::check_closure(scene)?;
-    used::check_interface_spring(scene)?;
-    springs::check(scene)?;
-    stack::check(scene)
+    rules::check(scene)
 }
 
 /// Every value that is legal yet outside the range the thesis searched.

@@ -233,21 +233,7 @@ fn grid(series: &[Sample], count: usize) -> Vec<Sample> {
 
 fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     let share = (t_s - low.t_s) / (high.t_s - low.t_s);
-    let mix = |get: fn(&Sample) -> f64| get(low) + share * (get(high) - get(low));
-    Sample {
-        t_s,
-        mode: low.mode,
-        penetration_m: mix(|row| row.penetration_m),
-        projectile_displacement_m: mix(|row| row.projectile_displacement_m),
-        projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
-        plate_displacement_m: mix(|row| row.plate_displacement_m),
-        plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
-        contact_force_n: mix(|row| row.contact_force_n),
-        spring_force_n: mix(|row| row.spring_force_n),
-        damper_force_n: mix(|row| row.damper_force_n),
-        stop_force_n: mix(|row| row.stop_force_n),
-        is_step: share == 0.0,
-    }
+    Sample { t_s, is_step: share == 0.0, ..Sample::between(low, high, share) }
 }
 
 /// A run of a scene of this name, computed in a given number of seconds, as one object with its keys in the order a reader expects.
@@ -437,20 +423,7 @@ mod tests {
     use crate::model::run::{EventKind, Mode};
 
     fn sample(t_s: f64, penetration_m: f64, mode: Mode) -> Sample {
-        Sample {
-            t_s,
-            mode,
-            penetration_m,
-            projectile_displacement_m: 0.0,
-            projectile_velocity_m_s: 0.0,
-            plate_displacement_m: 0.0,
-            plate_velocity_m_s: 0.0,
-            contact_force_n: 0.0,
-            spring_force_n: 0.0,
-            damper_force_n: 0.0,
-            stop_force_n: 0.0,
-            is_step: true,
-        }
+        Sample { t_s, mode, penetration_m, is_step: true, ..Sample::default() }
     }
 
     fn jump() -> Vec<Sample> {

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::model::contact_kernel::Contact;
-use cmra::model::impact::forced::{Forced, simulate_by};
+use cmra::model::impact::{Forced, simulate_by};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};

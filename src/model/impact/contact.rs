@@ -43,14 +43,7 @@ impl Problem {
 impl Simulation<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
     pub(super) fn begin(&mut self) {
-        let plate_response = self.body.problem.plate_response;
-        let done = match plate_response {
-            PlateResponse::Rigid | PlateResponse::Fixed | PlateResponse::Free => {
-                self.contact_in_closed_form(plate_response)
-            }
-            PlateResponse::Mechanism => false,
-        };
-        if !done {
+        if !self.contact_in_closed_form() {
             match self.body.missed_contact_event() {
                 // A collision that takes no time.
                 Some(EventId::HistoryEnd) => self.apply_transition(EventId::HistoryEnd),
@@ -66,9 +59,13 @@ impl Simulation<'_> {
     }
 
     /// The whole contact at once; `false`, with nothing changed, where the closed form does not serve.
-    fn contact_in_closed_form(&mut self, plate_response: PlateResponse) -> bool {
+    fn contact_in_closed_form(&mut self) -> bool {
         let problem = self.body.problem;
-        let free = plate_response == PlateResponse::Free;
+        let free = match problem.plate_response {
+            PlateResponse::Mechanism => return false,
+            PlateResponse::Rigid | PlateResponse::Fixed => false,
+            PlateResponse::Free => true,
+        };
         let passage = problem.passage(free);
         let ending = passage.ending();
         if let Ending::Exit { velocity_m_s } = ending
@@ -95,7 +92,7 @@ impl Simulation<'_> {
         self.record.work.penetration_j = 0.5 * slip_energy / passage.mobility_per_kg;
         self.record.peak_contact_n = peak_n(&passage, &moments);
         if matches!(ending, Ending::Arrest { .. }) {
-            if plate_response == PlateResponse::Fixed {
+            if problem.plate_response == PlateResponse::Fixed {
                 self.body.fixed = true;
                 let force = self.body.interface_n() * problem.cos;
                 self.body.state.plate_m =

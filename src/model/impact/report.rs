@@ -212,10 +212,7 @@ fn notes(
 }
 
 fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
-    let closed = matches!(
-        problem.plate_response,
-        PlateResponse::Rigid | PlateResponse::Fixed | PlateResponse::Free
-    );
+    let closed = problem.plate_response != PlateResponse::Mechanism;
     let (method, reason) = match (closed, simulation.control.steps, simulation.control.stiff_steps)
     {
         (true, 0, _) => ("closed form", "only inertia resists the projectile"),
@@ -238,7 +235,6 @@ fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
 fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
-    let plate_response = problem.plate_response;
     let reached = simulation.record.max_displacement_m;
     let onward = matches!(simulation.termination.max_displacement, MaximumDisplacement::Known(far) if far > reached * (1.0 + SAME_DISPLACEMENT));
     let rows = [
@@ -251,7 +247,7 @@ fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> 
         (problem.geometry.nose.sin == 0.0, "obliquity"),
         (!problem.flows() || simulation.body.deepest_m <= problem.geometry.bend_m, "exit face"),
         (simulation.control.steps == 0, "integration (closed form)"),
-        (plate_response == PlateResponse::Fixed, STILL_WITHIN_CONTACT),
+        (problem.plate_response == PlateResponse::Fixed, STILL_WITHIN_CONTACT),
         (!problem.plastic, "interface law"),
         (problem.drag_kg_m3 == 0.0, "drag"),
         (onward, "way to the greatest displacement (energy balance)"),

@@ -62,23 +62,9 @@ fn envelope(rows: &[Sample], kept: &mut Vec<Sample>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::run::Mode;
 
     fn row(t_s: f64, plate_displacement_m: f64) -> Sample {
-        Sample {
-            t_s,
-            mode: Mode::Fused,
-            penetration_m: 0.0,
-            projectile_displacement_m: 0.0,
-            projectile_velocity_m_s: 0.0,
-            plate_displacement_m,
-            plate_velocity_m_s: 0.0,
-            contact_force_n: 0.0,
-            spring_force_n: 0.0,
-            damper_force_n: 0.0,
-            stop_force_n: 0.0,
-            is_step: true,
-        }
+        Sample { t_s, plate_displacement_m, ..Sample::default() }
     }
 
     /// A fast oscillation whose amplitude has one peak: begin, end, order, the peak and the envelope stay.

@@ -80,7 +80,6 @@ impl Window {
 fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     let span_s = high.t_s - low.t_s;
     let part = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
-    let mix = |get: fn(&Sample) -> f64| get(low) + part * (get(high) - get(low));
     let path = |at: fn(&Sample) -> f64, speed: fn(&Sample) -> f64| {
         let rest = 1.0 - part;
         let ends = rest * at(low) + part * at(high);
@@ -90,20 +89,12 @@ fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     };
     Sample {
         t_s,
-        mode: low.mode,
-        penetration_m: mix(|row| row.penetration_m),
         projectile_displacement_m: path(
             |row| row.projectile_displacement_m,
             |row| row.projectile_velocity_m_s,
         ),
-        projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
         plate_displacement_m: path(|row| row.plate_displacement_m, |row| row.plate_velocity_m_s),
-        plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
-        contact_force_n: mix(|row| row.contact_force_n),
-        spring_force_n: mix(|row| row.spring_force_n),
-        damper_force_n: mix(|row| row.damper_force_n),
-        stop_force_n: mix(|row| row.stop_force_n),
-        is_step: false,
+        ..Sample::between(low, high, part)
     }
 }
 

@@ -8,6 +8,7 @@ pub mod numerical;
 
 use std::fmt;
 
+use crate::model::design::Rod;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, StopKind};
@@ -120,116 +121,113 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
 
 /// The breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
-    let mut found = target(scene);
-    found.extend(shot(scene));
-    let fused = scene.interface.law == InterfaceLaw::Fused;
-    if fused && has_rigid_stop(scene) {
-        found.push(stop());
+    let found = [
+        thickness(scene),
+        nose(scene),
+        nose_pressure(scene),
+        nose_mass(scene),
+        face(scene),
+        velocity(scene),
+        obliquity(scene),
+        stop(scene),
+    ];
+    found.into_iter().flatten().collect()
+}
+
+fn breach(check: Check, direction: Direction, text: String) -> Option<Breach> {
+    Some(Breach { check, direction, text })
+}
+
+fn thickness(scene: &Scene) -> Option<Breach> {
+    if !matches!(scene.contact.model, ContactModel::Hydrodynamic | ContactModel::Appendix) {
+        return None;
     }
-    found.sort_by_key(|breach| breach.check);
-    found
-}
-
-fn breach(check: Check, direction: Direction, text: String) -> Breach {
-    Breach { check, direction, text }
-}
-
-fn target(scene: &Scene) -> Vec<Breach> {
-    let mut found = Vec::new();
-    let uses_plate =
-        matches!(scene.contact.model, ContactModel::Hydrodynamic | ContactModel::Appendix);
     let ratio = thickness_ratio(scene);
     let shown = significant(ratio, 3);
-    if uses_plate && scene.target.dishing && ratio > THICKNESS + ABOUT {
+    if scene.target.dishing && ratio > THICKNESS + ABOUT {
         let cure = match scene.target.closure {
             Closure::Given => "set dishing=off and a strength by cavity expansion",
             Closure::DoubleYield | Closure::Cavity => "set dishing=off and closure=cavity",
         };
         let text =
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
-        found.push(breach(Check::Thickness, Direction::Conservative, text));
+        return breach(Check::Thickness, Direction::Conservative, text);
     }
-    if uses_plate && !scene.target.dishing && ratio < THICKNESS - ABOUT {
-        let text = format!(
-            "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; set \
-             dishing=on"
-        );
-        found.push(breach(Check::Thickness, Direction::Unconservative, text));
+    if scene.target.dishing || ratio >= THICKNESS - ABOUT {
+        return None;
     }
-    if let Some(face) = face_ratio(scene).filter(|face| *face < FACE_LEAST) {
-        let text = format!(
-            "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise \
-             gamma or set face",
-            significant(1e3 * scene.plate_face_m(), 3),
-            significant(face, 3)
-        );
-        found.push(breach(Check::Face, Direction::Unconservative, text));
-    }
-    found
+    let text = format!(
+        "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; set \
+         dishing=on"
+    );
+    breach(Check::Thickness, Direction::Unconservative, text)
 }
 
-fn shot(scene: &Scene) -> Vec<Breach> {
-    let mut found = Vec::new();
-    let projectile = &scene.projectile;
-    let v = projectile.velocity_m_s;
-    match projectile.nose {
-        Nose::Hemispherical => {}
-        Nose::Blunt => found.push(breach(
-            Check::Nose,
+fn nose(scene: &Scene) -> Option<Breach> {
+    let (direction, text) = match scene.projectile.nose {
+        Nose::Hemispherical => return None,
+        Nose::Blunt => (
             Direction::Unconservative,
             "nose = blunt: the law is for a hemispherical nose; a blunt one shears out a plug and its limit comes out about 60 % \
-             too high"
-                .to_owned(),
-        )),
-        Nose::Pointed => found.push(breach(
-            Check::Nose,
-            Direction::Unknown,
-            "nose = pointed: the law is for a hemispherical nose".to_owned(),
-        )),
-    }
-    let pressure = nose_pressure_ratio(scene);
-    if pressure > RIGID_UP_TO {
-        let text = format!(
-            "the pressure on the nose S + c v^2 is {} times the 2 GPa of hardened steel: above {RIGID_UP_TO} the projectile may \
-             deform or break",
-            significant(pressure, 3)
-        );
-        found.push(breach(Check::NosePressure, Direction::Conservative, text));
-    }
-    let sphere = 4.0 / 3.0
-        * std::f64::consts::PI
-        * projectile.tip_radius_m.powi(3)
-        * projectile.density_kg_m3;
-    if sphere > projectile.mass_kg {
-        let text = format!(
-            "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
-            significant(1e3 * sphere, 3),
-            significant(1e3 * projectile.mass_kg, 3)
-        );
-        found.push(breach(Check::NoseMass, Direction::Unknown, text));
-    }
-    let (slow, fast) = VELOCITIES_M_S;
-    if v < slow {
-        let text =
-            format!("v_i = {} m/s is below the {slow} m/s of measurements", significant(v, 4));
-        found.push(breach(Check::Velocity, Direction::Unknown, text));
-    }
-    if v > fast {
-        let text = format!(
-            "v_i = {} m/s is above {fast} m/s: heating, rate and erosion are not modelled",
-            significant(v, 4)
-        );
-        found.push(breach(Check::Velocity, Direction::Unknown, text));
-    }
-    if projectile.obliquity_deg > 0.0 {
-        found.push(oblique(scene));
-    }
-    found
+             too high",
+        ),
+        Nose::Pointed => {
+            (Direction::Unknown, "nose = pointed: the law is for a hemispherical nose")
+        }
+    };
+    breach(Check::Nose, direction, text.to_owned())
 }
 
-fn oblique(scene: &Scene) -> Breach {
-    let theta = scene.projectile.obliquity_deg;
-    let critical = variables::critical_obliquity_deg(scene);
+fn nose_pressure(scene: &Scene) -> Option<Breach> {
+    let pressure = Some(nose_pressure_ratio(scene)).filter(|ratio| *ratio > RIGID_UP_TO)?;
+    let text = format!(
+        "the pressure on the nose S + c v^2 is {} times the 2 GPa of hardened steel: above {RIGID_UP_TO} the projectile may \
+         deform or break",
+        significant(pressure, 3)
+    );
+    breach(Check::NosePressure, Direction::Conservative, text)
+}
+
+fn nose_mass(scene: &Scene) -> Option<Breach> {
+    let projectile = &scene.projectile;
+    let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * projectile.tip_radius_m.powi(3);
+    let sphere =
+        Some(volume_m3 * projectile.density_kg_m3).filter(|kg| *kg > projectile.mass_kg)?;
+    let text = format!(
+        "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
+        significant(1e3 * sphere, 3),
+        significant(1e3 * projectile.mass_kg, 3)
+    );
+    breach(Check::NoseMass, Direction::Unknown, text)
+}
+
+fn face(scene: &Scene) -> Option<Breach> {
+    let face = face_ratio(scene).filter(|face| *face < FACE_LEAST)?;
+    let text = format!(
+        "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise \
+         gamma or set face",
+        significant(1e3 * scene.plate_face_m(), 3),
+        significant(face, 3)
+    );
+    breach(Check::Face, Direction::Unconservative, text)
+}
+
+fn velocity(scene: &Scene) -> Option<Breach> {
+    let (v, (slow, fast)) = (scene.projectile.velocity_m_s, VELOCITIES_M_S);
+    let fault = if v < slow {
+        format!("below the {slow} m/s of measurements")
+    } else if v > fast {
+        format!("above {fast} m/s: heating, rate and erosion are not modelled")
+    } else {
+        return None;
+    };
+    let text = format!("v_i = {} m/s is {fault}", significant(v, 4));
+    breach(Check::Velocity, Direction::Unknown, text)
+}
+
+fn obliquity(scene: &Scene) -> Option<Breach> {
+    let theta = Some(scene.projectile.obliquity_deg).filter(|theta| *theta > 0.0)?;
+    let critical = Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
     let glances = if theta > critical {
         format!(
             "; beyond Tate's critical {} deg, a rule for long rods at high speed, ricochet is likely",
@@ -245,12 +243,13 @@ fn oblique(scene: &Scene) -> Breach {
     breach(Check::Obliquity, Direction::Conservative, text)
 }
 
-fn has_rigid_stop(scene: &Scene) -> bool {
-    let stop = &scene.mechanism.stop;
-    scene.plate.mount == Mount::Sprung && stop.position_m.is_some() && stop.kind == StopKind::Rigid
-}
-
-fn stop() -> Breach {
+fn stop(scene: &Scene) -> Option<Breach> {
+    let stop = scene.mechanism.stop;
+    let rigid = stop.position_m.is_some() && stop.kind == StopKind::Rigid;
+    let fused = scene.interface.law == InterfaceLaw::Fused;
+    if scene.plate.mount != Mount::Sprung || !rigid || !fused {
+        return None;
+    }
     let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
                 interface=plastic"
         .to_owned();
@@ -273,11 +272,11 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
              one, and its coils may close",
             significant(speed, 3)
         );
-        found.push(breach(Check::Spring, Direction::Unconservative, text));
+        found.extend(breach(Check::Spring, Direction::Unconservative, text));
     }
     for warning in &run.warnings {
         if let Some(check) = check_of(warning) {
-            found.push(breach(check, Direction::Unconservative, warning.to_string()));
+            found.extend(breach(check, Direction::Unconservative, warning.to_string()));
         }
     }
     found.sort_by_key(|breach| breach.check);

@@ -12,7 +12,7 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
-            sizing(Mass).called("projectile_mass").from(TABLE_9_1);
+            number(Mass, Positive).called("projectile_mass").from(TABLE_9_1);
         pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
             number(Length, Positive).called("radius").from(TABLE_9_1);
         pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity",
@@ -31,9 +31,9 @@ parts! {
     /// The plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Target {
-        pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", sizing(Length).from(TABLE_9_1);
+        pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive).from(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
-            sizing(Density).from("thesis Table 9.1 (the Appendix has 2780)");
+            number(Density, Positive).from("thesis Table 9.1 (the Appendix has 2780)");
         /// What counts is [`Scene::flow_strength_pa`].
         pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
             number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| scene.target.closure == Closure::Given)

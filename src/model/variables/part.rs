@@ -111,20 +111,12 @@ macro_rules! kind {
         use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
             get: |scene| Some($place::part(scene).$field),
-            set: |scene, value| $place::part_mut(scene).$field = value.unwrap_or_default(),
-            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$($allowed)+)
-        })
-    }};
-    // A required number on which the plate's mass ratio may depend.
-    ($place:ident, $field:ident: $type:ty, sizing($quantity:ident)) => {{
-        use $crate::model::variables::{Allowed, Kind, Number};
-        Kind::Number(Number {
-            get: |scene| Some($place::part(scene).$field),
             set: |scene, value| {
                 $place::part_mut(scene).$field = value.unwrap_or_default();
+                // The plate's mass ratio may depend on it.
                 scene.follow_size();
             },
-            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::Positive)
+            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$($allowed)+)
         })
     }};
     // An optional number, with the word for its absence.

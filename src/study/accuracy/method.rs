@@ -8,7 +8,7 @@ use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_phase::radau::Radau;
 use crate::model::contact_phase::{self, Answer, Ending, Phase, Refusal, exact};
-use crate::model::impact::forced::{Forced, simulate_by};
+use crate::model::impact::{Forced, simulate_by};
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Reading, Scene};
 use crate::model::simulate::{Settings, simulate};

@@ -1,0 +1,204 @@
+//! Rules between the values of a scene, and which studies it serves.
+
+use super::VariableError;
+use crate::model::scene::{
+    self, Closure, Combination, ContactModel, Layer, Mount, OwnMass, Scene, Stack, Target,
+    WhichSpring,
+};
+use crate::model::units::shortest;
+
+/// A refusal of values that make no sense together.
+fn refuse(text: String) -> Result<(), VariableError> {
+    Err(VariableError(text))
+}
+
+/// All rules between values, in the order in which they are reported.
+pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
+    check_stop(scene)?;
+    check_closure(scene)?;
+    check_interface_spring(scene)?;
+    check_springs(scene)?;
+    check_stack(scene)
+}
+
+/// The plate starts in front of its stop.
+fn check_stop(scene: &Scene) -> Result<(), VariableError> {
+    // Not `-d`, which is written as -0 where nothing is cocked.
+    let start = 0.0 - scene.plate.cocking_m;
+    let Some(position) = scene.mechanism.stop.position_m.filter(|position| *position < start)
+    else {
+        return Ok(());
+    };
+    let (position, start) = (shortest(position), shortest(start));
+    refuse(format!(
+        "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be {start} m \
+         or more; move the stop or reduce d"
+    ))
+}
+
+/// The two closures for the flow strength each contain the bulge in their own way: never both.
+fn check_closure(scene: &Scene) -> Result<(), VariableError> {
+    let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target;
+    if closure == Closure::Cavity && dishing {
+        return refuse(
+            "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
+             material that holds it back: set dishing = off, or closure = double-yield"
+                .to_owned(),
+        );
+    }
+    if closure == Closure::Cavity && modulus_pa <= yield_pa {
+        return refuse(format!(
+            "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
+             body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",
+            shortest(modulus_pa),
+            shortest(yield_pa)
+        ));
+    }
+    Ok(())
+}
+
+/// The interface cannot give back more than it took.
+fn check_interface_spring(scene: &Scene) -> Result<(), VariableError> {
+    let contact = &scene.contact;
+    let (Some(load), Some(unload)) = (contact.load_stiffness_n_m, contact.unload_stiffness_n_m)
+    else {
+        return Ok(());
+    };
+    if contact.model != ContactModel::Lumped || unload >= load {
+        return Ok(());
+    }
+    let (load, unload) = (shortest(load), shortest(unload));
+    refuse(format!(
+        "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
+         more than it took; it must be {load} N/m or more, or `auto`"
+    ))
+}
+
+/// The rules between the values of the springs, and between them and the contact model.
+fn check_springs(scene: &Scene) -> Result<(), VariableError> {
+    if scene.plate.mount == Mount::Rigid {
+        return Ok(());
+    }
+    let mechanism = &scene.mechanism;
+    for which in WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which)) {
+        mechanism.one(which).law().check(which.key())?;
+    }
+    if mechanism.combination == Combination::Series {
+        for which in WhichSpring::ALL {
+            check_rising(mechanism.one(which), which.key())?;
+        }
+    }
+    if scene.contact.model != ContactModel::Appendix || mechanism.is_plain() {
+        return Ok(());
+    }
+    refuse(format!(
+        "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or spring = power-law, \
+         combine = alone, own_mass = ignored",
+        described(mechanism)
+    ))
+}
+
+/// In series each force must belong to one displacement.
+fn check_rising(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
+    if spring.curve().is_rising() {
+        return Ok(());
+    }
+    refuse(format!(
+        "combine (mechanism.combination) = series needs a force that rises everywhere, and that of {table} (kind = {}) does \
+         not: take another kind or a coefficient above 0, or combine = parallel",
+        spring.kind.word()
+    ))
+}
+
+/// The mechanism in a few words, for refusals.
+fn described(mechanism: &scene::Mechanism) -> String {
+    let kind = mechanism.spring.kind.word();
+    let own = if mechanism.spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
+    match mechanism.combination {
+        Combination::Alone => format!("spring (mechanism.spring.kind) = {kind}{own}"),
+        Combination::Parallel => {
+            format!("{kind} in parallel with {}", mechanism.second.kind.word())
+        }
+        Combination::Series => format!("{kind} in series with {}", mechanism.second.kind.word()),
+    }
+}
+
+/// A stack has a base at the end, a whole number of elements, each of which makes sense by itself, and a model that knows what is
+/// left of a shot.
+fn check_stack(scene: &Scene) -> Result<(), VariableError> {
+    let stack = &scene.stack;
+    if stack.elements.fract() != 0.0 {
+        return refuse(format!(
+            "elements (stack.elements) = {} is not whole: there are 1 to 50 of them; round it",
+            shortest(stack.elements)
+        ));
+    }
+    if stack.base_thickness_m.is_none() {
+        if stack.elements > 1.0 || !stack.layers.is_empty() {
+            return refuse(format!(
+                "elements (stack.elements, stack.layer) = {} without h_base (stack.base_thickness_m): a stack must end in a \
+                 base plate; write its thickness, for example stack.base_thickness_m = 0.01, or omit the stack",
+                shortest(stack.elements + stack.layers.len() as f64)
+            ));
+        }
+        return Ok(());
+    }
+    if scene.contact.model != ContactModel::Hydrodynamic {
+        return refuse(format!(
+            "model (contact.model) = {} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set \
+             model = hydrodynamic, or h_base = none",
+            scene.contact.model.word()
+        ));
+    }
+    for (index, Layer { target, plate, mechanism }) in stack.layers.iter().enumerate() {
+        let mut own = Scene { stack: Stack::default(), ..scene.clone() };
+        (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        super::validate(&own)
+            .map_err(|error| VariableError(format!("stack.layer {}: {error}", index + 1)))?;
+    }
+    Ok(())
+}
+
+/// For what only makes sense of the hydrodynamic law.
+///
+/// # Errors
+/// [`VariableError`] when the scene requests another model.
+pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
+    let model = scene.contact.model;
+    if model == ContactModel::Hydrodynamic {
+        return Ok(());
+    }
+    refuse(format!(
+        "model (contact.model) = {} is not for this study, which compares methods for the hydrodynamic law: set model = \
+         hydrodynamic",
+        model.word()
+    ))
+}
+
+/// For the stability map, whose axes are the thesis's own mechanism's.
+///
+/// # Errors
+/// [`VariableError`] when the scene has another one.
+pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
+    if scene.plate.mount == Mount::Rigid || scene.mechanism.is_plain() {
+        return Ok(());
+    }
+    refuse(format!(
+        "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
+         power-law, combine = alone, own_mass = ignored, N_spring = 1",
+        described(&scene.mechanism)
+    ))
+}
+
+/// For studies that look at one plate.
+///
+/// # Errors
+/// [`VariableError`] when the scene is a stack.
+pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
+    let Some(base) = scene.stack.base_thickness_m else { return Ok(()) };
+    refuse(format!(
+        "h_base (stack.base_thickness_m) = {} m makes the scene a stack, and this study looks at one plate: set h_base = none, \
+         elements = 1",
+        shortest(base)
+    ))
+}
