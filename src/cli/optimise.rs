@@ -15,9 +15,9 @@ use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
 use crate::study::quantities::named;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
 use crate::study::search::nsga::Effort;
+use crate::study::sweep::Plan;
 use crate::study::validity;
 
 /// Points of a generation, and generations.
@@ -142,7 +142,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
+    let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
     say_if_long(&space, task.runs() as u64, "runs", threads);

@@ -13,8 +13,8 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
 use crate::report::sensitivity;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::{Effort, study};
+use crate::study::sweep::Plan;
 use crate::study::validity;
 
 /// Rows of the design and trajectories at most.
@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let axes = bounds(&arguments.over, &preset.scene)?;
     let mut line = ProgressLine::begin();
     let threads = arguments.threads.count();
-    if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
+    if let Ok(space) = Plan::for_designs(&preset.scene, axes.clone(), &[&arguments.output]) {
         say_if_long(&space, effort.runs(axes.len()) as u64, "runs", threads);
     }
     let report = line.study(threads, "runs", |context| {

@@ -12,11 +12,10 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
-use crate::study::search::design_space::{DesignSpace, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
-use crate::study::sweep::axis::placed;
-use crate::study::sweep::{Axis, Failure, PointOutcome, SweepError};
+use crate::study::sweep::axis::scene_with;
+use crate::study::sweep::{Axis, Failure, Found, Plan, PointOutcome, SweepError};
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
 
@@ -166,7 +165,7 @@ pub struct Front {
 impl Front {
     /// The scene of one of its designs.
     pub fn scene(&self, task: &Task, design: &Design) -> Scene {
-        placed(&self.base, &task.axes, &design.values)
+        scene_with(&self.base, &task.axes, &design.values)
     }
 }
 
@@ -186,7 +185,7 @@ pub fn optimise(
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-        let space = DesignSpace::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
+        let space = Plan::for_designs(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
         spaces.push((own, space));
     }
     let mut fronts: Vec<Front> = Vec::new();
@@ -207,7 +206,7 @@ struct State<'s, 'w> {
 
 struct Search<'a> {
     task: &'a Task,
-    space: &'a DesignSpace,
+    space: &'a Plan,
     scene: &'a Scene,
 }
 
@@ -356,7 +355,7 @@ impl Search<'_> {
             if scene.is_some() && found.is_none() && !whole {
                 return None;
             }
-            let none = || vec![None; self.space.measures().len()];
+            let none = || vec![None; self.space.outputs().len()];
             let (scene, outcome, measures) = match found {
                 Some(found) => (scene, Some(found.outcome), found.values),
                 None => (None, None, none()),
@@ -423,8 +422,8 @@ impl Search<'_> {
     /// The measures of any scene, by a space of one point.
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
         let axis = self.space.axes().first()?;
-        let names: Vec<&str> = self.space.measures().iter().map(|column| column.name).collect();
-        let space = DesignSpace::new(scene, vec![axis.clone()], &names).ok()?;
+        let names: Vec<&str> = self.space.outputs().iter().map(|column| column.name).collect();
+        let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?;
         let value = axis.get(scene).unwrap_or(f64::NAN);
         let mut watch = |_, _: Option<&()>| {
             if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }

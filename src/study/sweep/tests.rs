@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::study::context::{Context, Stop, to_its_end, until};
-use crate::study::parallel::Parallel;
+use crate::study::parallel::{self, Work};
 use crate::study::plain_run;
 use crate::study::testing::scene;
 
@@ -190,14 +190,20 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
 }
 
 /// Every bit of what threads make of a plan.
-fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(PointOutcome, u64)> {
+fn by_threads(
+    plan: &Plan,
+    (threads, at_once): (usize, u64),
+    shard: Shard,
+) -> Vec<(PointOutcome, u64)> {
     let stop = Stop::default();
-    let mut all = Vec::new();
+    let points = shard.of(plan.points());
+    let (first, mut all) = (points.start, Vec::new());
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
-        move |piece| evaluator.rows(piece)
+        move |piece: Range<u64>| evaluator.rows(first + piece.start..first + piece.end)
     };
-    let ended = parallel.map(shard.of(plan.points()), worker, |news| {
+    let work = Work { count: points.end - first, at_once };
+    let ended = parallel::map(threads, work, worker, |news| {
         let rows = news.map_or_else(Rows::default, |(_, rows)| rows);
         for row in 0..rows.len() {
             for output in 0..plan.outputs().len() {
@@ -215,13 +221,13 @@ fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(PointOutcom
 fn threads_pieces_and_shards_do_not_change_a_bit() {
     for (scene, axes) in surfaces() {
         let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
-        let whole = by_threads(&plan, Parallel { threads: 1, piece: 1_000_000 }, Shard::WHOLE);
-        for parallel in [Parallel { threads: 2, piece: 3 }, Parallel { threads: 3, piece: 64 }] {
+        let whole = by_threads(&plan, (1, 1_000_000), Shard::WHOLE);
+        for parallel in [(2, 3), (3, 64)] {
             assert_eq!(by_threads(&plan, parallel, Shard::WHOLE), whole);
         }
         let parts = (1..=3).flat_map(|part| {
             let shard = Shard::parse(&format!("{part}/3")).unwrap();
-            by_threads(&plan, Parallel { threads: 2, piece: 5 }, shard)
+            by_threads(&plan, (2, 5), shard)
         });
         assert_eq!(parts.collect::<Vec<_>>(), whole);
     }
