@@ -41,53 +41,17 @@ fn the_last_axis_runs_fastest() {
     }
 }
 
+/// What the command line can ask for is refused in its own test, `bad_sweeps_are_refused_before_anything_runs`.
 #[test]
 fn a_bad_plan_is_refused_before_anything_runs() {
-    let gamma = || axis("gamma", 0.8, 7.0, 5);
-    let plan = |scene: &Scene, axes, design, outputs: &[&str]| {
-        Plan::new(scene, axes, design, outputs).unwrap_err().to_string()
-    };
-    let base = Scene::default();
-    let full = Design::FACTORIAL;
-    let huge = || vec![axis("k", 0.0, 1.0, 1_000_000_000), axis("b", 0.0, 1.0, 1_000_000_000)];
-    let behind = scene("x_stop=0.01");
-    let cases: Vec<(String, &[&str])> = vec![
-        (plan(&base, Vec::new(), full, &[]), &["at least one axis", "gamma=0.8..7:101"]),
-        (plan(&base, vec![gamma(), gamma()], full, &[]), &["axis gamma", "twice"]),
-        (plan(&base, huge(), full, &[]), &["1.0e18 points", "too many", "fewer"]),
-        (
-            plan(
-                &base,
-                vec![gamma()],
-                Design { sampling: Sampling::Sobol, points: 0, seed: 0 },
-                &[],
-            ),
-            &["points = 0"],
-        ),
-        (
-            plan(
-                &base,
-                vec![gamma()],
-                Design { sampling: Sampling::Sobol, points: 1 << 33, seed: 0 },
-                &[],
-            ),
-            &["points = 8589934592", "2 to 4294967296 points"],
-        ),
-        (
-            plan(&behind, vec![axis("x_stop", -0.1, 0.1, 3)], full, &[]),
-            &["x_stop=-0.1", "behind the plate's start"],
-        ),
-        (plan(&base, vec![gamma()], full, &["depth"]), &["output depth", "`final_penetration_m`"]),
-        (plan(&base, vec![gamma()], full, &["zzz"]), &["output zzz", "the usual ones are"]),
-        (
-            plan(&base, vec![gamma()], full, &["percent_of_baselin"]),
-            &["did you mean `percent_of_baseline`?"],
-        ),
-    ];
-    for (text, fragments) in cases {
-        for fragment in fragments {
-            assert!(text.contains(fragment), "{text} lacks {fragment}");
-        }
+    let huge = vec![axis("k", 0.0, 1.0, 1_000_000_000), axis("b", 0.0, 1.0, 1_000_000_000)];
+    for (axes, fragments) in [
+        (Vec::new(), ["at least one axis", "gamma=0.8..7:101"]),
+        (huge, ["1.0e18 points are too many", "fewer"]),
+    ] {
+        let refused = Plan::new(&Scene::default(), axes, Design::FACTORIAL, &NONE).unwrap_err();
+        let text = refused.to_string();
+        assert!(fragments.iter().all(|fragment| text.contains(fragment)), "{text}");
     }
 }
 
