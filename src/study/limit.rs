@@ -18,15 +18,17 @@ use fit::{LambertJonas, RechtIpson};
 use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
 
-mod at_limit;
+mod closures;
 pub mod fit;
 pub mod monte_carlo;
 mod search;
 
-pub use at_limit::Closures;
+pub use closures::Closures;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
+/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
+pub(in crate::study) const JUST_BELOW: f64 = 1e-6;
 /// Points of the scan over them, at equal ratios.
 const SCAN: usize = 41;
 /// Shots of the curve below and above the limit, and the range they cover, over the limit.

@@ -12,10 +12,8 @@ use crate::study::compare::{
     Candidate, Entry, Failure, Hardware, Load, is_held, outcome, residual_m_s,
 };
 use crate::study::context::Context;
-use crate::study::limit::{self, Limit};
+use crate::study::limit::{self, JUST_BELOW, Limit};
 
-/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
-const BELOW_LIMIT: f64 = 1e-6;
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
 
@@ -97,7 +95,7 @@ impl Judge<'_, '_> {
     }
 
     fn fire_below(&mut self, limit_m_s: f64) -> Option<Run> {
-        self.fire(limit_m_s * (1.0 - BELOW_LIMIT))
+        self.fire(limit_m_s * (1.0 - JUST_BELOW))
     }
 
     /// The limit velocity with hardware that fails before the plate is perforated, and what fails there; `None` when stopped.
@@ -117,12 +115,12 @@ impl Judge<'_, '_> {
             Some(())
         };
         // What was sized for a shot holds it, and nothing faster.
-        for velocity_m_s in [design_m_s, design_m_s * (1.0 + BELOW_LIMIT)] {
+        for velocity_m_s in [design_m_s, design_m_s * (1.0 + JUST_BELOW)] {
             if velocity_m_s < fails {
                 look(velocity_m_s, &mut holds, &mut fails)?;
             }
         }
-        if holds >= design_m_s && fails <= design_m_s * (1.0 + BELOW_LIMIT) {
+        if holds >= design_m_s && fails <= design_m_s * (1.0 + JUST_BELOW) {
             return Some((Some(design_m_s), Some(failure)));
         }
         while fails - holds > WIDTH * fails && fails > limit::RANGE_M_S.0 {

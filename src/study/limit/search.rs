@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{Outcome, Run};
+use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::{Load, outcome, residual_m_s};
 use crate::study::context::Context;
 use crate::study::limit::{
-    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, at_limit,
+    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, JUST_BELOW, Limit, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
 use crate::study::sweep::kernel::{self, Wanted};
@@ -122,7 +122,13 @@ impl Range<'_, '_, '_> {
 
     /// The load of the mechanism for a shot just below a limit; `None` when stopped.
     pub(super) fn load(&mut self, limit_m_s: f64) -> Option<Load> {
-        self.goes_on().then(|| at_limit::load(self.scene, limit_m_s, self.context))?
+        if !self.goes_on() {
+            return None;
+        }
+        let settings = Settings { series: true, estimate: false };
+        let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
+        let run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        (run.end != EndReason::Cancelled).then(|| Load::of(&run))
     }
 
     /// The limits by both closures; `None` where there is but one, or when stopped.
