@@ -12,7 +12,7 @@ use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, output, text};
 use crate::report::stability as tables;
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, Method};
+use crate::study::stability::map::{self, Axis, FixedStep};
 
 mod table;
 
@@ -32,8 +32,8 @@ pub(super) struct StabilityArguments {
     #[arg(long, value_name = "k|n|b", value_parser = choice(&Axis::ALL, Axis::symbol, Axis::about))]
     map: Option<Axis>,
     /// The method of the map
-    #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&Method::ALL, Method::word, Method::about))]
-    method: Method,
+    #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&FixedStep::ALL, FixedStep::word, FixedStep::about))]
+    method: FixedStep,
     /// Check a fifth of the stiff scenes, or compute a coarser map
     #[arg(long)]
     quick: bool,

@@ -6,7 +6,7 @@ use crate::model::units::{Engineering, fixed_significant};
 use crate::numerics::statistics::sorted_by;
 use crate::report::fit::table;
 use crate::study::fit::calibrate::Calibration;
-use crate::study::fit::{Method, Report};
+use crate::study::fit::{Estimator, Report};
 
 /// The page; a calibration with the name of its scene.
 pub(super) fn text(
@@ -57,7 +57,7 @@ fn results(report: &Report) -> String {
     if report.has_mixed_results() {
         return format!("mixed from {through} (slowest perforation) to {stopped} (fastest stop)");
     }
-    let penalty = if report.logistic.method == Method::Firth {
+    let penalty = if report.logistic.method == Estimator::Firth {
         "; plain likelihood has no maximum then, so Firth's penalty is used, and the width of the curve is hardly known"
     } else {
         ""
