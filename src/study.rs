@@ -35,7 +35,7 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
-use crate::model::variables::{self, VariableError};
+use crate::model::variables::{self, Value, VariableError};
 
 /// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
 fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
@@ -46,7 +46,15 @@ fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
     Ok(scene)
 }
 
-/// The same of Table 9.1 with gamma = 1 and neither spring nor damper.
+/// A scene with numbers changed, by symbol and in the stored units.
+fn with_numbers(mut scene: Scene, changes: &[(&str, f64)]) -> Result<Scene, VariableError> {
+    for (name, value) in changes {
+        variables::find(name)?.set(&mut scene, Value::Number(*value))?;
+    }
+    Ok(scene)
+}
+
+/// As [`changed`], of Table 9.1 with gamma = 1 and neither spring nor damper.
 fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
     let mut scene = Scene::default();
     scene.mechanism.spring.coefficient = 0.0;

@@ -15,9 +15,10 @@ use cmra::files::preset;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::context::Stop;
-use cmra::study::parallel::Parallel;
+use cmra::study::parallel::{self, Work, cores};
 use cmra::study::quantities::named;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
+use cmra::study::sweep::grid::PIECE;
 use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 
 use crate::equations::Equations;
@@ -35,11 +36,11 @@ const NANOMETRE: f64 = 1e-9;
 const ROUNDS: usize = 15;
 
 pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
-    let machine = Parallel::of_machine();
+    let machine = cores();
     writeln!(
         out,
         "\nsurfaces of 101 x 101 runs, ms, {} threads: least of {ROUNDS}; plain and peer: the same points one by one",
-        machine.threads
+        machine
     )?;
     writeln!(
         out,
@@ -54,12 +55,7 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
     linear(out)
 }
 
-fn surface(
-    out: &mut impl Write,
-    name: &str,
-    scene: &Scene,
-    machine: Parallel,
-) -> std::io::Result<()> {
+fn surface(out: &mut impl Write, name: &str, scene: &Scene, machine: usize) -> std::io::Result<()> {
     let exact = Plan::of(&at(scene, 1e-12)).expect("a preset's sweep");
     let known = simulated(&exact);
     let mut found = None;
@@ -75,14 +71,13 @@ fn surface(
     let Some((tolerance, error, plan)) = found else {
         return writeln!(out, "{name:12} does not reach {TARGET:e}");
     };
-    let alone = Parallel { threads: 1, ..machine };
     let (mut both_s, mut alone_s, mut plain_s) = (f64::MAX, f64::MAX, f64::MAX);
     for _ in 0..ROUNDS {
         both_s = both_s.min(seconds(|| drop(rows(&plan, machine))));
-        alone_s = alone_s.min(seconds(|| drop(rows(&plan, alone))));
+        alone_s = alone_s.min(seconds(|| drop(rows(&plan, 1))));
         plain_s = plain_s.min(seconds(|| plain(&plan, machine)));
     }
-    let peer_s = peer(&plan) / machine.threads as f64;
+    let peer_s = peer(&plan) / machine as f64;
     writeln!(
         out,
         "{name:12} {tolerance:7.0e} {error:8.1e} {:8.2} {:9.2} {:12.0} {:8.2} {:10.1} {:7.1}",
@@ -99,14 +94,13 @@ fn surface(
 /// Cost against the number of runs, on a polynomial surface.
 fn linear(out: &mut impl Write) -> std::io::Result<()> {
     writeln!(out, "\nruns of a polynomial surface (gamma and k), one thread, tolerance 1e-6")?;
-    let alone = Parallel { threads: 1, ..Parallel::of_machine() };
     for count in [32, 100, 316, 1000] {
         let axis = |symbol, ends| Axis::new(symbol, ends, count, Spacing::Linear);
         let axes = [axis("gamma", (0.8, 7.0)), axis("k", (0.0, 7.5e6))];
         let axes = axes.into_iter().collect::<Result<_, _>>().expect("sound axes");
         let scene = at(&Scene::default(), 1e-6);
         let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).expect("sound");
-        let time_s = (0..3).map(|_| seconds(|| drop(rows(&plan, alone)))).fold(f64::MAX, f64::min);
+        let time_s = (0..3).map(|_| seconds(|| drop(rows(&plan, 1)))).fold(f64::MAX, f64::min);
         let points = plan.points() as f64;
         writeln!(out, "{points:9.0} runs  {time_s:9.5} s  {:10.0} runs/s", points / time_s)?;
     }
@@ -126,14 +120,15 @@ fn seconds(work: impl FnOnce()) -> f64 {
 }
 
 /// The engine, all of it: placing, contacts, threads, results in order.
-fn rows(plan: &Plan, parallel: Parallel) -> Vec<Rows> {
+fn rows(plan: &Plan, threads: usize) -> Vec<Rows> {
     let stop = Stop::default();
     let mut all = Vec::new();
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
         move |piece: Range<u64>| evaluator.rows(piece)
     };
-    let _whole = parallel.map(0..plan.points(), worker, |news| {
+    let work = Work { count: plan.points(), at_once: PIECE };
+    let _whole = parallel::map(threads, work, worker, |news| {
         all.extend(news.map(|(_, rows)| rows));
         ControlFlow::Continue(())
     });
@@ -174,11 +169,11 @@ fn worst(known: &[(usize, [Option<f64>; 2])], found: &[Rows]) -> f64 {
 }
 
 /// Every point's scene through the one door to a first contact, the points dealt out to the threads.
-fn plain(plan: &Plan, parallel: Parallel) {
+fn plain(plan: &Plan, threads: usize) {
     std::thread::scope(|scope| {
-        for first in 0..parallel.threads as u64 {
+        for first in 0..threads as u64 {
             scope.spawn(move || {
-                for index in (first..plan.points()).step_by(parallel.threads) {
+                for index in (first..plan.points()).step_by(threads) {
                     std::hint::black_box(first_contact(&Arc::new(plan.scene(index))));
                 }
             });

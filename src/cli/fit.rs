@@ -16,7 +16,7 @@ use crate::numerics::statistics::sorted_by;
 use crate::report::fit as tables;
 use crate::report::fit::table;
 use crate::study::fit::calibrate::{Calibration, calibrate};
-use crate::study::fit::{Method, Report, fit};
+use crate::study::fit::{Estimator, Report, fit};
 
 #[derive(Debug, Args)]
 #[command(
@@ -113,7 +113,7 @@ fn results(report: &Report) -> String {
     if report.has_mixed_results() {
         return format!("mixed from {through} (slowest perforation) to {stopped} (fastest stop)");
     }
-    let penalty = if report.logistic.method == Method::Firth {
+    let penalty = if report.logistic.method == Estimator::Firth {
         "; plain likelihood has no maximum then, so Firth's penalty is used, and the width of the curve is hardly known"
     } else {
         ""

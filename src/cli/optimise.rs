@@ -19,12 +19,11 @@ use crate::report::front;
 use crate::report::front::{designs, standing};
 use crate::report::table::{Cells, grid};
 use crate::study::quantities::named;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::search::front::{
     Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
 };
 use crate::study::search::nsga::Effort;
-use crate::study::sweep::{Axis, Spacing};
+use crate::study::sweep::{Axis, Plan, Spacing};
 use crate::study::validity;
 
 /// Points of a generation, and generations.
@@ -145,7 +144,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
+    let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let threads = arguments.threads.count();
     say_if_long(&space, task.runs() as u64, "runs", threads);
     let fronts =

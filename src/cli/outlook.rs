@@ -7,7 +7,7 @@ use crate::cli::output;
 use crate::cli::progress::interruptible;
 use crate::cli::sweep::page::duration;
 use crate::study::context::Context;
-use crate::study::search::design_space::DesignSpace;
+use crate::study::sweep::Plan;
 
 /// Computations longer than this are announced.
 const LONG: Duration = Duration::from_secs(60);
@@ -23,7 +23,7 @@ const GROWTH: u64 = 4;
 type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
 /// Announces the time that runs of this number of designs within the bounds will take, if it is long.
-pub(super) fn say_if_long(space: &DesignSpace, runs: u64, what: &str, threads: usize) {
+pub(super) fn say_if_long(space: &Plan, runs: u64, what: &str, threads: usize) {
     // An interrupt of the trial counts for the study after it.
     interruptible();
     by_batches(runs, what, |tried, go_on| {

@@ -6,7 +6,7 @@ use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
-use crate::study::parallel::Parallel;
+use crate::study::parallel::cores;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS};
 
@@ -53,7 +53,7 @@ pub(super) struct Random {
 
 /// One thread for each core.
 pub(super) fn all_threads() -> usize {
-    Parallel::of_machine().threads
+    cores()
 }
 
 /// Variables and their bounds; without any those of Table 9.2.

@@ -14,9 +14,8 @@ use crate::cli::{CliError, output, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
-use crate::study::sweep::Spacing;
+use crate::study::sweep::{Plan, Spacing};
 use crate::study::validity;
 
 #[derive(Debug, Args)]
@@ -65,7 +64,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
-    let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
+    let space = Plan::for_designs(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let threads = arguments.threads.count();
     say_if_long(&space, goal.axis.count(), "runs", threads);
     let report = progress::study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
@@ -75,7 +74,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     }
     let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
     for solution in report.solutions() {
-        let scene = space.scene(&[solution.place.at]);
+        let scene = space.scene_of(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));

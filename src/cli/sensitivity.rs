@@ -17,8 +17,8 @@ use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::report::table::{Cells, grid};
-use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::{Effort, Report, study};
+use crate::study::sweep::Plan;
 use crate::study::validity;
 
 /// Rows of the design and trajectories.
@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
     let threads = arguments.threads.count();
-    if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
+    if let Ok(space) = Plan::for_designs(&preset.scene, axes.clone(), &[&arguments.output]) {
         say_if_long(&space, effort.runs(axes.len()) as u64, "runs", threads);
     }
     let report = progress::study(threads, "runs", |context| {

@@ -14,7 +14,7 @@ use crate::model::units::Engineering;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::report::{figures, stability as tables};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, Map, Method};
+use crate::study::stability::map::{self, Axis, FixedStep, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 use crate::tui::theme::Theme;
 
@@ -34,8 +34,8 @@ pub(super) struct StabilityArguments {
     #[arg(long, value_name = "k|n|b", value_parser = choice(&Axis::ALL, Axis::symbol, Axis::about))]
     map: Option<Axis>,
     /// The method of the map
-    #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&Method::ALL, Method::word, Method::about))]
-    method: Method,
+    #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&FixedStep::ALL, FixedStep::word, FixedStep::about))]
+    method: FixedStep,
     /// Check a fifth of the stiff scenes, or compute a coarser map
     #[arg(long)]
     quick: bool,

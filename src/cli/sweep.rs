@@ -28,7 +28,6 @@ use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::study::context::{Context, Progress, Stop, Work};
 use crate::study::quantities;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::grid::{Grid, PIECE};
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
@@ -227,8 +226,7 @@ impl Job<'_> {
     /// Reports that the points will take long, if so.
     fn say_if_long(&self) {
         let points = self.points();
-        let space = DesignSpace::of(self.plan.clone());
-        say_if_long(&space, points.end - points.start, "points", self.threads);
+        say_if_long(self.plan, points.end - points.start, "points", self.threads);
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -6,7 +6,7 @@ use crate::files::clean;
 use crate::files::export::{self, Beside};
 use crate::files::style::Style;
 use crate::model::scene::Scene;
-use crate::study::sweep::axis::placed;
+use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Design, Sampling, Shard};
 use crate::study::validity;
 
@@ -100,6 +100,6 @@ impl Part {
 fn warnings(scene: &Scene) -> Vec<String> {
     let axes = scene.sweep.as_ref().and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().0).collect();
-    let warnings = validity::of_axes(&placed(scene, &axes, &ends), &axes);
+    let warnings = validity::of_axes(&scene_with(scene, &axes, &ends), &axes);
     warnings.iter().map(|warning| format!("warning: {}", clean::line(warning))).collect()
 }

@@ -3,7 +3,7 @@
 use crate::model::run::{Outcome, Run};
 use crate::model::units::Engineering;
 use crate::report::table::Table;
-use crate::study::models::{Comparison, Row};
+use crate::study::models::{Comparison, Row, depth_m};
 use crate::study::quantities;
 
 /// A model that was run, or one that does not apply.
@@ -42,11 +42,15 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
         .with("percent_of_baseline", "of baseline", "%", |it| it.run()?.percent_of_baseline())
         .with("max_plate_displacement_m", "travel", "m", |it| it.run()?.max_plate_displacement_m)
         .with("peak_contact_force_n", "peak", "N", |it| it.run()?.peak_contact_force_n)
-        .with("penetration_deviation", "against", "", |it| found.depth_error(it.row?))
+        .with("penetration_deviation", "against", "", |it| found.deviation(it.row?, depth_m))
         .shown(|_, value| Some(percent(value.as_f64()?)))
-        .with("displacement_deviation", "against", "", |it| found.travel_error(it.row?))
+        .with("displacement_deviation", "against", "", |it| {
+            found.deviation(it.row?, |run| run.max_plate_displacement_m)
+        })
         .shown(|_, value| Some(percent(value.as_f64()?)))
-        .with("force_deviation", "against", "", |it| found.force_error(it.row?))
+        .with("force_deviation", "against", "", |it| {
+            found.deviation(it.row?, |run| run.peak_contact_force_n)
+        })
         .shown(|_, value| Some(percent(value.as_f64()?)))
         .with("error_estimate", "error estimate", "", |it| {
             quantities::find("error_estimate")?.value(it.run()?)

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, Stack};
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{NoColumn, Object, Table, pretty};
 use crate::study::quantities::{Quantity, find, of_runs};
@@ -294,8 +294,11 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
 }
 
 /// The whole stack, and the results of every plate that was struck.
-fn stack_of(first: &Run, stack: &StackRun) -> Value {
-    let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
+fn stack_of(whole: &Run, stack: &StackRun) -> Value {
+    // The first plate by itself.
+    let scene = Scene { stack: Stack::default(), sweep: None, ..(*whole.scene).clone() };
+    let first = Run { stack: None, scene: Arc::new(scene), ..whole.clone() };
+    let plates = std::iter::once(&first).chain(stack.behind.iter().map(|run| &**run));
     let rows: Vec<Value> = plates
         .enumerate()
         .map(|(plate, run)| {

@@ -4,16 +4,8 @@ use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::study::parallel::Parallel;
-
-/// How much work there is.
-#[derive(Clone, Copy, Debug)]
-pub struct Work {
-    /// Pieces of it.
-    pub count: u64,
-    /// Pieces that a thread does before it hands in their results.
-    pub at_once: u64,
-}
+use crate::study::parallel;
+pub use crate::study::parallel::Work;
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
 const LOOK: u64 = 64;
@@ -138,8 +130,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
         worker: impl Fn() -> W + Sync,
         mut take: impl FnMut(&mut Self, Range<u64>, T) -> bool,
     ) {
-        let parallel = Parallel { threads: self.threads, piece: work.at_once };
-        let _ = parallel.map(0..work.count, worker, |news| {
+        let _ = parallel::map(self.threads, work, worker, |news| {
             let goes_on = match news {
                 Some((piece, result)) => take(self, piece, result),
                 None => self.goes_on(),

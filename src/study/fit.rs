@@ -35,7 +35,7 @@ pub struct Shot {
 
 enumeration! {
     /// How the curve was fitted.
-    pub enum Method in MethodRow {
+    pub enum Estimator in EstimatorRow {
         /// The words of pages and files.
         words: &'static str,
     }
@@ -55,7 +55,7 @@ pub struct Logistic {
     /// The ends of the 95 % confidence interval of V50, m/s; `None` where the shots do not bound it.
     pub range_m_s: (Option<f64>, Option<f64>),
     /// How it was fitted.
-    pub method: Method,
+    pub method: Estimator,
 }
 
 impl Logistic {
@@ -138,9 +138,9 @@ pub fn fit(shots: Vec<Shot>) -> Result<Report, String> {
         });
     };
     let method = if highest_stopped_m_s > lowest_perforated_m_s {
-        Method::MaximumLikelihood
+        Estimator::MaximumLikelihood
     } else {
-        Method::Firth
+        Estimator::Firth
     };
     let logistic = Regression::new(&shots, method).fit().ok_or(
         "perforation does not become more frequent with velocity: check the columns velocity_m_s and perforated (1 is through)",
@@ -155,7 +155,7 @@ struct Regression {
     points: Vec<(f64, f64)>,
     mean_m_s: f64,
     width_m_s: f64,
-    method: Method,
+    method: Estimator,
 }
 
 /// Logarithm of the likelihood (penalised by Firth's method), its slope, and the information, at one place.
@@ -167,7 +167,7 @@ struct Likelihood {
 }
 
 impl Regression {
-    fn new(shots: &[Shot], method: Method) -> Self {
+    fn new(shots: &[Shot], method: Estimator) -> Self {
         let n = shots.len() as f64;
         let mean_m_s = shots.iter().map(|it| it.velocity_m_s).sum::<f64>() / n;
         let squares: f64 = shots.iter().map(|it| (it.velocity_m_s - mean_m_s).powi(2)).sum();
@@ -205,7 +205,7 @@ impl Regression {
 
     /// The likelihood for p = 1/(1 + exp(-(a + b x))).
     fn at(&self, a: f64, b: f64) -> Likelihood {
-        let firth = self.method == Method::Firth;
+        let firth = self.method == Estimator::Firth;
         let mut value = 0.0;
         let mut information = [0.0; 3];
         let terms: Vec<(f64, f64, f64, f64)> = self

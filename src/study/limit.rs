@@ -9,23 +9,27 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
+use crate::model::run::envelope::Breach;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
+use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
 use fit::{LambertJonas, RechtIpson};
 use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
 
-mod at_limit;
+mod closures;
 pub mod fit;
 pub mod monte_carlo;
 mod search;
 
-pub use at_limit::{AtLimit, Closures};
+pub use closures::Closures;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
+/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
+pub(in crate::study) const JUST_BELOW: f64 = 1e-6;
 /// Points of the scan over them, at equal ratios.
 const SCAN: usize = 41;
 /// Shots of the curve below and above the limit, and the range they cover, over the limit.
@@ -146,6 +150,17 @@ fn edge(velocity_m_s: Option<f64>, what: &str, end_m_s: f64) -> String {
         || format!("{end_m_s} m/s (end of the range)"),
         |velocity_m_s| format!("{} m/s ({what})", fixed_significant(velocity_m_s, 6)),
     )
+}
+
+/// A shot just below the limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AtLimit {
+    /// The load of the mechanism and its mount.
+    pub load: Load,
+    /// Everything a careful reader should know of that shot.
+    pub warnings: Vec<String>,
+    /// What of it is outside the model's validity.
+    pub breaches: Vec<Breach>,
 }
 
 /// One shot of the residual-velocity curve.

@@ -68,33 +68,17 @@ pub struct Comparison {
     pub refused: Vec<(&'static str, String)>,
 }
 
-/// A value and how far it is from the first row's, relative; `None` where either does not exist.
-pub fn deviation(value: Option<f64>, reference: Option<f64>) -> Option<f64> {
-    let (value, reference) = (value?, reference?);
-    let relative = value / reference - 1.0;
-    relative.is_finite().then_some(relative)
+impl Comparison {
+    /// How far a result is from that of the first row, relative; `None` where either does not exist.
+    pub fn deviation(&self, row: &Row, of: impl Fn(&Run) -> Option<f64>) -> Option<f64> {
+        let relative = of(&row.run)? / of(&self.rows.first()?.run)? - 1.0;
+        relative.is_finite().then_some(relative)
+    }
 }
 
-impl Comparison {
-    /// Depth against the first row's, relative; none where either perforates.
-    pub fn depth_error(&self, row: &Row) -> Option<f64> {
-        let first = self.rows.first()?;
-        let depth =
-            |run: &Run| run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated);
-        deviation(depth(&row.run), depth(&first.run))
-    }
-
-    /// Greatest displacement against the first row's, relative.
-    pub fn travel_error(&self, row: &Row) -> Option<f64> {
-        let first = self.rows.first()?;
-        deviation(row.run.max_plate_displacement_m, first.run.max_plate_displacement_m)
-    }
-
-    /// Peak force against the first row's, relative.
-    pub fn force_error(&self, row: &Row) -> Option<f64> {
-        let first = self.rows.first()?;
-        deviation(row.run.peak_contact_force_n, first.run.peak_contact_force_n)
-    }
+/// The depth of a shot that does not perforate, m.
+pub fn depth_m(run: &Run) -> Option<f64> {
+    run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated)
 }
 
 /// A row to be made.
@@ -206,13 +190,16 @@ mod tests {
         let names: Vec<&str> = found.rows.iter().map(|row| row.name).collect();
         assert_eq!(names, ["hydrodynamic", "lumped", "half-sine", "initial-velocity", "appendix"]);
         let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
-        assert_eq!(found.depth_error(row("hydrodynamic")), Some(0.0));
+        let depth_error = |name| found.deviation(row(name), depth_m);
+        assert_eq!(depth_error("hydrodynamic"), Some(0.0));
         // The printed coupling: 82.4 instead of 64.4 % of the baseline.
-        assert!((found.depth_error(row("appendix")).unwrap() - 0.28).abs() < 0.01);
-        assert_eq!(found.depth_error(row("initial-velocity")), None);
-        assert_eq!(found.force_error(row("initial-velocity")), None);
+        assert!((depth_error("appendix").unwrap() - 0.28).abs() < 0.01);
+        assert_eq!(depth_error("initial-velocity"), None);
+        let force_error = |name| found.deviation(row(name), |run| run.peak_contact_force_n);
+        assert_eq!(force_error("initial-velocity"), None);
         // Joined at once, the plate does not move before it has its speed.
-        assert!(found.travel_error(row("initial-velocity")).unwrap().abs() < 0.1);
+        let travel = |run: &Run| run.max_plate_displacement_m;
+        assert!(found.deviation(row("initial-velocity"), travel).unwrap().abs() < 0.1);
         assert!(row("half-sine").with.starts_with("t_d = 1"));
     }
 
@@ -220,8 +207,8 @@ mod tests {
     fn quirks_stand_beside_the_listing_as_printed() {
         let found = compare(&Scene::default(), What::Quirks, &mut slow()).unwrap();
         assert_eq!(found.rows.len(), 10);
-        let error =
-            |name: &str| found.depth_error(found.rows.iter().find(|row| row.name == name).unwrap());
+        let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
+        let error = |name| found.deviation(row(name), depth_m);
         assert_eq!(error("as printed"), Some(0.0));
         assert_eq!(error("damper corrected"), Some(0.0));
         let all = error("all corrected").unwrap();

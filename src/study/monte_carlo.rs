@@ -11,9 +11,8 @@ use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::summary::OutcomeCounts;
-use crate::study::sweep::{Axis, PointOutcome, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
 pub use tolerance::{Distribution, Tolerance};
 
 mod tolerance;
@@ -161,7 +160,7 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
     let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
     context.expect(task.samples);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
-    let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.measures().len()];
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
     draw.each_batch(task.samples, context, |designs, context| {
         let found = space.evaluate(designs, context);
         report.samples += found.len();
@@ -181,7 +180,7 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
         .enumerate()
         .map(|(at, values)| {
             let nominal = nominal.as_ref().and_then(|found| found.values[at]);
-            Summary::of(space.measures()[at], nominal, values)
+            Summary::of(space.outputs()[at], nominal, values)
         })
         .collect();
     Ok(report)
@@ -191,7 +190,7 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
 ///
 /// # Errors
 /// As [`sample`].
-pub fn space(scene: &Scene, task: &Task) -> Result<DesignSpace, SweepError> {
+pub fn space(scene: &Scene, task: &Task) -> Result<Plan, SweepError> {
     if task.tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";
         return Err(SweepError(text.to_owned()));
@@ -211,7 +210,7 @@ pub fn space(scene: &Scene, task: &Task) -> Result<DesignSpace, SweepError> {
     }
     let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
-    DesignSpace::new(scene, axes, &task.measures)
+    Plan::for_designs(scene, axes, &task.measures)
 }
 
 /// The stream of samples: the one random source of every Monte Carlo study.

@@ -3,9 +3,9 @@
 //! A thread that is free takes the next piece. A few pieces a thread are out at most, so memory stays constant. The result of a
 //! piece depends on the piece only.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
@@ -15,175 +15,95 @@ const OUT: u64 = 8;
 /// How often somebody who waits for a result is asked whether to go on.
 const ASKED_EVERY: Duration = Duration::from_millis(20);
 
-/// How the work is cut and who does it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Parallel {
-    /// Threads, >= 1.
-    pub threads: usize,
-    /// Points a piece has, >= 1: a few milliseconds of work at most, since cancelling waits for the running pieces.
-    pub piece: u64,
+/// How much work there is.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// Points of it.
+    pub count: u64,
+    /// Points that a thread does before it hands in their results, >= 1: a few milliseconds of work at most, since cancelling
+    /// waits for the running pieces.
+    pub at_once: u64,
 }
 
-impl Parallel {
-    /// One thread for each core, and pieces of the usual size.
-    pub fn of_machine() -> Self {
-        Self { threads: thread::available_parallelism().map_or(1, usize::from), piece: 64 }
+impl Work {
+    fn pieces(self) -> u64 {
+        self.count.div_ceil(self.at_once)
     }
 
-    /// Work through `points`: each thread gets a worker of its own from `worker`, and `take` is given every result in the order of
-    /// the points. It is also asked regularly while there is no result (`None`): a piece may take longer than anybody wants to
-    /// wait for the word to stop. `Break` ends it; pieces under way are dropped.
-    pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
-        self,
-        points: Range<u64>,
-        worker: impl Fn() -> W + Sync,
-        mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        let size = self.piece.max(1);
-        let count = points.end.saturating_sub(points.start).div_ceil(size);
-        let pieces = &Pieces { points, size, count };
-        let threads = u64::try_from(self.threads.max(1)).unwrap_or(1).min(pieces.count);
-        // Each result waits in a slot of its own until those before it are taken.
-        let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
-        let slot = |number: u64| {
-            let place = usize::try_from(number).unwrap_or(0) % slots.len();
-            slots[place].lock().unwrap_or_else(PoisonError::into_inner)
-        };
-        let worker = || -> Box<dyn FnMut(u64) + '_> {
-            let mut work = worker();
-            Box::new(move |number| *slot(number) = Some(work(pieces.at(number))))
-        };
-        let queue = Queue {
-            count: pieces.count,
-            threads,
-            state: Mutex::default(),
-            changed: Condvar::new(),
-        };
-        queue.run(&worker, &mut |number| {
-            let result = number.and_then(|number| Some((pieces.at(number), slot(number).take()?)));
-            take(result)
-        })
+    /// The points of a piece, from zero.
+    fn piece(self, number: u64) -> Range<u64> {
+        let from = number * self.at_once;
+        from..(from + self.at_once).min(self.count)
     }
 }
 
-/// The numbers of the pieces, on their way to the threads and back.
-struct Queue {
-    count: u64,
-    threads: u64,
-    state: Mutex<State>,
-    changed: Condvar,
+/// One thread for each core.
+pub fn cores() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
 }
 
-#[derive(Default)]
-struct State {
-    /// The piece that is worked on next, and the first that must wait.
-    next: u64,
-    end: u64,
-    /// Pieces that are done and not taken yet.
-    done: BTreeSet<u64>,
-    is_closed: bool,
-}
-
-/// Ends the threads when it goes, also when a panic takes it.
-struct Closing<'q>(&'q Queue);
-
-impl Drop for Closing<'_> {
-    fn drop(&mut self) {
-        self.0.state().is_closed = true;
-        self.0.changed.notify_all();
-    }
-}
-
-impl Queue {
-    /// Call `take` with every number in order, once a worker has done it, and with `None` regularly in between.
-    fn run<'w>(
-        &self,
-        worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
-        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        thread::scope(|scope| {
-            let _closing = Closing(self);
-            // As many threads as the system has.
-            let start = |_| thread::Builder::new().spawn_scoped(scope, || self.work(worker())).ok();
-            let started: Vec<_> = (0..self.threads).filter_map(start).collect();
-            let mut own = started.is_empty().then(worker);
-            for number in 0..self.count {
-                if let Some(own) = &mut own {
-                    own(number);
-                } else {
-                    let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
-                    self.wait_for(number, &has_panicked, take)?;
-                }
-                take(Some(number))?;
-            }
-            ControlFlow::Continue(())
-        })
-    }
-
-    /// Take one piece after another until the queue is closed.
-    fn work(&self, mut worker: Box<dyn FnMut(u64) + '_>) {
+/// Does work on a number of threads, >= 1: each gets a worker of its own from `worker`, and `take` is given every result in the
+/// order of the points. It is also asked regularly while there is no result (`None`): a piece may take longer than anybody wants
+/// to wait for the word to stop. `Break` ends it; pieces under way are dropped.
+pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
+    threads: usize,
+    work: Work,
+    worker: impl Fn() -> W + Sync,
+    mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let pieces = work.pieces();
+    let threads = u64::try_from(threads.max(1)).unwrap_or(1).min(pieces);
+    let (orders, open) = mpsc::channel();
+    let open = Mutex::new(open);
+    let (done, results) = mpsc::channel();
+    let on_thread = |done: mpsc::Sender<(u64, T)>| {
+        let mut worker = worker();
         loop {
-            let must_wait = |state: &mut State| state.next >= state.end && !state.is_closed;
-            let waiting = self.changed.wait_while(self.state(), must_wait);
-            let mut state = waiting.unwrap_or_else(PoisonError::into_inner);
-            if state.is_closed {
+            let next = open.lock().unwrap_or_else(PoisonError::into_inner).recv();
+            let Ok(number) = next else { return };
+            // Nobody takes it once the work has been broken off.
+            if done.send((number, worker(work.piece(number)))).is_err() {
                 return;
             }
-            let number = state.next;
-            state.next += 1;
-            drop(state);
-            worker(number);
-            self.state().done.insert(number);
-            self.changed.notify_all();
         }
-    }
-
-    /// Wait until a piece is done. Leaving the scope passes a worker's panic on.
-    fn wait_for(
-        &self,
-        number: u64,
-        has_panicked: &dyn Fn() -> bool,
-        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        let mut state = self.state();
-        state.end = self.count.min(number + OUT * self.threads);
-        self.changed.notify_all();
-        loop {
-            let is_missing = |state: &mut State| !state.done.contains(&number);
-            let waiting = self.changed.wait_timeout_while(state, ASKED_EVERY, is_missing);
-            let (mut now, waited) = waiting.unwrap_or_else(PoisonError::into_inner);
-            if !waited.timed_out() {
-                now.done.remove(&number);
-                return ControlFlow::Continue(());
+    };
+    let (worker, on_thread) = (&worker, &on_thread);
+    // Its ends of the channels belong to the scope: whatever ends it, also a panic, ends the threads.
+    thread::scope(move |scope| {
+        // As many threads as the system has.
+        let start = |_| {
+            let done = done.clone();
+            thread::Builder::new().spawn_scoped(scope, move || on_thread(done)).ok()
+        };
+        let started: Vec<_> = (0..threads).filter_map(start).collect();
+        let mut own = started.is_empty().then(worker);
+        let (mut ordered, mut early) = (0, BTreeMap::new());
+        for number in 0..pieces {
+            if let Some(own) = &mut own {
+                early.insert(number, own(work.piece(number)));
             }
-            drop(now);
-            if has_panicked() {
-                return ControlFlow::Break(());
+            while ordered < pieces.min(number + OUT * threads) {
+                let _ = orders.send(ordered);
+                ordered += 1;
             }
-            // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
-            let _ = take(None);
-            state = self.state();
+            let result = loop {
+                if let Some(result) = early.remove(&number) {
+                    break result;
+                }
+                match results.recv_timeout(ASKED_EVERY) {
+                    Ok((number, result)) => drop(early.insert(number, result)),
+                    // Leaving the scope passes a worker's panic on.
+                    Err(_) if started.iter().any(ScopedJoinHandle::is_finished) => {
+                        return ControlFlow::Break(());
+                    }
+                    // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
+                    Err(_) => drop(take(None)),
+                }
+            };
+            take(Some((work.piece(number), result)))?;
         }
-    }
-
-    fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-/// How points are cut into pieces.
-struct Pieces {
-    points: Range<u64>,
-    size: u64,
-    count: u64,
-}
-
-impl Pieces {
-    /// The points of a piece, from zero.
-    fn at(&self, number: u64) -> Range<u64> {
-        let from = self.points.start + number * self.size;
-        from..(from + self.size).min(self.points.end)
-    }
+        ControlFlow::Continue(())
+    })
 }
 
 #[cfg(test)]
@@ -196,10 +116,9 @@ mod tests {
     fn results_come_in_order_whoever_works() {
         for threads in [1, 2, 3, 7] {
             for points in [0, 1, 9, 10, 11, 1000] {
-                let parallel = Parallel { threads, piece: 10 };
                 let mut seen = Vec::new();
                 let worker = || |piece: Range<u64>| piece.collect::<Vec<u64>>();
-                let ended = parallel.map(5..5 + points, worker, |news| {
+                let ended = map(threads, Work { count: points, at_once: 10 }, worker, |news| {
                     if let Some((piece, found)) = news {
                         assert_eq!(piece.collect::<Vec<u64>>(), found);
                         seen.extend(found);
@@ -207,7 +126,7 @@ mod tests {
                     ControlFlow::Continue(())
                 });
                 assert!(ended.is_continue());
-                assert_eq!(seen, (5..5 + points).collect::<Vec<u64>>(), "{threads} {points}");
+                assert_eq!(seen, (0..points).collect::<Vec<u64>>(), "{threads} {points}");
             }
         }
     }
@@ -215,10 +134,10 @@ mod tests {
     #[test]
     fn breaking_off_ends_a_sweep_that_would_never_end() {
         for threads in [1, 2] {
-            let parallel = Parallel { threads, piece: 1 };
             let mut taken = 0;
-            let ended = parallel.map(
-                0..u64::MAX >> 1,
+            let ended = map(
+                threads,
+                Work { count: u64::MAX >> 1, at_once: 1 },
                 || |piece: Range<u64>| piece.start,
                 |news| {
                     if let Some((_, start)) = news {
@@ -248,7 +167,7 @@ mod tests {
                     piece.start
                 }
             };
-            let ended = Parallel { threads, piece: 1 }.map(0..1000, worker, |news| {
+            let ended = map(threads, Work { count: 1000, at_once: 1 }, worker, |news| {
                 asked += usize::from(news.is_none());
                 pieces.extend(news.map(|(_, start)| start));
                 if asked == 3 {

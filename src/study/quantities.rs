@@ -98,7 +98,10 @@ const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> 
         name,
         meaning,
         source,
-        from_contact: FromContact::No,
+        from_contact: match source {
+            Source::Scene(_) => FromContact::Scene,
+            Source::Run(_) | Source::Course(..) | Source::Shots(_) => FromContact::No,
+        },
         lower_bound: None,
         short: "",
         absence: "does not exist here",
@@ -106,39 +109,6 @@ const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> 
         is_of_computation: false,
         is_whole: false,
     }
-}
-
-const fn of_run(
-    name: &'static str,
-    meaning: &'static str,
-    get: fn(&Run) -> Option<f64>,
-) -> Quantity {
-    quantity(name, meaning, Source::Run(get))
-}
-
-const fn of_scene(
-    name: &'static str,
-    meaning: &'static str,
-    get: fn(&Scene) -> Option<f64>,
-) -> Quantity {
-    quantity(name, meaning, Source::Scene(get)).by_contact(FromContact::Scene)
-}
-
-const fn of_course(
-    name: &'static str,
-    meaning: &'static str,
-    get: fn(&Run) -> Option<f64>,
-    is_needed: fn(&Scene) -> bool,
-) -> Quantity {
-    quantity(name, meaning, Source::Course(get, is_needed))
-}
-
-const fn of_shots(
-    name: &'static str,
-    meaning: &'static str,
-    get: fn(&Scene) -> Option<f64>,
-) -> Quantity {
-    quantity(name, meaning, Source::Shots(get))
 }
 
 /// The optional parts of a row.
@@ -181,66 +151,66 @@ const NO_BASELINE: &str = "no baseline (perforated)";
 /// Every quantity, in the order of files.
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
-    of_run("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", |run| Some(run.first_arrest?.penetration_m))
+    quantity("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
         .by_contact(End(|it| Some(it.arrest()?.penetration_m))),
-    of_run("first_arrest_time_s", "time of the first arrest", |run| Some(run.first_arrest?.t_s))
+    quantity("first_arrest_time_s", "time of the first arrest", Source::Run(|run| Some(run.first_arrest?.t_s)))
         .by_contact(End(|it| Some(it.arrest()?.t_s))),
-    of_run("first_arrest_plate_displacement_m", "plate displacement at the first arrest", |run| Some(run.first_arrest?.plate_displacement_m))
+    quantity("first_arrest_plate_displacement_m", "plate displacement at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))),
-    of_run("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", |run| Some(run.first_arrest?.plate_velocity_m_s))
+    quantity("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
-    of_run("final_penetration_m", "depth of the hole at the end", |run| run.final_penetration_m)
+    quantity("final_penetration_m", "depth of the hole at the end", Source::Run(|run| run.final_penetration_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
         .at_least(|run| run.at_least.penetration_m).short("depth"),
-    of_run("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Run::percent_of_baseline)
+    quantity("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
         .short("of baseline").absent(NO_BASELINE),
-    of_run("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", |run| run.baseline_penetration_m)
+    quantity("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
-    of_run("peak_contact_force_n", "greatest contact force while penetrating", |run| run.peak_contact_force_n).short("contact"),
-    of_run("max_plate_displacement_m", "greatest plate displacement", |run| run.max_plate_displacement_m)
+    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
+    quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
-    of_run("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Run::stroke_m)
+    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.start_m())).absent(UNSTOPPED),
-    of_run("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Run::shot_residual_m_s).of_perforation(),
-    of_run("exit_time_s", "when the nose was clear of the rear face", |run| run.exit_time_s).of_perforation(),
-    of_run("separation_time_s", "when the projectile left through the entry face", |run| Some(run.separation?.0)),
-    of_run("separation_velocity_m_s", "projectile velocity when it left through the entry face", |run| Some(run.separation?.1)),
-    of_run("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", |run| run.interface_demand_ratio).short("demand"),
-    of_run("energy_residual", "error of the energy balance, relative to the energy at the start", |run| Some(run.ledger.residual())).of_computation(),
-    of_run("error_estimate", "relative error estimate of the final depth", |run| Some(run.error_estimate?.relative)).of_computation(),
-    of_run("stored_energy_j", "greatest energy stored in the springs", |run| run.mechanism.stored_j),
-    of_run("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", |run| run.mechanism.yield_margin),
-    of_run("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", |run| run.mechanism.added_kg),
-    of_run("spring_mass_kg", "the springs' own mass", |run| run.mechanism.spring_mass_kg),
-    of_run("rotational_energy_j", "greatest energy of the plate's rotation", |run| run.mechanism.rotation_j),
-    of_run("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", |run| run.stack.as_ref()?.penetration_m),
-    of_run("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", |run| Some(run.stack.as_ref()?.passed() as f64)),
-    of_run("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", |run| run.stack.as_ref()?.residual_velocity_m_s),
-    of_course("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", mount::peak_force_n, mount::needs_course)
+    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation(),
+    quantity("exit_time_s", "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
+    quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.0))),
+    quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.1))),
+    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
+    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(|run| Some(run.ledger.residual()))).of_computation(),
+    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation(),
+    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
+    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
+    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
+    quantity("spring_mass_kg", "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
+    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
+    quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)),
+    quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))),
+    quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)),
+    quantity("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", Source::Course(mount::peak_force_n, mount::needs_course))
         .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force"),
-    of_course("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", |run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true),
-    of_run("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", travel_margin),
-    of_run("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", fused_stop_hits),
-    of_scene("plate_mass_kg", "mass of the plate: gamma times that of the projectile", |scene| Some(scene.plate_mass_kg())),
-    of_run("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", |run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m))
+    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
+    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
+    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(fused_stop_hits)),
+    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
+    quantity("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
         .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
-    of_run("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring; a damper, a stop and the mount are not counted", |run| mount::system_kg(&run.scene, run.max_plate_displacement_m))
+    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring; a damper, a stop and the mount are not counted", Source::Run(|run| mount::system_kg(&run.scene, run.max_plate_displacement_m)))
         .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.max_displacement_m))).short("system"),
-    of_run("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted", areal_mass_of_run)
+    quantity("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted", Source::Run(areal_mass_of_run))
         .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.max_displacement_m))),
-    of_scene("plate_face_m", "side of the plate's square face: the plate is a block of its material", |scene| sprung(scene).then(|| scene.plate_face_m())),
-    of_scene("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", envelope::face_ratio),
-    of_scene("thickness_over_diameter", "plate thickness over projectile diameter, h/D", |scene| Some(envelope::thickness_ratio(scene))),
-    of_scene("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", |scene| Some(envelope::nose_pressure_ratio(scene))),
-    of_shots("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", limit::velocity_m_s).short("limit"),
-    of_shots("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", |scene| mass_efficiency(scene, &Hardware::default())).short("efficiency"),
-    of_run("steps", "accepted steps", |run| Some(run.cost.steps as f64)).of_computation().whole(),
-    of_run("rejected", "rejected steps", |run| Some(run.cost.rejected as f64)).of_computation().whole(),
-    of_run("rhs_evaluations", "evaluations of the equations of motion", |run| Some(run.cost.rhs_evaluations as f64)).of_computation().whole(),
+    quantity("plate_face_m", "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
+    quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
+    quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
+    quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
+    quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Source::Shots(limit::velocity_m_s)).short("limit"),
+    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default()))).short("efficiency"),
+    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
+    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
+    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
 ];
 
 /// How names end, and the units that means; a longer ending stands before its own end.

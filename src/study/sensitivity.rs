@@ -9,8 +9,7 @@ use crate::model::variables::{self, Kind, VARIABLES};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::design_space::{DesignSpace, Found};
-use crate::study::sweep::{Axis, Spacing, SweepError};
+use crate::study::sweep::{Axis, Found, Plan, Spacing, SweepError};
 use effects::{Effect, morris};
 use indices::{Sobol, sobol};
 
@@ -125,9 +124,9 @@ pub fn study(
     if axes.len() > indices::INPUTS_MAX {
         return Err(SweepError::too_many_axes(axes.len(), indices::INPUTS_MAX));
     }
-    let space = DesignSpace::new(scene, axes, &[output])?;
+    let space = Plan::for_designs(scene, axes, &[output])?;
     let axes = space.axes().to_vec();
-    let output = space.measures()[0];
+    let output = space.outputs()[0];
     let inputs = axes.len();
     let here = |axis: &Axis| axis.get(scene).unwrap_or(f64::NAN);
     let own: Vec<f64> = axes.iter().map(here).collect();

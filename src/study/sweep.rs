@@ -7,6 +7,7 @@
 
 pub mod axis;
 mod design;
+mod designs;
 pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
@@ -26,6 +27,7 @@ use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
 pub(in crate::study) use design::sequence;
 pub use design::{Design, Sampling};
+pub use designs::Found;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
@@ -118,7 +120,7 @@ impl Shard {
 }
 
 /// A checked sweep. Equal plans give equal results.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     base: Scene,
     axes: Vec<Axis>,
@@ -127,18 +129,8 @@ pub struct Plan {
     outputs: Vec<&'static Quantity>,
     /// Points in the place of the design's: for each a value on every axis.
     list: Option<Arc<[f64]>>,
-}
-
-impl PartialEq for Plan {
-    fn eq(&self, other: &Self) -> bool {
-        let names =
-            |plan: &Self| -> Vec<&str> { plan.outputs.iter().map(|output| output.name).collect() };
-        self.base == other.base
-            && self.axes == other.axes
-            && self.design == other.design
-            && self.list == other.list
-            && names(self) == names(other)
-    }
+    /// Steps after which a run is stopped.
+    steps_max: Option<usize>,
 }
 
 impl Plan {
@@ -158,18 +150,24 @@ impl Plan {
         Self::of_axes(scene, axes, design, outputs)
     }
 
-    /// The same for points that are listed later: any number of axes.
-    pub(in crate::study) fn for_points(
+    /// The same for designs that are listed later, over any number of axes.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
+    pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
-        Self::of_axes(
-            scene,
-            axes,
-            Design { sampling: Sampling::Sobol, points: 2, seed: 0 },
-            outputs,
-        )
+        let design = Design { sampling: Sampling::Sobol, points: 2, seed: 0 };
+        Self::of_axes(scene, axes, design, outputs)
+    }
+
+    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up. A search looks at
+    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
+    #[must_use]
+    pub fn limited(self, steps: usize) -> Self {
+        Self { steps_max: Some(steps), ..self }
     }
 
     fn of_axes(
@@ -192,7 +190,7 @@ impl Plan {
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
-        let mut plan = Self { base, axes, design, points, outputs, list: None };
+        let mut plan = Self { base, axes, design, points, outputs, list: None, steps_max: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
         for axis in &plan.axes {
@@ -208,13 +206,6 @@ impl Plan {
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, Design::FACTORIAL, &sweep.outputs)
-    }
-
-    /// The same over these points in the place of its design: each has a value for every axis, in the stored unit. Whether a
-    /// point makes physical sense is the caller's business.
-    pub(in crate::study) fn over_points(&self, points: &[Vec<f64>]) -> Self {
-        let list = points.iter().flatten().copied().collect();
-        Self { points: points.len() as u64, list: Some(list), ..self.clone() }
     }
 
     /// The scene whose other variables are held, without title, notes and sweep.
@@ -274,6 +265,11 @@ impl Plan {
         let mut scene = self.base.clone();
         self.place(&mut scene, index);
         scene
+    }
+
+    /// The scene of a design: a value for every axis, in the stored unit.
+    pub fn scene_of(&self, design: &[f64]) -> Scene {
+        axis::scene_with(&self.base, &self.axes, design)
     }
 
     /// Rules between variables are linear: what holds at every corner of the box holds within.

@@ -21,7 +21,7 @@ use notice::{Notice, Severity};
 use crate::files::clean;
 use crate::files::session::Session;
 use crate::model::scene::Scene;
-use crate::study::parallel::Parallel;
+use crate::study::parallel::cores;
 use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::Keymap;
 use crate::tui::message::{FileTask, PresetEntry};
@@ -148,7 +148,7 @@ impl App {
 
     /// Threads of sweeps and studies.
     pub fn crew(&self) -> usize {
-        self.threads.unwrap_or_else(|| Parallel::of_machine().threads)
+        self.threads.unwrap_or_else(|| cores())
     }
 
     pub fn layout(&self) -> Layout {

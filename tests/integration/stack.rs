@@ -16,7 +16,9 @@ fn a_stack_of_one_element_is_the_single_run() {
         let mut stacked = run(scene(&format!("{pairs} base=0.01")));
         let stack = stacked.stack.take().unwrap();
         // What goes through the first plate of a stack meets the next: no warning says that it goes through a rigid one, too.
-        stacked.warnings.extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).cloned());
+        stacked
+            .warnings
+            .extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).cloned());
         stacked.scene = Arc::clone(&single.scene);
         assert_eq!(stacked, single, "{pairs}");
         let reached_base = single.outcome == Outcome::Perforated;

@@ -87,27 +87,29 @@ impl Basis {
         }
     }
 
-    /// Whether it shares code with a method.
-    pub fn shares_code_with(self, method: Method) -> bool {
+    /// The code that computes it.
+    fn code(self) -> Code {
         match self {
-            Self::Stored(_) | Self::DoubleDouble => false,
-            // The engine's methods share its areas.
-            Self::ClosedForm | Self::Engine => method.is_of_engine(),
-            // The thesis's scheme shares the areas of the second form.
-            Self::Dop853 | Self::Radau => !method.is_of_engine(),
+            Self::Stored(_) => Code::Elsewhere,
+            Self::DoubleDouble => Code::DoubleDouble,
+            Self::ClosedForm | Self::Engine => Code::Engine,
+            Self::Dop853 | Self::Radau => Code::SecondForm,
         }
     }
 
-    /// Whether two references are computed by different code.
-    fn is_independent_of(self, other: Self) -> bool {
-        match (self, other) {
-            (Self::ClosedForm, Self::Engine)
-            | (Self::Engine, Self::ClosedForm)
-            | (Self::Dop853, Self::Radau)
-            | (Self::Radau, Self::Dop853) => false,
-            (a, b) => std::mem::discriminant(&a) != std::mem::discriminant(&b),
-        }
+    /// Whether it shares code with a method: the engine's methods share its areas, and the thesis's scheme those of the second form.
+    pub fn shares_code_with(self, method: Method) -> bool {
+        self.code() == if method.is_of_engine() { Code::Engine } else { Code::SecondForm }
     }
+}
+
+/// Codes that have neither areas nor equations in common.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Code {
+    Elsewhere,
+    DoubleDouble,
+    Engine,
+    SecondForm,
 }
 
 /// An answer to compare with.
@@ -195,7 +197,7 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
     }
     for index in 0..list.len() {
         let own = list[index];
-        let others = list.iter().filter(|other| own.basis.is_independent_of(other.basis));
+        let others = list.iter().filter(|other| own.basis.code() != other.basis.code());
         let least = others.filter_map(|other| own.difference(other)).min_by(f64::total_cmp);
         let found = least.map(|difference| larger(difference, f64::EPSILON));
         list[index].uncertainty = own.uncertainty.or(found);

@@ -143,12 +143,17 @@ pub(super) struct Built {
 impl Built {
     /// Size the springs of a scene for a run.
     pub(super) fn of(scene: &Scene, hardware: &Hardware, run: &Run) -> Self {
-        Self::for_demands(scene, hardware, &Demand::of_run(run, &elements(scene)))
+        let elements = elements(scene);
+        let demands = Demand::of_run(run, &elements);
+        Self::for_demands(elements, hardware, &demands)
     }
 
-    /// Size the springs of a scene for the demands of its elements.
-    pub(super) fn for_demands(scene: &Scene, hardware: &Hardware, demands: &[Demand]) -> Self {
-        let elements = elements(scene);
+    /// Size the springs of a scene's elements for their demands.
+    pub(super) fn for_demands(
+        elements: Vec<Scene>,
+        hardware: &Hardware,
+        demands: &[Demand],
+    ) -> Self {
         let pairs = elements.iter().zip(demands);
         let springs_kg: Vec<Option<f64>> =
             pairs.map(|(element, demand)| spring_kg(hardware, element, demand)).collect();
@@ -162,8 +167,16 @@ impl Built {
         self.springs_kg.iter().copied().sum()
     }
 
+    /// Areal mass of the scene with these springs, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
-        areal_kg_m2(scene, &self.hardware, &self.springs_kg)
+        let mut sum = 0.0;
+        for (element, spring_kg) in self.elements.iter().zip(&self.springs_kg) {
+            let plate = element.target.density_kg_m3 * element.target.thickness_m;
+            let besides_kg = (*spring_kg)? + self.hardware.mount_kg;
+            sum += plate * (1.0 + besides_kg / element.plate_mass_kg());
+        }
+        let base = scene.stack.base_thickness_m;
+        Some(sum + base.map_or(0.0, |thickness| thickness * scene.target.density_kg_m3))
     }
 
     pub(super) fn failure(&self, run: &Run) -> Option<Failure> {
@@ -177,18 +190,6 @@ impl Built {
             failure(&self.hardware, element, demand, *capacity_j)
         })
     }
-}
-
-/// Areal mass of a scene with springs of these masses, kg, by element, kg/m².
-fn areal_kg_m2(scene: &Scene, hardware: &Hardware, springs_kg: &[Option<f64>]) -> Option<f64> {
-    let mut sum = 0.0;
-    for (element, spring_kg) in elements(scene).iter().zip(springs_kg) {
-        let plate = element.target.density_kg_m3 * element.target.thickness_m;
-        let besides_kg = (*spring_kg)? + hardware.mount_kg;
-        sum += plate * (1.0 + besides_kg / element.plate_mass_kg());
-    }
-    let base = scene.stack.base_thickness_m;
-    Some(sum + base.map_or(0.0, |thickness| thickness * scene.target.density_kg_m3))
 }
 
 /// Greatest energy in the springs between where the plate starts and its greatest displacement, J.

@@ -10,19 +10,10 @@ use crate::study::compare::sized::{self, sized};
 use crate::study::compare::solid::thickness_of_limit_m;
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, Load, is_held};
 use crate::study::context::Context;
-use crate::study::limit::{self, Limit};
+use crate::study::limit::{self, JUST_BELOW, Limit};
 
-/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
-const BELOW_LIMIT: f64 = 1e-6;
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
-
-/// The limit velocity with the hardware, and what fails there; without a failure the plate is perforated.
-#[derive(Clone, Copy, Debug, Default)]
-struct BuiltLimit {
-    limit_m_s: Option<f64>,
-    failure: Option<Failure>,
-}
 
 /// One candidate on its way to an entry.
 pub(super) struct Judge<'c, 'w> {
@@ -41,18 +32,26 @@ impl Judge<'_, '_> {
             return None;
         }
         let run = self.fire(design_m_s)?;
-        // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
-        let sizing = match perforation.velocity_m_s() {
-            Some(limit) if run.shot_outcome() == Outcome::Perforated => {
-                Some(self.fire_below(limit)?)
-            }
-            Some(_) | None => None,
+        let plate_m_s = perforation.velocity_m_s();
+        let never_m_s = (perforation == Limit::Never).then_some(limit::RANGE_M_S.1);
+        // The fastest shot that the plate itself stops.
+        let fastest = match plate_m_s.or(never_m_s) {
+            Some(limit_m_s) => Some((limit_m_s, self.fire_below(limit_m_s)?)),
+            None => None,
         };
-        let built = Built::of(&scene, &self.hardware, sizing.as_ref().unwrap_or(&run));
-        let BuiltLimit { limit_m_s, failure } = self.limit(perforation, &built)?;
-        let limit_load = match limit_m_s {
-            Some(limit) => Load::of(&self.fire_below(limit)?),
-            None => Load::default(),
+        // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
+        let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
+        let sizing = fastest.as_ref().filter(|_| is_through).map_or(&run, |(_, run)| run);
+        let built = Built::of(&scene, &self.hardware, sizing);
+        let failure = fastest.as_ref().and_then(|(_, run)| built.failure(run));
+        let (limit_m_s, failure) = match (&fastest, failure) {
+            (Some((top_m_s, _)), Some(failure)) => self.limit(*top_m_s, failure, &built)?,
+            (_, _) => (plate_m_s, None),
+        };
+        let limit_load = match (limit_m_s, &fastest) {
+            (Some(_), Some((_, run))) if failure.is_none() => Load::of(run),
+            (Some(limit), _) => Load::of(&self.fire_below(limit)?),
+            (None, _) => Load::default(),
         };
         if !self.context.goes_on() {
             return None;
@@ -94,21 +93,16 @@ impl Judge<'_, '_> {
     }
 
     fn fire_below(&mut self, limit_m_s: f64) -> Option<Run> {
-        self.fire(limit_m_s * (1.0 - BELOW_LIMIT))
+        self.fire(limit_m_s * (1.0 - JUST_BELOW))
     }
 
-    /// The limit velocity with this hardware, and what fails there; `None` when stopped.
-    fn limit(&mut self, perforation: Limit, built: &Built) -> Option<BuiltLimit> {
-        let plate_m_s = perforation.velocity_m_s();
-        let top_m_s = match plate_m_s {
-            Some(velocity_m_s) => velocity_m_s,
-            None if perforation == Limit::Never => limit::RANGE_M_S.1,
-            None => return Some(BuiltLimit::default()),
-        };
-        let at_top = self.fire_below(top_m_s)?;
-        let Some(mut failure) = built.failure(&at_top) else {
-            return Some(BuiltLimit { limit_m_s: plate_m_s, failure: None });
-        };
+    /// The limit velocity with hardware that fails before the plate is perforated, and what fails there; `None` when stopped.
+    fn limit(
+        &mut self,
+        top_m_s: f64,
+        mut failure: Failure,
+        built: &Built,
+    ) -> Option<(Option<f64>, Option<Failure>)> {
         let design_m_s = self.scene.projectile.velocity_m_s;
         let (mut holds, mut fails) = (0.0, top_m_s);
         let mut look = |velocity_m_s: f64, holds: &mut f64, fails: &mut f64| {
@@ -119,18 +113,18 @@ impl Judge<'_, '_> {
             Some(())
         };
         // What was sized for a shot holds it, and nothing faster.
-        for velocity_m_s in [design_m_s, design_m_s * (1.0 + BELOW_LIMIT)] {
+        for velocity_m_s in [design_m_s, design_m_s * (1.0 + JUST_BELOW)] {
             if velocity_m_s < fails {
                 look(velocity_m_s, &mut holds, &mut fails)?;
             }
         }
-        if holds >= design_m_s && fails <= design_m_s * (1.0 + BELOW_LIMIT) {
-            return Some(BuiltLimit { limit_m_s: Some(design_m_s), failure: Some(failure) });
+        if holds >= design_m_s && fails <= design_m_s * (1.0 + JUST_BELOW) {
+            return Some((Some(design_m_s), Some(failure)));
         }
         while fails - holds > WIDTH * fails && fails > limit::RANGE_M_S.0 {
             look(0.5 * (holds + fails), &mut holds, &mut fails)?;
         }
         let limit_m_s = (fails > limit::RANGE_M_S.0).then_some(fails);
-        Some(BuiltLimit { limit_m_s, failure: Some(failure) })
+        Some((limit_m_s, Some(failure)))
     }
 }

@@ -99,7 +99,7 @@ pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Si
     let solid_m = thickness_of_limit_m(scene, velocity_m_s).ok_or(Absence::NoSolid)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
-    let built = Built::for_demands(&own, hardware, &shot.demands);
+    let built = Built::for_demands(elements(&own), hardware, &shot.demands);
     if let Some(failure) = built.failure_under(&shot.demands) {
         return Err(Absence::Fails(failure));
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::run::Outcome;
-use crate::model::scene::{Closure, Scene};
+use crate::model::scene::{Closure, Scene, Target};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::statistics::moments;
@@ -58,7 +58,7 @@ pub fn calibrate(
     context: &mut Context<'_>,
 ) -> Result<Calibration, VariableError> {
     let own_limit_m_s = limit::alone(&Arc::new(scene.clone()), context)?.velocity_m_s();
-    let own_pa = strength_pa(scene);
+    let own_pa = *strength_pa(&mut scene.target.clone());
     let mut for_limit = |velocity_m_s: f64| {
         let model = |strength_pa: f64| {
             let own = Arc::new(with_strength(scene, strength_pa));
@@ -82,6 +82,7 @@ pub fn calibrate(
 }
 
 fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Option<FromDepths> {
+    let own_pa = *strength_pa(&mut scene.target.clone());
     let stopped = shots.iter().filter(|shot| !shot.perforated);
     let measured: Vec<(f64, f64)> =
         stopped.filter_map(|shot| Some((shot.velocity_m_s, shot.penetration_m?))).collect();
@@ -90,7 +91,7 @@ fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Opti
         .filter_map(|(velocity_m_s, depth_m)| {
             let mut own = scene.clone();
             own.projectile.velocity_m_s = *velocity_m_s;
-            solve(strength_pa(scene), *depth_m, -1.0, |strength_pa| {
+            solve(own_pa, *depth_m, -1.0, |strength_pa| {
                 depth_of(&with_strength(&own, strength_pa), context)
             })
         })
@@ -115,19 +116,17 @@ fn depth_of(scene: &Scene, context: &mut Context<'_>) -> Option<f64> {
     run.final_penetration_m
 }
 
-fn strength_pa(scene: &Scene) -> f64 {
-    match scene.target.closure {
-        Closure::Given => scene.target.flow_strength_pa,
-        Closure::DoubleYield | Closure::Cavity => scene.target.yield_pa,
+/// The strength that is calibrated, Pa.
+fn strength_pa(target: &mut Target) -> &mut f64 {
+    match target.closure {
+        Closure::Given => &mut target.flow_strength_pa,
+        Closure::DoubleYield | Closure::Cavity => &mut target.yield_pa,
     }
 }
 
-fn with_strength(scene: &Scene, strength_pa: f64) -> Scene {
+fn with_strength(scene: &Scene, value_pa: f64) -> Scene {
     let mut own = scene.clone();
-    match own.target.closure {
-        Closure::Given => own.target.flow_strength_pa = strength_pa,
-        Closure::DoubleYield | Closure::Cavity => own.target.yield_pa = strength_pa,
-    }
+    *strength_pa(&mut own.target) = value_pa;
     own
 }
 
@@ -164,7 +163,7 @@ fn solve(
 mod tests {
     use super::*;
     use crate::study::context::to_its_end;
-    use crate::study::fit::Method;
+    use crate::study::fit::Estimator;
     use crate::study::testing::rigid;
 
     fn logistic(v50_m_s: f64) -> Logistic {
@@ -172,7 +171,7 @@ mod tests {
             v50_m_s,
             scale_m_s: 3.0,
             range_m_s: (Some(0.9 * v50_m_s), None),
-            method: Method::Firth,
+            method: Estimator::Firth,
         }
     }
 

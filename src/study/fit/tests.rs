@@ -19,7 +19,7 @@ fn the_textbook_example_of_hours_and_exams() {
     let shots = hours.into_iter().zip(passed).map(|(hours, passed)| shot(hours, passed == 1));
     let report = fit(shots.collect()).unwrap();
     let found = report.logistic;
-    assert_eq!(found.method, Method::MaximumLikelihood);
+    assert_eq!(found.method, Estimator::MaximumLikelihood);
     assert!(report.has_mixed_results());
     assert!((1.0 / found.scale_m_s - 1.5046).abs() < 1e-4, "{found:?}");
     assert!((found.v50_m_s / found.scale_m_s - 4.0777).abs() < 1e-4, "{found:?}");
@@ -43,7 +43,7 @@ fn separated_shots_take_firths_penalty() {
     assert!(!report.has_mixed_results());
     assert_eq!((report.highest_stopped_m_s, report.lowest_perforated_m_s), (296.0, 301.0));
     let found = report.logistic;
-    assert_eq!(found.method, Method::Firth);
+    assert_eq!(found.method, Estimator::Firth);
     assert!((found.v50_m_s - 297.763_464).abs() < 1e-4, "{found:?}");
     assert!((found.scale_m_s - 4.935_029).abs() < 1e-4, "{found:?}");
     assert!((found.range_m_s.0.unwrap() - 281.632_948).abs() < 1e-4, "{found:?}");

@@ -3,14 +3,15 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{Outcome, Run};
+use crate::model::run::{EndReason, Outcome, Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
+use crate::study::compare::Load;
 use crate::study::context::Context;
 use crate::study::limit::{
-    ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot,
-    closed_form,
+    ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, JUST_BELOW, Limit, RANGE_M_S, SCAN,
+    Shot, closed_form,
 };
 use crate::study::sweep::kernel::{self, Wanted};
 
@@ -119,9 +120,19 @@ impl Range<'_, '_, '_> {
         Some(self.shoot(impact_m_s)?.1)
     }
 
-    /// The load of the mechanism for a shot just below a limit; `None` when stopped.
+    /// A shot just below a limit; `None` when stopped.
     pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<AtLimit> {
-        self.goes_on().then(|| AtLimit::of(self.scene, limit_m_s, self.context))?
+        if !self.goes_on() {
+            return None;
+        }
+        let settings = Settings { series: true, estimate: false };
+        let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
+        let run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        (run.end != EndReason::Cancelled).then(|| AtLimit {
+            load: Load::of(&run),
+            warnings: envelope::warnings(&run),
+            breaches: envelope::of_run(&run),
+        })
     }
 
     /// The limits by both closures; `None` where there is but one, or when stopped.

@@ -12,11 +12,10 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
-use crate::study::search::design_space::{DesignSpace, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
-use crate::study::sweep::axis::placed;
-use crate::study::sweep::{Axis, Failure, PointOutcome, SweepError};
+use crate::study::sweep::axis::scene_with;
+use crate::study::sweep::{Axis, Failure, Found, Plan, PointOutcome, SweepError};
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
 
@@ -90,9 +89,10 @@ impl Task {
         self.laws.len() * self.effort.evaluations()
     }
 
-    /// The place of a measure among those of a design.
-    fn place(&self, column: &Quantity) -> usize {
-        self.measures().iter().position(|other| other.name == column.name).unwrap_or(0)
+    /// A measure's value among those of a design.
+    fn value(&self, measures: &[Option<f64>], measure: &Quantity) -> Option<f64> {
+        let at = self.measures().iter().position(|other| other.name == measure.name)?;
+        *measures.get(at)?
     }
 }
 
@@ -166,7 +166,7 @@ pub struct Front {
 impl Front {
     /// The scene of one of its designs.
     pub fn scene(&self, task: &Task, design: &Design) -> Scene {
-        placed(&self.base, &task.axes, &design.values)
+        scene_with(&self.base, &task.axes, &design.values)
     }
 }
 
@@ -186,7 +186,7 @@ pub fn optimise(
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-        let space = DesignSpace::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
+        let space = Plan::for_designs(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
         spaces.push((own, space));
     }
     let mut fronts: Vec<Front> = Vec::new();
@@ -207,7 +207,7 @@ struct State<'s, 'w> {
 
 struct Search<'a> {
     task: &'a Task,
-    space: &'a DesignSpace,
+    space: &'a Plan,
     scene: &'a Scene,
 }
 
@@ -235,11 +235,7 @@ impl Search<'_> {
         let mut best = nsga::front(&people);
         let whole = state.borrow().front.is_complete;
         if let ([start], true, 1) = (best.as_slice(), whole, self.task.objectives.len()) {
-            let mut attempt = |shares: &[f64]| {
-                let found = self.evaluate_all(&[shares.to_vec()], &state)?.into_iter().next()?;
-                let (judged, margins) = (self.judge(&found.values), self.margins(&found.values));
-                Some(Trial { judged, found, margins })
-            };
+            let mut attempt = |shares: &[f64]| self.attempt(shares, &[], &state);
             best = vec![polish(start.clone(), self.task.constraints.len(), POLISHED, &mut attempt)];
         }
         state.borrow_mut().front.designs = self.designs(best);
@@ -290,12 +286,23 @@ impl Search<'_> {
         front.is_complete.then_some(found)
     }
 
-    /// How far each constraint is from its bound, relative to that; negative where it is broken.
-    fn margins(&self, measures: &[Option<f64>]) -> Vec<f64> {
-        let margin = |constraint: &Constraint| {
-            constraint.margin(measures[self.task.place(constraint.measure)])
-        };
-        self.task.constraints.iter().map(margin).collect()
+    /// A point of the unit cube for COBYLA: how far it is, in relative terms, from being worse than `held` in an objective after the
+    /// first, and from the bound of each constraint.
+    fn attempt(
+        &self,
+        shares: &[f64],
+        held: &[f64],
+        state: &RefCell<State<'_, '_>>,
+    ) -> Option<Trial<Found>> {
+        let found = self.evaluate_all(&[shares.to_vec()], state)?.into_iter().next()?;
+        let judged = self.judge(&found.values);
+        let rest = judged.objectives.iter().zip(held).skip(1);
+        let rest =
+            rest.map(|(own, held)| (held - own) / if *held == 0.0 { 1.0 } else { held.abs() });
+        let constraints = self.task.constraints.iter();
+        let bounds = constraints.map(|it| it.margin(self.task.value(&found.values, it.measure)));
+        let margins = rest.chain(bounds).collect();
+        Some(Trial { judged, found, margins })
     }
 
     /// The values of a point of the unit cube.
@@ -327,7 +334,7 @@ impl Search<'_> {
     }
 
     fn judge(&self, measures: &[Option<f64>]) -> Judged {
-        let value = |column: &Quantity| measures[self.task.place(column)];
+        let value = |measure: &Quantity| self.task.value(measures, measure);
         let objectives = self.task.objectives.iter().map(|objective| {
             let value = value(objective.measure)?;
             Some(if objective.maximise { -value } else { value })
@@ -356,7 +363,7 @@ impl Search<'_> {
             if scene.is_some() && found.is_none() && !whole {
                 return None;
             }
-            let none = || vec![None; self.space.measures().len()];
+            let none = || vec![None; self.space.outputs().len()];
             let (scene, outcome, measures) = match found {
                 Some(found) => (scene, Some(found.outcome), found.values),
                 None => (None, None, none()),
@@ -376,18 +383,8 @@ impl Search<'_> {
         if self.standing(&state.borrow().front.designs, candidate) != Standing::OnFront {
             return;
         }
-        let held = judged.objectives.clone();
-        let mut attempt = |shares: &[f64]| {
-            let found = self.evaluate_all(&[shares.to_vec()], state)?.into_iter().next()?;
-            let judged = self.judge(&found.values);
-            let rest = judged.objectives.iter().zip(&held).skip(1);
-            let mut margins: Vec<f64> = rest
-                .map(|(own, held)| (held - own) / if *held == 0.0 { 1.0 } else { held.abs() })
-                .collect();
-            margins.extend(self.margins(&found.values));
-            Some(Trial { judged, found, margins })
-        };
-        let others = held.len() - 1 + self.task.constraints.len();
+        let mut attempt = |shares: &[f64]| self.attempt(shares, &judged.objectives, state);
+        let others = judged.objectives.len() - 1 + self.task.constraints.len();
         let found = Found { outcome, values: candidate.measures.clone() };
         let start = Individual { shares, judged: judged.clone(), found };
         let better = polish(start, others, CHALLENGED, &mut attempt);
@@ -406,7 +403,7 @@ impl Search<'_> {
         let Some(outcome) = candidate.outcome else { return Standing::Impossible };
         let judged = self.judge(&candidate.measures);
         let broken = self.task.constraints.iter().position(|constraint| {
-            let value = candidate.measures[self.task.place(constraint.measure)];
+            let value = self.task.value(&candidate.measures, constraint.measure);
             value.is_some() && constraint.violation(value) > 0.0
         });
         let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
@@ -423,8 +420,8 @@ impl Search<'_> {
     /// The measures of any scene, by a space of one point.
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
         let axis = self.space.axes().first()?;
-        let names: Vec<&str> = self.space.measures().iter().map(|column| column.name).collect();
-        let space = DesignSpace::new(scene, vec![axis.clone()], &names).ok()?;
+        let names: Vec<&str> = self.space.outputs().iter().map(|column| column.name).collect();
+        let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?;
         let value = axis.get(scene).unwrap_or(f64::NAN);
         let mut watch = |_, _: Option<&()>| {
             if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }

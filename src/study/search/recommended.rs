@@ -2,7 +2,8 @@
 //! 9.2 or the value of its own figures stands, and the note says which.
 
 use crate::model::scene::Scene;
-use crate::model::variables::{self, Kind};
+use crate::model::variables;
+use crate::study::with_numbers;
 
 /// A recommended design.
 #[derive(Clone, Copy, Debug)]
@@ -17,12 +18,7 @@ pub struct Recommended {
 
 /// A scene with the values of a recommended design; `None` where that makes no sense.
 pub fn scene_of(recommended: &Recommended, scene: &Scene) -> Option<Scene> {
-    let mut own = scene.clone();
-    for (symbol, value) in recommended.values {
-        let variable = variables::find(symbol).ok()?;
-        let Kind::Number(number) = &variable.kind else { return None };
-        (number.set)(&mut own, Some(*value));
-    }
+    let own = with_numbers(scene.clone(), recommended.values).ok()?;
     variables::validate(&own).is_ok().then_some(own)
 }
 

@@ -9,8 +9,7 @@ use std::ops::RangeInclusive;
 use crate::model::scene::Scene;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::design_space::DesignSpace;
-use crate::study::sweep::{Axis, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use roots::{Crossing, RootScan};
 
 pub mod roots;
@@ -126,7 +125,7 @@ impl Report {
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
 pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let axis = &goal.axis;
-    let space = DesignSpace::new(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
+    let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut outcomes: Vec<(f64, PointOutcome)> = Vec::new();
@@ -164,7 +163,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),
-        measure: space.measures()[0],
+        measure: space.outputs()[0],
         target: goal.target,
         lines,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),

@@ -47,59 +47,66 @@ pub struct Sobol {
     pub used: usize,
 }
 
-/// The function's values on the designs, row by row: A, B, and A with each column of B.
-struct Rows {
-    inputs: usize,
-    values: Vec<Vec<f64>>,
+/// A row of the designs: the function's values at A and B, and for each input what A with its column of B adds to the sums.
+#[derive(Clone, Copy)]
+struct Row {
+    a: f64,
+    b: f64,
+    /// The difference to A, and half of its square.
+    mixed: [(f64, f64); INPUTS_MAX],
 }
 
-impl Rows {
-    /// First and total index of every input over the picked rows, and mean and variance; the indices are not finite where the
-    /// variance is zero.
-    fn estimate(&self, picks: &[usize]) -> (Vec<[f64; 2]>, f64, f64) {
-        let count = picks.len() as f64;
-        let (mut sum, mut squares) = (0.0, 0.0);
-        // Shifted by a value, so that a small variance does not drown in a great mean.
-        let origin = self.values[picks[0]][0];
-        for row in picks {
-            for value in &self.values[*row][..2] {
-                sum += value - origin;
-                squares += (value - origin).powi(2);
-            }
+impl Row {
+    /// Of the values of its points; `None` where one is missing.
+    fn of(values: &[f64]) -> Option<Self> {
+        let [a, b, rest @ ..] = values else { return None };
+        let mut mixed = [(0.0, 0.0); INPUTS_MAX];
+        for (own, value) in mixed.iter_mut().zip(rest) {
+            *own = (value - a, 0.5 * (a - value).powi(2));
         }
-        let shift = sum / (2.0 * count);
-        let (mean, variance) = (origin + shift, squares / (2.0 * count) - shift * shift);
-        let mut found = vec![[0.0; 2]; self.inputs];
-        for row in picks {
-            let row = &self.values[*row];
-            for (input, [first, total]) in found.iter_mut().enumerate() {
-                let mixed = row[2 + input];
-                *first += (row[1] - mean) * (mixed - row[0]);
-                *total += 0.5 * (row[0] - mixed).powi(2);
-            }
-        }
-        for index in found.iter_mut().flatten() {
-            *index /= count * variance;
-        }
-        (found, mean, variance)
+        values.iter().all(|value| value.is_finite()).then_some(Self { a: *a, b: *b, mixed })
     }
+}
+
+/// First and total index of every input over some rows, and mean and variance; the indices are not finite where the variance is zero.
+fn estimate(rows: &[Row]) -> ([[f64; 2]; INPUTS_MAX], f64, f64) {
+    let count = rows.len() as f64;
+    let (mut sum, mut squares) = (0.0, 0.0);
+    // Shifted by a value, so that a small variance does not drown in a great mean.
+    let origin = rows[0].a;
+    for value in rows.iter().flat_map(|row| [row.a, row.b]) {
+        sum += value - origin;
+        squares += (value - origin).powi(2);
+    }
+    let shift = sum / (2.0 * count);
+    let (mean, variance) = (origin + shift, squares / (2.0 * count) - shift * shift);
+    let mut found = [[0.0; 2]; INPUTS_MAX];
+    for row in rows {
+        for ([first, total], (difference, half_square)) in found.iter_mut().zip(row.mixed) {
+            *first += (row.b - mean) * difference;
+            *total += half_square;
+        }
+    }
+    for index in found.iter_mut().flatten() {
+        *index /= count * variance;
+    }
+    (found, mean, variance)
 }
 
 /// The indices of a function of a given number of inputs (1 to [`INPUTS_MAX`]) from a given number of rows, each of which costs two evaluations
 /// and one an input. `None` when the function was stopped.
 pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> Option<Sobol> {
-    let mut all = Rows { inputs, values: Vec::with_capacity(rows) };
+    let mut all = Vec::with_capacity(rows);
     let mut next = 0;
     while next < rows {
         let until = if next + BATCH < rows { next + BATCH } else { rows };
         let points: Vec<Vec<f64>> =
             (next..until).flat_map(|row| designs(inputs, row, seed)).collect();
         let values = function(&points)?;
-        all.values.extend(values.chunks(inputs + 2).map(<[f64]>::to_vec));
+        all.extend(values.chunks(inputs + 2).filter_map(Row::of));
         next = until;
     }
-    all.values.retain(|row| row.iter().all(|value| value.is_finite()));
-    let used = all.values.len();
+    let used = all.len();
     let mut result = Sobol {
         inputs: vec![Indices::default(); inputs],
         mean: f64::NAN,
@@ -110,7 +117,7 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
     if used < 2 {
         return Some(result);
     }
-    let (found, mean, variance) = all.estimate(&(0..used).collect::<Vec<_>>());
+    let (found, mean, variance) = estimate(&all);
     (result.mean, result.variance) = (mean, variance);
     // Rounding is all the variance there is.
     if variance <= 1e-24 * mean * mean {
@@ -141,12 +148,12 @@ fn designs(inputs: usize, row: usize, seed: u64) -> Vec<Vec<f64>> {
     [a, b].into_iter().chain(mixed).collect()
 }
 
-fn bootstrap(rows: &Rows, seed: u64) -> Vec<Vec<[f64; 2]>> {
+fn bootstrap(rows: &[Row], seed: u64) -> Vec<[[f64; 2]; INPUTS_MAX]> {
     let mut random = Random::new(seed);
-    let count = rows.values.len();
+    let mut picked = rows.to_vec();
     let mut sample = || {
-        let picks: Vec<usize> = (0..count).map(|_| random.below(count)).collect();
-        rows.estimate(&picks).0
+        picked.fill_with(|| rows[random.below(rows.len())]);
+        estimate(&picked).0
     };
     (0..RESAMPLINGS).map(|_| sample()).collect()
 }

@@ -42,7 +42,7 @@ pub const THESIS_DT_S: f64 = 1e-6;
 
 enumeration! {
     /// The method of a map.
-    pub enum Method in MethodRow {
+    pub enum FixedStep in FixedStepRow {
         /// Its name.
         name: &'static str,
         /// The word of the command line, and its description.
@@ -64,7 +64,7 @@ enumeration! {
     }
 }
 
-impl Method {
+impl FixedStep {
     /// The listing as meant, with the thesis's scheme or Runge-Kutta on both bodies.
     fn listing(self, step_s: f64) -> Listing {
         Listing { scheme: self.scheme(), ..Listing::coupled(step_s, Reading::Corrected) }
@@ -135,7 +135,7 @@ enumeration! {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// The method.
-    pub method: Method,
+    pub method: FixedStep,
     /// The variable of the rows.
     pub axis: Axis,
     /// Steps, rising, s: the columns.
@@ -199,7 +199,7 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 /// rest is waiting.
 pub fn map(
     scene: &Scene,
-    (method, axis): (Method, Axis),
+    (method, axis): (FixedStep, Axis),
     (rows, columns): (usize, usize),
     context: &mut Context<'_, Map>,
 ) -> Map {
@@ -258,11 +258,11 @@ impl Target {
     }
 }
 
-fn limit(scene: &Scene, method: Method, peaks: &Peaks) -> Option<f64> {
+fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
     let plate = rk4_limit(peaks.swing_per_s, peaks.decay_per_s);
     let force = match method {
-        Method::Rk4 => RK4_REAL,
-        Method::Thesis => {
+        FixedStep::Rk4 => RK4_REAL,
+        FixedStep::Thesis => {
             let own = 1.0 / scene.projectile.mass_kg;
             let plate = scene.cos_obliquity().powi(2) / scene.plate_mass_kg();
             2.0 * (own + plate) / larger(own, plate)
@@ -303,7 +303,7 @@ fn growth(re: f64, im: f64) -> f64 {
     r.hypot(i)
 }
 
-fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Cell {
+fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) -> Cell {
     let Some(target) = target else {
         return Cell::Unknown;
     };
@@ -377,10 +377,10 @@ mod tests {
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 1e11;
         let target = Target::of(&scene).unwrap();
-        let limit_s = limit(&scene, Method::Rk4, &target.peaks).unwrap();
+        let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
         let omega = (1e11f64 / 0.0295).sqrt();
         assert!((limit_s * omega / 8f64.sqrt() - 1.0).abs() < 1e-6, "{}", limit_s * omega);
-        for method in [Method::Rk4, Method::Thesis] {
+        for method in [FixedStep::Rk4, FixedStep::Thesis] {
             let below = cell(&scene, method, 0.9 * limit_s, Some(&target));
             let beyond = cell(&scene, method, 1.1 * limit_s, Some(&target));
             assert_eq!((below, beyond), (Cell::Accurate, Cell::BlownUp), "{method:?}");
@@ -391,7 +391,7 @@ mod tests {
     fn a_map_has_a_cell_for_every_row_and_column() {
         let mut watch = to_its_end;
         let context = &mut Context::new(1, &mut watch);
-        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), context);
+        let map = map(&Scene::default(), (FixedStep::Rk4, Axis::B), (4, 5), context);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -404,9 +404,9 @@ mod tests {
         let mut scene = Scene::default();
         (scene.mechanism.spring.coefficient, scene.mechanism.spring.exponent) = (1e6, 0.1);
         let target = Target::of(&scene).unwrap();
-        let limit_s = limit(&scene, Method::Rk4, &target.peaks).unwrap();
+        let limit_s = limit(&scene, FixedStep::Rk4, &target.peaks).unwrap();
         assert!((1e-12..1e-10).contains(&limit_s), "{limit_s:e}");
-        assert_eq!(cell(&scene, Method::Thesis, 1e-8, Some(&target)), Cell::Oscillating);
+        assert_eq!(cell(&scene, FixedStep::Thesis, 1e-8, Some(&target)), Cell::Oscillating);
     }
 
     #[test]
@@ -418,7 +418,7 @@ mod tests {
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let context = &mut Context::new(1, stop);
-        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), context);
+        let map = map(&Scene::default(), (FixedStep::Rk4, Axis::B), (40, 5), context);
         assert_eq!(map.cells.len(), 200);
         assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
         assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));

@@ -59,23 +59,25 @@ enumeration! {
     pub enum Fault in FaultRow {
         /// One word for files.
         word: &'static str,
+        /// Words for screens.
+        words: &'static str,
         /// At most four characters for tables.
         brief: &'static str,
     }
     /// It ends in another way than the reference.
-    WrongEnding { word: "wrong-ending", brief: "end!" }
+    WrongEnding { word: "wrong-ending", words: "wrong ending", brief: "end!" }
     /// Values grow without bound.
-    BlownUp { word: "blown-up", brief: "DIV" }
+    BlownUp { word: "blown-up", words: "diverged", brief: "DIV" }
     /// Steps too small to move time, or no end.
-    Stuck { word: "stuck", brief: "stop" }
+    Stuck { word: "stuck", words: "stuck", brief: "stop" }
     /// The step budget was used up.
-    TooManySteps { word: "too-many-steps", brief: "many" }
+    TooManySteps { word: "too-many-steps", words: "too many steps", brief: "many" }
     /// It has no equations for this scene.
-    NotApplicable { word: "not-applicable", brief: "-" }
+    NotApplicable { word: "not-applicable", words: "not applicable", brief: "-" }
     /// There is no answer to compare with.
-    NoReference { word: "no-reference", brief: "-" }
+    NoReference { word: "no-reference", words: "no reference", brief: "-" }
     /// Omitted: time was up.
-    CutOff { word: "cut-off", brief: "late" }
+    CutOff { word: "cut-off", words: "cut off", brief: "late" }
 }
 
 /// How a method fares on a contact.
@@ -100,12 +102,10 @@ impl Verdict {
     }
 
     /// Words for screens.
-    pub fn words(self) -> String {
+    pub fn words(self) -> &'static str {
         match self {
-            Self::None(Fault::BlownUp) => "diverged".to_owned(),
-            Self::Accurate(_) | Self::Inaccurate(_) | Self::None(_) => {
-                self.word().replace('-', " ")
-            }
+            Self::Accurate(_) | Self::Inaccurate(_) => self.word(),
+            Self::None(fault) => fault.words(),
         }
     }
 

@@ -322,7 +322,7 @@ impl Axis {
 }
 
 /// A scene with a value for each of these axes, in their stored units; NaN: the variable is absent.
-pub fn placed(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
+pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
     let mut own = scene.clone();
     for (axis, value) in axes.iter().zip(values) {
         axis.set(&mut own, *value);

@@ -157,7 +157,6 @@ pub struct Evaluator<'p> {
     scene: Arc<Scene>,
     kernel: Option<Kernel<'p>>,
     settings: Settings,
-    steps_max: Option<usize>,
 }
 
 impl<'p> Evaluator<'p> {
@@ -170,14 +169,7 @@ impl<'p> Evaluator<'p> {
             scene: Arc::new(plan.base().clone()),
             kernel: Kernel::of(plan),
             settings: Settings { series: false, estimate },
-            steps_max: None,
         }
-    }
-
-    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up.
-    #[must_use]
-    pub fn limited(self, steps_max: Option<usize>) -> Self {
-        Self { steps_max, ..self }
     }
 
     /// Whether a plan's outputs may follow from the first contact.
@@ -194,7 +186,10 @@ impl<'p> Evaluator<'p> {
     pub fn rows_of(&mut self, points: &[u64]) -> Rows {
         let plan = self.plan;
         if let Some(kernel) = &mut self.kernel {
-            kernel.answer(points, Arc::make_mut(&mut self.scene));
+            let scene = Arc::make_mut(&mut self.scene);
+            // Where it panics the points are simulated one by one: the run of the one at fault fails by itself.
+            let answered = catch_unwind(AssertUnwindSafe(|| kernel.answer(points, scene)));
+            self.kernel = self.kernel.take().filter(|_| answered.is_ok());
         }
         let mut rows = Rows::new(plan.outputs().len());
         for (place, index) in points.iter().enumerate() {
@@ -227,7 +222,10 @@ impl<'p> Evaluator<'p> {
         if self.stop.is_set() {
             return None;
         }
-        let run = self.run(index);
+        let (run, values) = match self.run(index) {
+            Ok((run, values)) => (Ok(run), values),
+            Err(failure) => (Err(failure), Vec::new()),
+        };
         let outcome = match &run {
             Ok(run) if run.end == EndReason::Cancelled => {
                 if self.stop.is_set() {
@@ -238,17 +236,15 @@ impl<'p> Evaluator<'p> {
             Ok(run) => PointOutcome::of(run),
             Err(failure) => PointOutcome::Failed(*failure),
         };
-        let told = run.as_ref().ok().filter(|_| !matches!(outcome, PointOutcome::Failed(_)));
-        let value = |output: &&Quantity| told.and_then(|run| output.value(run));
-        rows.push(outcome, self.plan.outputs().iter().map(value));
+        rows.push(outcome, values.into_iter());
         Some((outcome, run))
     }
 
-    /// The full simulation of a point, without a series.
-    fn run(&mut self, index: u64) -> Result<Run, Failure> {
+    /// The full simulation of a point, without a series, and its outputs where it came to its end.
+    fn run(&mut self, index: u64) -> Result<(Run, Vec<Option<f64>>), Failure> {
         // The last run's scene is gone by now, so nothing is copied.
         self.plan.place(Arc::make_mut(&mut self.scene), index);
-        let (stop, mut steps, most) = (self.stop, 0, self.steps_max);
+        let (stop, mut steps, most) = (self.stop, 0, self.plan.steps_max);
         let mut observer = |_t_s: f64| {
             steps += 1;
             if stop.is_set() || most.is_some_and(|most| steps > most) {
@@ -257,14 +253,17 @@ impl<'p> Evaluator<'p> {
                 ControlFlow::Continue(())
             }
         };
-        let series = self.plan.outputs().iter().any(|it| it.needs_course(&self.scene));
+        let outputs = self.plan.outputs();
+        let series = outputs.iter().any(|it| it.needs_course(&self.scene));
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
+        let work = || {
+            let run = simulate::simulate(scene, settings, &mut observer).ok()?;
+            let told = outputs.iter().filter(|_| run.end.is_complete());
+            let values = told.map(|it| it.value(&run)).collect();
+            Some((run, values))
+        };
         // Each point begins again, so a panic at one leaves nothing behind for the next.
-        let work = AssertUnwindSafe(|| simulate::simulate(scene, settings, &mut observer));
-        match catch_unwind(work) {
-            Ok(Ok(run)) => Ok(run),
-            Ok(Err(_)) => Err(Failure::Refused),
-            Err(_) => Err(Failure::Panicked),
-        }
+        let done = catch_unwind(AssertUnwindSafe(work)).map_err(|_panic| Failure::Panicked)?;
+        done.ok_or(Failure::Refused)
     }
 }

@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::variables::VARIABLES;
 use crate::study::thesis::claim::{CURVE, Claim};
 use crate::study::thesis::expression::{Evaluated, Query, Reader};
-use crate::study::thesis::runs::{Method, Runs};
+use crate::study::thesis::runs::{Algorithm, Runs};
 use crate::study::thesis::text::{ends, filled};
 use crate::study::thesis::value::Value;
 use crate::study::thesis::{Basis, Found, Verdict};
@@ -28,7 +28,7 @@ pub(super) struct Evaluation<'a> {
     pub(super) scenes: &'a BTreeMap<String, Scene>,
     pub(super) runs: &'a Runs<'a>,
     /// The claim's values that were computed, by method; `None` while one is.
-    known: RefCell<HashMap<(String, Method), Option<Value>>>,
+    known: RefCell<HashMap<(String, Algorithm), Option<Value>>>,
 }
 
 impl Evaluation<'_> {
@@ -40,7 +40,7 @@ impl Evaluation<'_> {
         } else {
             let computed = claim.read.or(claim.computed).or(claim.both);
             let printed = claim.as_printed.or(claim.both);
-            (self.filled(computed, Method::Sound)?, self.filled(printed, Method::Printed)?)
+            (self.filled(computed, Algorithm::Sound)?, self.filled(printed, Algorithm::Printed)?)
         };
         let basis = match verdict {
             _ if claim.read.is_some() => Basis::Read,
@@ -50,14 +50,14 @@ impl Evaluation<'_> {
         Ok(Found { sound, printed, verdict, basis })
     }
 
-    fn filled(&self, text: Option<&str>, method: Method) -> Evaluated<String> {
+    fn filled(&self, text: Option<&str>, method: Algorithm) -> Evaluated<String> {
         filled(text.unwrap_or_default(), &|own| self.value(own, method))
     }
 
     /// The verdict of the first condition that is true; without conditions there is none.
     fn verdict(&self) -> Evaluated<Verdict> {
         for (verdict, condition) in self.claim.conditions() {
-            if self.value(condition, Method::Sound)?.holds()? {
+            if self.value(condition, Algorithm::Sound)?.holds()? {
                 return Ok(verdict);
             }
         }
@@ -68,7 +68,7 @@ impl Evaluation<'_> {
     /// The ends of the claim's curve by both methods, with what its scene has of its own, and where the verdicts differ.
     fn trend(&self) -> Evaluated<(String, String)> {
         let text = self.claim.trend.unwrap_or_default();
-        let query = Reader::new(self, text, Method::Sound)?.only_query()?;
+        let query = Reader::new(self, text, Algorithm::Sound)?.only_query()?;
         let Some((query, (_, condition))) = query.zip(self.claim.conditions().next()) else {
             return Err("a trend is a quantity along a variable, with a condition".to_owned());
         };
@@ -78,8 +78,8 @@ impl Evaluation<'_> {
             };
             Ok((ends(&curve), self.value(condition, method)?.holds()?))
         };
-        let (sound, holds) = by(Method::Sound)?;
-        let (printed, holds_too) = by(Method::Printed)?;
+        let (sound, holds) = by(Algorithm::Sound)?;
+        let (printed, holds_too) = by(Algorithm::Printed)?;
         let differs = match (holds_too, holds) {
             (true, false) => "; there it holds",
             (false, true) => "; there it fails",
@@ -88,13 +88,13 @@ impl Evaluation<'_> {
         Ok((format!("{}{sound}", settings(&query)?), format!("{printed}{differs}")))
     }
 
-    fn value(&self, text: &str, method: Method) -> Evaluated {
+    fn value(&self, text: &str, method: Algorithm) -> Evaluated {
         let value = Reader::new(self, text, method).and_then(Reader::value);
         value.map_err(|problem| format!("`{text}`: {problem}"))
     }
 
     /// A value of the claim, which is computed once for a method.
-    pub(super) fn named(&self, name: &str, method: Method) -> Evaluated {
+    pub(super) fn named(&self, name: &str, method: Algorithm) -> Evaluated {
         let key = (name.to_owned(), method);
         match self.known.borrow().get(&key) {
             Some(Some(value)) => return Ok(value.clone()),

@@ -7,7 +7,7 @@ use crate::model::variables::{self, Variable};
 use crate::study::thesis::check::Evaluation;
 use crate::study::thesis::functions::FUNCTIONS;
 use crate::study::thesis::quantities::Quantity;
-use crate::study::thesis::runs::{Method, Runs};
+use crate::study::thesis::runs::{Algorithm, Runs};
 use crate::study::thesis::value::{Curve, Value, join};
 
 /// A value, or what is wrong with the expression.
@@ -63,7 +63,7 @@ fn set(scene: &mut Scene, variable: &Variable, value: &Value) -> Evaluated<()> {
 }
 
 impl Query {
-    fn value(&self, runs: &Runs<'_>, method: Method) -> Evaluated {
+    fn value(&self, runs: &Runs<'_>, method: Algorithm) -> Evaluated {
         let of = |scene: &Scene| {
             let case = Case { scene: scene.clone(), x_m: f64::NAN };
             self.along(&case, &self.settings, &|case| {
@@ -136,7 +136,7 @@ enum Token {
 /// Reads and computes one expression.
 pub(super) struct Reader<'a> {
     evaluation: &'a Evaluation<'a>,
-    method: Method,
+    method: Algorithm,
     tokens: Vec<Token>,
     at: usize,
 }
@@ -145,7 +145,7 @@ impl<'a> Reader<'a> {
     pub(super) fn new(
         evaluation: &'a Evaluation<'a>,
         text: &str,
-        method: Method,
+        method: Algorithm,
     ) -> Evaluated<Self> {
         Ok(Self { evaluation, method, tokens: tokens(text)?, at: 0 })
     }
@@ -268,7 +268,7 @@ impl<'a> Reader<'a> {
     }
 
     fn call(&mut self, name: &str) -> Evaluated {
-        let by = [("sound", Method::Sound), ("printed", Method::Printed)];
+        let by = [("sound", Algorithm::Sound), ("printed", Algorithm::Printed)];
         if let Some((_, method)) = by.into_iter().find(|it| it.0 == name) {
             let outer = std::mem::replace(&mut self.method, method);
             let inner = self.level(0)?;

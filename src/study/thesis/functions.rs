@@ -83,9 +83,8 @@ pub(super) static FUNCTIONS: &[Function] = &[
     // Every product of a value of one list and one of another.
     of_values("outer", 2, outer),
     of_points("length", 1, |points, _| points.len() as f64),
+    // Of conditions: how many hold.
     of_points("sum", 1, |points, _| points.iter().map(|it| it.1).sum()),
-    // How many conditions hold.
-    of_points("count", 1, |points, _| points.iter().map(|it| it.1).sum()),
     of_points("mean", 1, |points, _| {
         points.iter().map(|it| it.1).sum::<f64>() / points.len() as f64
     }),
@@ -135,15 +134,8 @@ pub(super) static FUNCTIONS: &[Function] = &[
     of_numbers("stone_depth", 5, |it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4])),
     // The least mass of a coil of spring steel that stores some energy, kg.
     of_numbers("coil_mass", 1, |it| design::coil_spring_mass_kg(it[0], &Wire::default())),
-    // The beam of Table 9.3, at displacements in m.
+    // The beam of Table 9.3.
     of_numbers("beam_torsional_stiffness", 0, |_| Beam::default().torsional_n_m()),
-    of_numbers("beam_force", 1, |it| Beam::default().link(1.0).force(it[0])),
-    of_numbers("beam_tangent", 1, |it| Beam::default().link(1.0).tangent(it[0])),
-    of_numbers("beam_energy", 1, |it| Beam::default().link(1.0).energy(it[0])),
-    of_numbers("beam_yield", 0, |_| {
-        let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
-        spring.yields_at_m().unwrap_or(f64::NAN)
-    }),
     of_numbers("beam_tip_mass", 0, |_| {
         let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
         spring.moving_part() * spring.beam.mass_kg()

@@ -11,7 +11,7 @@ use crate::study::compare::{self, Candidate, Hardware};
 use crate::study::context::{Context, to_its_end};
 use crate::study::limit;
 use crate::study::quantities;
-use crate::study::thesis::runs::{Method, Runs, changed};
+use crate::study::thesis::runs::{Algorithm, Runs, changed};
 use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
 
@@ -38,7 +38,7 @@ enum Get {
     Series(fn(&Run) -> Value),
     /// The scene alone, and a displacement, m.
     Scene(fn(&Scene, f64) -> f64),
-    Several(fn(&Runs<'_>, Method, &Scene) -> Value),
+    Several(fn(&Runs<'_>, Algorithm, &Scene) -> Value),
 }
 
 const fn of_run(name: &'static str, unit: &'static str, get: fn(&Run) -> Option<f64>) -> Own {
@@ -60,7 +60,7 @@ const fn of_scene(name: &'static str, unit: &'static str, get: fn(&Scene, f64) -
 const fn of_several(
     name: &'static str,
     unit: &'static str,
-    get: fn(&Runs<'_>, Method, &Scene) -> Value,
+    get: fn(&Runs<'_>, Algorithm, &Scene) -> Value,
 ) -> Own {
     Own { name, unit, get: Get::Several(get) }
 }
@@ -153,7 +153,7 @@ impl Quantity {
     }
 
     /// Its value for a scene by a method, at a displacement where it depends on one.
-    pub(super) fn of(self, runs: &Runs<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
+    pub(super) fn of(self, runs: &Runs<'_>, method: Algorithm, scene: &Scene, x_m: f64) -> Value {
         let own = match self {
             Self::Output(column) if column.needs_course(scene) => {
                 return Value::optional(column.value(&runs.run_with_series(method, scene)));
@@ -187,15 +187,15 @@ fn against_solid(scene: &Scene) -> Value {
     Value::List(vec![Value::optional(depth), Value::optional(efficiency)])
 }
 
-fn energy_for_a_fifth_j(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
-    let depth = |d: f64| runs.percent(method, &changed(scene.clone(), &[("d", d)]));
+fn energy_for_a_fifth_j(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
+    let depth = |d: f64| runs.percent(method, &changed(scene, &[("d", d)]));
     let wanted = 0.8 * depth(0.0);
     let d = root::in_bracket(0.0, 0.5, |d| depth(d) - wanted);
     Value::Number(spring(scene).energy(d))
 }
 
 /// n from 0.1 to 3 as in Table 9.2, c at its best.
-fn distance_from_power_law(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
+fn distance_from_power_law(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
     let reach = runs.run(method, scene).max_plate_displacement_m.unwrap_or(f64::NAN);
     let spring = spring(scene);
     let points: Vec<(f64, f64)> = (1..=40)
@@ -217,23 +217,23 @@ fn distance_from_power_law(runs: &Runs<'_>, method: Method, scene: &Scene) -> Va
     Value::Number(best)
 }
 
-fn least_strength_pa(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
+fn least_strength_pa(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
     let (mut low, mut high) = (1e7, 2e8);
     for _ in 0..30 {
         let middle = 0.5 * (low + high);
-        let run = runs.run(method, &changed(scene.clone(), &[("S_y", middle)]));
+        let run = runs.run(method, &changed(scene, &[("S_y", middle)]));
         if run.outcome == Outcome::Perforated { low = middle } else { high = middle }
     }
     Value::Number(high)
 }
 
-fn greatest_percent(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
+fn greatest_percent(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
     let mut greatest = 0.0;
     for gamma in [0.8, 2.0, 7.0] {
         for (k, n) in [(0.0, 1.0), (1e5, 0.5), (1e5, 3.0), (1e6, 1.0), (7.5e6, 1.0), (7.5e6, 0.3)] {
             for (d, b) in [(0.0, 0.0), (0.0, 2000.0), (0.1, 0.0), (0.5, 200.0)] {
                 let changes = [("gamma", gamma), ("k", k), ("n", n), ("d", d), ("b", b)];
-                let percent = runs.percent(method, &changed(scene.clone(), &changes));
+                let percent = runs.percent(method, &changed(scene, &changes));
                 // The printed scheme breaks off on the most violent designs.
                 greatest = if percent > greatest { percent } else { greatest };
             }

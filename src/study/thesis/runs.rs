@@ -7,14 +7,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Mount, Plate, Scene};
 use crate::model::simulate::{self, Settings};
-use crate::model::variables::{self, Value};
 use crate::study::context::Stop;
+use crate::study::with_numbers;
 
 /// Longer than any contact here, s.
 const CONTACT_S: f64 = 1e-3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Method {
+pub(super) enum Algorithm {
     /// The engine.
     Sound,
     /// The Appendix as printed, at its own step.
@@ -44,12 +44,10 @@ pub(super) struct Runs<'a> {
 }
 
 /// A scene with some variables changed; names and values are this study's own, so none is refused.
-pub(super) fn changed(mut scene: Scene, changes: &[(&str, f64)]) -> Scene {
-    for (name, value) in changes {
-        let set = variables::find(name).and_then(|it| it.set(&mut scene, Value::Number(*value)));
-        debug_assert!(set.is_ok(), "{name} = {value}");
-    }
-    scene
+pub(super) fn changed(scene: &Scene, changes: &[(&str, f64)]) -> Scene {
+    let own = with_numbers(scene.clone(), changes);
+    debug_assert!(own.is_ok(), "{changes:?}: {own:?}");
+    own.unwrap_or_else(|_refused| scene.clone())
 }
 
 impl<'a> Runs<'a> {
@@ -67,13 +65,13 @@ impl<'a> Runs<'a> {
         self.impacts.borrow().len()
     }
 
-    pub(super) fn run_with_series(&self, method: Method, scene: &Scene) -> Run {
+    pub(super) fn run_with_series(&self, method: Algorithm, scene: &Scene) -> Run {
         let (own, _) = self.noted(method, scene);
         self.simulated(own, true)
     }
 
     /// Runs a scene without its series, or gives the run that another claim needed.
-    pub(super) fn run(&self, method: Method, scene: &Scene) -> Arc<Run> {
+    pub(super) fn run(&self, method: Algorithm, scene: &Scene) -> Arc<Run> {
         let (own, name) = self.noted(method, scene);
         let known = || self.shared.known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(run) = known().get(&name) {
@@ -87,9 +85,9 @@ impl<'a> Runs<'a> {
     }
 
     /// The scene as the method runs it, and what it is known by; one impact more that the claim needed.
-    fn noted(&self, method: Method, scene: &Scene) -> (Scene, String) {
+    fn noted(&self, method: Algorithm, scene: &Scene) -> (Scene, String) {
         let mut own = scene.clone();
-        if method == Method::Printed {
+        if method == Algorithm::Printed {
             own.contact.model = ContactModel::Appendix;
         }
         let name = format!("{own:?}");
@@ -105,9 +103,9 @@ impl<'a> Runs<'a> {
     }
 
     /// Depth at the first arrest, m; infinite for a perforation, NaN where there is none.
-    pub(super) fn depth_m(&self, method: Method, scene: &Scene) -> f64 {
+    pub(super) fn depth_m(&self, method: Algorithm, scene: &Scene) -> f64 {
         let mut own = scene.clone();
-        if method == Method::Printed {
+        if method == Algorithm::Printed {
             // The listing follows the plate for as long as it oscillates; its depth is known when the contact ends.
             own.run.horizon_s = own.run.horizon_s.or(Some(CONTACT_S));
         }
@@ -121,7 +119,7 @@ impl<'a> Runs<'a> {
     }
 
     /// Depth over that of the same shot on a rigid mount by the same method, percent.
-    pub(super) fn percent(&self, method: Method, scene: &Scene) -> f64 {
+    pub(super) fn percent(&self, method: Algorithm, scene: &Scene) -> f64 {
         let base = Scene::default();
         let rigid = Scene {
             projectile: scene.projectile,

@@ -1,7 +1,7 @@
 //! The options menu: characters, colours, mouse, auto-run, threads, interface law and contact model, each switched by name.
 
 use crate::model::variables::{self, Kind, VARIABLES, Value};
-use crate::study::parallel::Parallel;
+use crate::study::parallel::cores;
 use crate::tui::dialogs::{self, Picker, frame};
 use crate::tui::prelude::*;
 use crate::tui::update::{edit, jobs};
@@ -89,7 +89,7 @@ pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
         }
         OptionRow::Threads => {
             // In a circle: one a core, then 1, 2, up to as many as there are cores.
-            let most = Parallel::of_machine().threads;
+            let most = cores();
             let now = app.threads.map_or(0, |count| count.min(most));
             let next = dialogs::wrap(now, if forward { 1 } else { -1 }, most + 1);
             app.threads = (next > 0).then_some(next);

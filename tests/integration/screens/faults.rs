@@ -3,7 +3,7 @@
 use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, stability, sweep};
-use cmra::study::stability::map::{Axis, Cell, Method};
+use cmra::study::stability::map::{Axis, Cell, FixedStep};
 use cmra::tui::message::{Effect, Message, PresetEntry};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore;
@@ -316,7 +316,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("55");
     let study = bench.studies().pop().expect("a map");
-    let mut map = stability::map(Method::Thesis, Axis::K);
+    let mut map = stability::map(FixedStep::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
     bench.part(study.id, (10, 19), Finding::new(map));

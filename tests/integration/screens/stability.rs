@@ -6,7 +6,7 @@ use super::bench::{Bench, ended, made};
 use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::stability::cases::CASES;
-use cmra::study::stability::map::{Axis, Cell, Map, Method};
+use cmra::study::stability::map::{Axis, Cell, FixedStep, Map};
 use cmra::study::stability::others::{Fault, Verdict};
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
@@ -15,7 +15,7 @@ use cmra::worker::Finding;
 use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
-pub(super) fn map(method: Method, axis: Axis) -> Map {
+pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
     let ratios = |low: f64, high: f64, count: i32| -> Vec<f64> {
         let step = (high / low).ln() / f64::from(count - 1);
         (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
@@ -98,12 +98,12 @@ fn variable_and_method_are_chosen_and_mapped_again() {
     bench.keys("v");
     assert_eq!(
         bench.studies()[0].asked.of(),
-        Some(&StabilityMap { method: Method::Thesis, axis: Axis::N })
+        Some(&StabilityMap { method: FixedStep::Thesis, axis: Axis::N })
     );
     bench.keys("vv");
     assert_eq!(
         bench.studies()[1].asked.of(),
-        Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
+        Some(&StabilityMap { method: FixedStep::Rk4, axis: Axis::K })
     );
     // A map that came back belongs to what was requested last.
     bench.app.jobs.studies.clear();
@@ -112,7 +112,7 @@ fn variable_and_method_are_chosen_and_mapped_again() {
     bench.keys("5");
     assert_eq!(
         bench.studies()[0].asked.of(),
-        Some(&StabilityMap { method: Method::Rk4, axis: Axis::K })
+        Some(&StabilityMap { method: FixedStep::Rk4, axis: Axis::K })
     );
 }
 
@@ -163,7 +163,7 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     bench.keys("e<Enter>");
     let (path, text) = exported(&mut bench);
     assert_eq!(path, "/home/ada/work/thesis-baseline-map.csv");
-    let shown = map(Method::Thesis, Axis::K);
+    let shown = map(FixedStep::Thesis, Axis::K);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(read.len(), shown.cells.len());

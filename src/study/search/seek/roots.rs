@@ -16,8 +16,8 @@ const WIDTH: f64 = 1e-15;
 const NEAR: f64 = 1e-7;
 /// So near that neighbours of the scan count as a plateau.
 const SAME: f64 = 1e-12;
-/// Stretches without a value that are closed in, at most.
-const HOLES_MAX: usize = 64;
+/// Edges of stretches without a value that are closed in, at most.
+const EDGES_MAX: usize = 64;
 
 /// The function, many places at once: `None` for a place without a value; all of it `None` when it was stopped.
 pub type Function<'a> = &'a mut dyn FnMut(&[f64]) -> Option<Vec<Option<f64>>>;
@@ -48,13 +48,15 @@ pub struct RootScan<'f> {
     /// The scan.
     pub scan: Vec<(f64, Option<f64>)>,
     spread: f64,
+    /// Edges closed in.
+    edges: usize,
 }
 
 impl<'f> RootScan<'f> {
     /// A search for the places where the function is `target`.
     pub fn new(target: f64, function: Function<'f>) -> Self {
         let (crossings, seen, scan) = (Vec::new(), Vec::new(), Vec::new());
-        Self { target, function, crossings, seen, scan, spread: 0.0 }
+        Self { target, function, crossings, seen, scan, spread: 0.0, edges: 0 }
     }
 
     /// Search with a scan of a given number of points, at least 2.
@@ -100,42 +102,34 @@ impl<'f> RootScan<'f> {
     /// Stretches of the scan that have values throughout, each lengthened to its edges.
     fn stretches(&mut self) -> Result<Vec<Vec<Place>>, Stopped> {
         let scan = self.scan.clone();
-        let mut stretches: Vec<Vec<Place>> = Vec::new();
-        let mut holes = 0;
+        let (mut stretches, mut stretch) = (Vec::new(), Vec::new());
         for (index, (at, value)) in scan.iter().enumerate() {
-            let before = index.checked_sub(1).map(|before| scan[before]);
-            let Some(value) = *value else {
-                if let Some((at_before, Some(value))) = before
-                    && holes < HOLES_MAX
-                {
-                    holes += 1;
-                    let edge = self.edge(Place { at: at_before, value }, *at)?;
-                    if let Some(stretch) = stretches.last_mut() {
-                        stretch.extend(edge);
-                    }
-                }
-                continue;
-            };
+            let Some(value) = *value else { continue };
             let known = Place { at: *at, value };
-            if let Some((gap, None)) = before {
-                let mut begun = Vec::new();
-                if holes < HOLES_MAX {
-                    holes += 1;
-                    begun.extend(self.edge(known, gap)?);
-                }
-                stretches.push(begun);
-            } else if before.is_none() {
-                stretches.push(Vec::new());
+            let gap = |index: Option<usize>| {
+                let beside = index.and_then(|index| scan.get(index));
+                beside.filter(|beside| beside.1.is_none()).map(|beside| beside.0)
+            };
+            if let Some(gap) = gap(index.checked_sub(1)) {
+                stretch.extend(self.edge(known, gap)?);
             }
-            if let Some(stretch) = stretches.last_mut() {
-                stretch.push(known);
+            stretch.push(known);
+            if let Some(gap) = gap(index.checked_add(1)) {
+                stretch.extend(self.edge(known, gap)?);
+                stretches.push(std::mem::take(&mut stretch));
             }
         }
+        stretches.push(stretch);
         Ok(stretches)
     }
 
-    /// The farthest place towards `gap` that still has a value, where that is farther than the known one.
+    /// The farthest place towards `gap` that still has a value, where that is farther than the known one. After [`EDGES_MAX`] of them
+    /// none is looked for: a function that is full of holes has more than it is worth to close in.
     fn edge(&mut self, known: Place, gap: f64) -> Result<Option<Place>, Stopped> {
+        if self.edges == EDGES_MAX {
+            return Ok(None);
+        }
+        self.edges += 1;
         let (mut inside, mut outside) = (known, gap);
         for _ in 0..EDGE_STEPS {
             let middle = 0.5 * (inside.at + outside);
@@ -346,6 +340,18 @@ mod tests {
         assert_near(&roots(&scan(hole, 0.43, 11)), &[0.43]);
         assert!(roots(&scan(hole, 0.45, 11)).is_empty());
         assert!(scan(|_| None, 1.0, 11).is_empty());
+    }
+
+    #[test]
+    fn a_function_full_of_holes_is_searched_to_an_end() {
+        let mut looks = 0;
+        let function: Function<'_> = &mut |shares| {
+            looks += shares.len();
+            let value = |share: &f64| (9e15 * share * share).sin();
+            Some(shares.iter().map(value).map(|it| (it.abs() > 0.1).then_some(it)).collect())
+        };
+        RootScan::new(0.0, function).run(41).unwrap();
+        assert!(looks < 41 + EDGES_MAX * (EDGE_STEPS + ROUNDS) + 40 * ROUNDS, "{looks}");
     }
 
     #[test]

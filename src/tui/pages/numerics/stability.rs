@@ -4,7 +4,7 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::report::{self, figures};
-use crate::study::stability::map::{self, Axis, Cell, Map, Method, nearest};
+use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
 use crate::tui::chart::heatmap::role;
@@ -22,7 +22,7 @@ const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
 pub struct StabilityMap {
-    pub method: Method,
+    pub method: FixedStep,
     pub axis: Axis,
 }
 
@@ -74,8 +74,8 @@ pub struct Stability {
 }
 
 impl Stability {
-    fn method(&self) -> Method {
-        Method::ALL[self.view / Axis::ALL.len() % Method::ALL.len()]
+    fn method(&self) -> FixedStep {
+        FixedStep::ALL[self.view / Axis::ALL.len() % FixedStep::ALL.len()]
     }
 
     fn axis(&self) -> Axis {

@@ -1,18 +1,15 @@
 //! Designs evaluated many at once: the outcome of each, and its measures.
 //!
-//! The evaluation is that of sweeps, the contact kernel included; a design whose computation fails, or panics, keeps its place and
-//! says so. No digit depends on the number of threads.
+//! They are points of a plan that are listed, each with a value for every axis. The evaluation is that of sweeps, the contact kernel
+//! included; a design whose computation fails, or panics, keeps its place and says so. No digit depends on the number of threads.
 
 use std::ops::Range;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
-use crate::study::context::{Context, Stop, Work};
-use crate::study::quantities::Quantity;
-use crate::study::sweep::axis::placed;
+use crate::study::context::{Context, Work};
 use crate::study::sweep::grid::tells;
-use crate::study::sweep::{Axis, Evaluator, Failure, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
@@ -28,64 +25,9 @@ pub struct Found {
     pub values: Vec<Option<f64>>,
 }
 
-/// A scene, the variables that are changed, and the measures.
-#[derive(Clone, Debug)]
-pub struct DesignSpace {
-    plan: Plan,
-    steps_max: Option<usize>,
-}
-
-impl DesignSpace {
-    /// A space over axes, for measures by their names.
-    ///
-    /// # Errors
-    /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
-    pub fn new(
-        scene: &Scene,
-        axes: Vec<Axis>,
-        measures: &[impl AsRef<str>],
-    ) -> Result<Self, SweepError> {
-        // What becomes of a design has to be known even where no measure is.
-        let names: Vec<&str> = measures.iter().map(AsRef::as_ref).collect();
-        // A plan refuses all that a sweep over these axes would refuse.
-        let plan = Plan::for_points(scene, axes, &names)?;
-        Ok(Self::of(plan))
-    }
-
-    /// The space of a sweep.
-    pub fn of(plan: Plan) -> Self {
-        Self { plan, steps_max: None }
-    }
-
-    /// A space whose runs are stopped after a given number of steps: such a design fails with its step budget used up. A search looks at
-    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
-    #[must_use]
-    pub fn limited(self, steps: usize) -> Self {
-        Self { steps_max: Some(steps), ..self }
-    }
-
-    /// The axes.
-    pub fn axes(&self) -> &[Axis] {
-        self.plan.axes()
-    }
-
-    /// The measures, in order.
-    pub fn measures(&self) -> &[&'static Quantity] {
-        self.plan.outputs()
-    }
-
-    /// The scene whose other variables are held.
-    pub fn base(&self) -> &Scene {
-        self.plan.base()
-    }
-
-    /// The scene of a design: a value for every axis, in the stored unit.
-    pub fn scene(&self, design: &[f64]) -> Scene {
-        placed(self.plan.base(), self.axes(), design)
-    }
-
-    /// Evaluate designs, each a value for every axis, in the stored unit (NaN: the variable is absent). Fewer than those when it was
-    /// stopped.
+impl Plan {
+    /// Evaluate designs in the place of the plan's points, each a value for every axis, in the stored unit (NaN: the variable is
+    /// absent). Fewer than those when it was stopped. Whether a design makes physical sense is the caller's business.
     pub fn evaluate<P: ?Sized>(
         &self,
         designs: &[Vec<f64>],
@@ -94,68 +36,37 @@ impl DesignSpace {
         if context.is_stopped() {
             return Vec::new();
         }
-        let plan = self.plan.over_points(designs);
+        let list = designs.iter().flatten().copied().collect();
+        let plan = Self { points: designs.len() as u64, list: Some(list), ..self.clone() };
         let stop = context.stop();
-        let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
         let worker = || {
-            let mut evaluator = Evaluator::new(&plan, &stop).limited(self.steps_max);
-            let (plan, stop) = (&plan, &stop);
-            move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
+            let mut evaluator = Evaluator::new(&plan, &stop);
+            let plan = &plan;
+            move |points: Range<u64>| plan.found(&evaluator.rows(points))
         };
-        let work = Work { count: designs.len() as u64, at_once: piece };
+        let at_once = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
+        let work = Work { count: plan.points, at_once };
         context.map(work, worker, |context, _| context.goes_on())
     }
 
-    fn piece<'p>(
-        &self,
-        plan: &'p Plan,
-        stop: &'p Stop,
-        evaluator: &mut Evaluator<'p>,
-        points: Range<u64>,
-    ) -> Vec<Found> {
-        let whole = catch_unwind(AssertUnwindSafe(|| self.rows(evaluator, points.clone())));
-        if let Ok(found) = whole {
-            return found;
-        }
-        // One of them panics: find out which, with evaluators that have not seen it.
-        let mut all = Vec::new();
-        for point in points {
-            let mut fresh = Evaluator::new(plan, stop).limited(self.steps_max);
-            let work = AssertUnwindSafe(|| self.rows(&mut fresh, point..point + 1));
-            match catch_unwind(work) {
-                Ok(found) if found.is_empty() => break,
-                Ok(found) => all.extend(found),
-                Err(_) => all.push(Found {
-                    outcome: PointOutcome::Failed(Failure::Panicked),
-                    values: vec![None; self.measures().len()],
-                }),
-            }
-        }
-        all
-    }
-
-    fn rows(&self, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Vec<Found> {
-        let rows = evaluator.rows(points);
-        let found = |row: usize| {
+    fn found(&self, rows: &Rows) -> Vec<Found> {
+        let of_row = |row: usize| {
             let outcome = rows.outcome(row);
-            let value = |(place, column): (usize, &&'static Quantity)| {
-                rows.value(row, place).filter(|_| tells(column, outcome))
-            };
-            Found { outcome, values: self.measures().iter().enumerate().map(value).collect() }
+            let outputs = self.outputs.iter().enumerate();
+            let value = outputs.map(|(at, it)| rows.value(row, at).filter(|_| tells(it, outcome)));
+            Found { outcome, values: value.collect() }
         };
-        // What was stopped is not there: no later point counts.
-        (0..rows.len()).map(found).collect()
+        (0..rows.len()).map(of_row).collect()
     }
 
     /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
     fn runs_whole(&self) -> bool {
-        let scene = self.plan.base();
-        let mut far = scene.clone();
-        for axis in self.axes() {
+        let mut far = self.base.clone();
+        for axis in &self.axes {
             axis.set(&mut far, larger(axis.ends().0, axis.ends().1));
         }
-        let forced = self.measures().iter().any(|it| it.needs_course(&far));
-        scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(&self.plan)
+        let forced = self.outputs.iter().any(|it| it.needs_course(&far));
+        self.base.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(self)
     }
 }
 
@@ -167,12 +78,14 @@ mod tests {
     use super::*;
     use crate::model::mechanism::Mechanism;
     use crate::model::run::EndReason;
+    use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
     use crate::study::context::{to_its_end, until};
     use crate::study::quantities::named;
+    use crate::study::sweep::Failure;
     use crate::study::testing::axes;
 
-    fn whole(space: &DesignSpace, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
+    fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
         space.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
     }
 
@@ -186,13 +99,13 @@ mod tests {
         let designs =
             [vec![1.0, 1e5, 0.0], vec![2.0, 1e6, 0.0], vec![1.0, 1e5, 50.0], vec![0.8, 7.5e6, 0.0]];
         let with = |threads| {
-            let space = DesignSpace::new(&Scene::default(), bounds.clone(), &FOUR).unwrap();
+            let space = Plan::for_designs(&Scene::default(), bounds.clone(), &FOUR).unwrap();
             (whole(&space, &designs, threads), space)
         };
         let (found, space) = with(1);
         assert_eq!(found, with(3).0);
         for (design, found) in designs.iter().zip(&found) {
-            let scene = Arc::new(space.scene(design));
+            let scene = Arc::new(space.scene_of(design));
             let settings = Settings { series: true, estimate: false };
             let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
             let close = |value: Option<f64>, exact: Option<f64>| {
@@ -236,7 +149,8 @@ mod tests {
         // The second one oscillates thousands of times on a spring of small exponent before it is decided.
         let designs =
             [vec![1.0, 1e5, 1.0, 0.0, 0.0], vec![4.2875, 3_281_250.0, 0.546_875, 0.406_25, 375.0]];
-        let space = DesignSpace::new(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();
+        let space =
+            Plan::for_designs(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();
         let free = whole(&space, &designs, 1);
         let found = whole(&space.limited(1000), &designs, 1);
         assert_eq!(found[0], free[0]);
@@ -248,7 +162,7 @@ mod tests {
     #[test]
     fn a_perforated_plate_has_no_depth_and_a_stop_keeps_finished_results() {
         let space =
-            DesignSpace::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
+            Plan::for_designs(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
         let found = whole(&space, &[vec![100.0], vec![800.0]], 1);
         assert_eq!(found[1].outcome, PointOutcome::Perforated);
         assert!(found[1].values.iter().all(Option::is_none) && found[0].values[0].is_some());
@@ -263,8 +177,8 @@ mod tests {
     #[test]
     fn bad_names_and_bounds_are_refused_before_anything_runs() {
         let scene = Scene::default();
-        let error = DesignSpace::new(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"]).unwrap_err();
+        let error = Plan::for_designs(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"]).unwrap_err();
         assert!(error.to_string().contains("system_mass_kg"), "{error}");
-        assert!(DesignSpace::new(&scene, Vec::new(), &["stroke_m"]).is_err());
+        assert!(Plan::for_designs(&scene, Vec::new(), &["stroke_m"]).is_err());
     }
 }

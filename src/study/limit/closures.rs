@@ -1,18 +1,10 @@
-//! Results at a limit velocity: the load of the mechanism there, and the band between the closures of the flow strength.
+//! Limit velocities by both closures of the flow strength, and the band between them.
 
 use std::sync::Arc;
 
-use crate::model::run::EndReason;
-use crate::model::run::envelope::{self, Breach};
 use crate::model::scene::{Closure, Scene};
-use crate::model::simulate::{Settings, simulate};
-use crate::study::compare::Load;
 use crate::study::context::Context;
 use crate::study::limit::alone;
-use crate::study::limit::search::aimed;
-
-/// How far below the limit the shot is fired that shows what the mechanism bears, relative.
-const BELOW: f64 = 1e-6;
 
 /// Limit velocities by the two closures, m/s; `None` where there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,29 +51,4 @@ fn by_closure(scene: &Scene, closure: Closure) -> Scene {
         (target.closure, target.dishing) = (closure, closure == Closure::DoubleYield);
     }
     own
-}
-
-/// A shot just below the limit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AtLimit {
-    /// The load of the mechanism and its mount.
-    pub load: Load,
-    /// Everything a careful reader should know of that shot.
-    pub warnings: Vec<String>,
-    /// What of it is outside the model's validity.
-    pub breaches: Vec<Breach>,
-}
-
-impl AtLimit {
-    /// For this limit, m/s; `None` when stopped.
-    pub(super) fn of(scene: &Scene, limit_m_s: f64, context: &mut Context<'_>) -> Option<Self> {
-        let settings = Settings { series: true, estimate: false };
-        let own = aimed(scene, limit_m_s * (1.0 - BELOW));
-        let run = simulate(&own, &settings, &mut context.observer()).ok()?;
-        (run.end != EndReason::Cancelled).then(|| Self {
-            load: Load::of(&run),
-            warnings: envelope::warnings(&run),
-            breaches: envelope::of_run(&run),
-        })
-    }
 }
