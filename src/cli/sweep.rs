@@ -14,19 +14,19 @@ use clap::Args;
 
 use crate::cli::outlook::say_if_long;
 use crate::cli::pictures::PictureArguments;
-use crate::cli::progress::{ProgressLine, interruptible};
+use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
-use crate::study::context::{Context, Progress, Stop, Work};
+use crate::study::context::{Context, Work};
 use crate::study::quantities;
 use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::grid::{Grid, PIECE};
@@ -83,8 +83,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
     }
     let threads = arguments.threads.count();
-    let stop = interruptible();
-    let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
+    let job = Job { plan: &plan, shard, threads, preset: &preset };
     let file = match &arguments.table.target() {
         Target::File(to) => Some(to.begin().map_err(exists)?),
         Target::None | Target::Stdout => None,
@@ -107,7 +106,6 @@ struct Job<'a> {
     plan: &'a Plan,
     shard: Shard,
     threads: usize,
-    stop: &'a Stop,
     preset: &'a Preset,
 }
 
@@ -239,36 +237,27 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut line = ProgressLine::begin();
         let all = self.points();
         let (first, count) = (all.start, all.end - all.start);
+        let stop = interruptible();
         let worker = || {
-            let mut evaluator = Evaluator::new(self.plan, self.stop);
+            let mut evaluator = Evaluator::new(self.plan, &stop);
             move |piece: Range<u64>| {
                 sheet.piece(&mut evaluator, first + piece.start..first + piece.end)
             }
         };
-        let watch = &mut |Progress { done, .. }, _: Option<&()>| {
-            line.update(|elapsed_s| so_far(done as u64, count, elapsed_s))
-        };
         let work = Work { count, at_once: PIECE };
-        Context::new(self.threads, watch).each(work, worker, |context, piece, found| {
-            summary.add(first + piece.start, &found.rows);
-            context.count(found.rows.len());
-            let is_whole = found.rows.len() as u64 == piece.end - piece.start;
-            problem = take(&found).err();
-            // A piece by the contact kernel is done before it looks whether it should stop.
-            context.goes_on() && is_whole && problem.is_none()
+        progress::study(self.threads, "points", |context: &mut Context<'_>| {
+            context.expect(usize::try_from(count).unwrap_or(usize::MAX));
+            context.each(work, worker, |context, piece, found| {
+                summary.add(first + piece.start, &found.rows);
+                context.count(found.rows.len());
+                let is_whole = found.rows.len() as u64 == piece.end - piece.start;
+                problem = take(&found).err();
+                // A piece by the contact kernel is done before it looks whether it should stop.
+                context.goes_on() && is_whole && problem.is_none()
+            });
         });
-        line.clear();
         problem.map_or(Ok(summary), Err)
     }
-}
-
-/// The progress of a sweep, and the remaining time at this rate.
-fn so_far(done: u64, total: u64, elapsed_s: f64) -> String {
-    let percent = 100.0 * done as f64 / total as f64;
-    let left_s = elapsed_s * (total - done) as f64 / done.max(1) as f64;
-    let left = page::duration(left_s);
-    format!("{percent:.0} %: {done} of {total} points, {left} left")
 }
