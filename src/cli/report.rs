@@ -10,7 +10,6 @@ use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::page::KEPT_MAX;
-use crate::cli::table::exists;
 use crate::cli::{CliError, draw, output, progress};
 use crate::files::atomic::{self, Existing};
 use crate::files::{clean, write};
@@ -76,7 +75,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
     let format = Format::of(path)?;
-    atomic::check(path, existing).map_err(exists)?;
+    atomic::check(path, existing)?;
     let preset = arguments.scene.load()?;
     let scene = preset.scene.clone();
     let computed = run::compute(preset)?;
@@ -95,7 +94,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         Format::Html => document.html(),
         Format::Markdown => document.markdown(draw::picture),
     };
-    atomic::write(path, clean::page(&text).as_bytes(), existing).map_err(exists)?;
+    atomic::write(path, clean::page(&text).as_bytes(), existing)?;
     output::note_written(std::slice::from_ref(path));
     Ok(run::exit_code(&computed.run))
 }

@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, at_top, choice, exists};
+use crate::cli::table::{TableArguments, Target, at_top, choice};
 use crate::cli::text::{fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
@@ -153,7 +153,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         Target::File(to) => {
             let (to, table) = (to.placed(!was_interrupted()), table());
             let written = to.write(table.text(to.meta)?.as_bytes(), &table.scenes());
-            output::note_written(&written.map_err(exists)?);
+            output::note_written(&written?);
         }
     }
     arguments.pictures.write(&arguments.table, || {

@@ -17,7 +17,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
-use crate::cli::table::{TableArguments, Target, at_top, exists};
+use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let threads = arguments.threads.count();
     let job = Job { plan: &plan, shard, threads, preset: &preset };
     let file = match &arguments.table.target() {
-        Target::File(to) => Some(to.begin().map_err(exists)?),
+        Target::File(to) => Some(to.begin()?),
         Target::None | Target::Stdout => None,
     };
     job.say_if_long();
@@ -217,7 +217,7 @@ impl Job<'_> {
             let scene = Scene { sweep, ..self.preset.scene.clone() };
             let beside = part.beside(&scene, missing.as_deref());
             let written = to.placed(missing.is_none()).finish(file, &[beside]);
-            output::note_written(&written.map_err(exists)?);
+            output::note_written(&written?);
         }
         Ok(summary)
     }
