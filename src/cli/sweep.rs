@@ -166,43 +166,35 @@ impl Job<'_> {
         kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
-        let json = arguments.table.json && !matches!(target, Target::Stdout);
-        let texts = Texts { csv: !matches!(target, Target::None), json };
+        let texts = Texts { csv: !matches!(target, Target::None), json: arguments.table.json };
         let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
         let style = arguments.table.csv_style;
+        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            match &mut file {
+                Some(file) => file.add(csv)?,
+                None => output::print_bytes(csv)?,
+            }
+            output::print_bytes(json.as_bytes())
+        };
         if self.shard.is_first() && texts.csv {
             let comments = match arguments.table.meta {
                 Meta::Beside => String::new(),
                 Meta::Inline => page::comments(self.preset, self.plan),
             };
-            let head = style.file(&comments, "")?;
-            match &mut file {
-                Some(file) => file.add(head.as_bytes())?,
-                None => output::print_bytes(head.as_bytes())?,
-            }
+            write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
         }
-        let mut write = |csv: &str, json: &str| -> Result<(), CliError> {
-            let csv = style.rows(csv.as_bytes())?;
-            match &mut file {
-                Some(file) => file.add(&csv)?,
-                None => output::print_bytes(&csv)?,
-            }
-            output::print_bytes(json.as_bytes())
-        };
-        let header =
-            if self.shard.is_first() && texts.csv { sheet.header() } else { String::new() };
-        write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
+        write(b"", &if texts.json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
                 grid.extend(&piece.rows);
             }
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
-                write("", ",\n")?;
+                write(b"", ",\n")?;
             }
-            write(&piece.csv, &piece.json)
+            write(&style.rows(piece.csv.as_bytes())?, &piece.json)
         })?;
-        write("", if json { JSON_TAIL } else { "" })?;
+        write(b"", if texts.json { JSON_TAIL } else { "" })?;
         output::print("")?;
         if let (Some(file), Target::File(to)) = (file, target) {
             let (done, all) = (summary.points(), self.points().end - self.points().start);
