@@ -19,7 +19,6 @@ use crate::model::scene::Scene;
 use crate::model::units::{Quantity, fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
-use crate::report::figures::efficiency;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
@@ -122,7 +121,7 @@ impl CompareArguments {
         if !self.pictures.is_stdout() {
             table.deliver(&page, &tables::map_table(name, &map).with_warnings(&warnings))?;
         }
-        let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
+        let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;
         Ok(progress::exit_code(map.is_complete()))
     }
@@ -217,7 +216,7 @@ fn map_page(name: &str, map: &Map) -> String {
         y.symbol(),
         significant(map.scene().mechanism.specific_energy_j_kg(), 4)
     );
-    let Some(drawn) = efficiency::map(map).filter(|drawn| drawn.values().next().is_some()) else {
+    let Some(drawn) = tables::picture(map).filter(|drawn| drawn.values().next().is_some()) else {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };

@@ -11,8 +11,8 @@ use crate::cli::search::all_threads;
 use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::units::Engineering;
+use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
-use crate::report::{figures, stability as tables};
 use crate::study::stability;
 use crate::study::stability::map::{self, Axis, Map, Method};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
@@ -149,7 +149,7 @@ fn map_page(map: &Map, scene: &str) -> String {
         || "no limit".to_owned(),
         |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
     );
-    let picture = draw::map(&figures::stability::map(map), draw::MAP, Theme::PLAIN);
+    let picture = draw::map(&tables::picture(map), draw::MAP, Theme::PLAIN);
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
         map.method.name(),

@@ -2,6 +2,10 @@
 
 use serde_json::{Map as Object, Value, json};
 
+use crate::report::chart::Scale;
+use crate::report::chart::levels::Levels;
+use crate::report::figures::map_over;
+use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
@@ -148,4 +152,27 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
+}
+
+/// The meaning of the line.
+pub const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
+
+/// The map as a picture; `None` where no point has a mass efficiency.
+pub fn picture(found: &Map) -> Option<map::Map<'static>> {
+    let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
+        Some(Ok(value)) => Cell::Value(value),
+        Some(Err(absence)) => Cell::Mark(absence.letter(), Tone::Faint),
+        None => Cell::Empty,
+    };
+    let absences = found.cells.iter().filter_map(|cell| cell.err());
+    let mut marks: Vec<(char, String)> =
+        absences.map(|absence| (absence.letter(), absence.words())).collect();
+    marks.sort();
+    marks.dedup_by_key(|mark| mark.0);
+    let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
+    Some(map::Map {
+        contour: Some((1.0, LINE.into())),
+        marks,
+        ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
+    })
 }
