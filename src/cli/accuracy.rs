@@ -14,7 +14,6 @@ use crate::files::bundled;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
 use crate::report::accuracy::{self, Named, TARGETS, by, error_over_time, methods, seconds};
-use crate::report::table::{Cells, grid};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Effort, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
@@ -86,7 +85,7 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
 }
 
 const SIZE: draw::Size = (80, 20);
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 8] = [
     "letter",
     "method",
     "observed_order",
@@ -94,6 +93,7 @@ const KEYS: [&str; 7] = [
     "run_time_s_to_1e-6",
     "run_time_s_to_1e-9",
     "run_time_spread",
+    "cheapest",
 ];
 /// The accuracies answered below it.
 const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
@@ -140,12 +140,9 @@ fn chart(report: &Report) -> String {
 
 fn table_of(report: &Report) -> String {
     let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
-    let table = methods(&report.methods);
     let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
-    let marks = table.rows.iter().map(|it| mark(it).to_owned()).collect();
-    let mut cells = table.cells(&KEYS);
-    cells.push(Cells { head: String::new(), is_text: true, cells: marks });
-    format!("\n{}", grid(&cells, width()))
+    let table = methods(&report.methods).with("cheapest", "", "", mark);
+    format!("\n{}", table.page(&KEYS, width()))
 }
 
 /// The run times for some accuracies, and those with no term omitted.
