@@ -48,24 +48,17 @@ pub(super) struct ReportArguments {
     force: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Html,
-    Markdown,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self, CliError> {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "html" | "htm" | "xhtml" => Ok(Self::Html),
-            "md" | "markdown" => Ok(Self::Markdown),
-            _ => Err(CliError::Option(format!(
-                "-o {}: a report is .html or .md, for example -o {}",
-                path.display(),
-                path.with_extension("html").display()
-            ))),
-        }
+/// Whether a report of this name is HTML; it is Markdown otherwise.
+fn is_html(path: &Path) -> Result<bool, CliError> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    match ending.as_str() {
+        "html" | "htm" | "xhtml" => Ok(true),
+        "md" | "markdown" => Ok(false),
+        _ => Err(CliError::Option(format!(
+            "-o {}: a report is .html or .md, for example -o {}",
+            path.display(),
+            path.with_extension("html").display()
+        ))),
     }
 }
 
@@ -73,7 +66,7 @@ impl Format {
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
-    let format = Format::of(path)?;
+    let is_html = is_html(path)?;
     atomic::check(path, existing)?;
     let preset = arguments.scene.load()?;
     let scene = preset.scene.clone();
@@ -89,10 +82,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         output::note("no report was written");
         return Ok(ExitCode::FAILURE);
     }
-    let text = match format {
-        Format::Html => document.html(),
-        Format::Markdown => document.markdown(draw::picture),
-    };
+    let text = if is_html { document.html() } else { document.markdown(draw::picture) };
     atomic::write(path, clean::page(&text).as_bytes(), existing)?;
     output::note_written(std::slice::from_ref(path));
     Ok(run::exit_code(&computed.run))

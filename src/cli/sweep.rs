@@ -25,7 +25,7 @@ use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
 use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
+use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet};
 use crate::study::context::{Context, Work};
 use crate::study::quantities;
 use crate::study::search::design_space::DesignSpace;
@@ -166,8 +166,9 @@ impl Job<'_> {
         kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
-        let texts = Texts { csv: !matches!(target, Target::None), json: arguments.table.json };
-        let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
+        let (has_csv, has_json) = (!matches!(target, Target::None), arguments.table.json);
+        let scene = self.preset.name.as_str();
+        let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
         let style = arguments.table.csv_style;
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
             match &mut file {
@@ -176,14 +177,14 @@ impl Job<'_> {
             }
             output::print_bytes(json.as_bytes())
         };
-        if self.shard.is_first() && texts.csv {
+        if self.shard.is_first() && has_csv {
             let comments = match arguments.table.meta {
                 Meta::Beside => String::new(),
                 Meta::Inline => page::comments(self.preset, self.plan),
             };
             write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
         }
-        write(b"", &if texts.json { sheet.json_head(self.shard) } else { String::new() })?;
+        write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
@@ -194,7 +195,7 @@ impl Job<'_> {
             }
             write(&style.rows(piece.csv.as_bytes())?, &piece.json)
         })?;
-        write(b"", if texts.json { JSON_TAIL } else { "" })?;
+        write(b"", if has_json { JSON_TAIL } else { "" })?;
         output::print("")?;
         if let (Some(file), Target::File(to)) = (file, target) {
             let (done, all) = (summary.points(), self.points().end - self.points().start);
