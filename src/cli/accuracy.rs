@@ -19,6 +19,21 @@ use crate::study::accuracy::{Effort, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
 use crate::worker::clock;
 
+const SIZE: draw::Size = (80, 20);
+/// Columns of the table of methods.
+const KEYS: [&str; 8] = [
+    "letter",
+    "method",
+    "observed_order",
+    "least_error",
+    "run_time_s_to_1e-6",
+    "run_time_s_to_1e-9",
+    "run_time_spread",
+    "cheapest",
+];
+/// The accuracies answered below the table of methods.
+const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
+
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
     /// Presets' names or paths of TOML files [default: thesis-baseline]
@@ -83,20 +98,6 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
         })
         .collect()
 }
-
-const SIZE: draw::Size = (80, 20);
-const KEYS: [&str; 8] = [
-    "letter",
-    "method",
-    "observed_order",
-    "least_error",
-    "run_time_s_to_1e-6",
-    "run_time_s_to_1e-9",
-    "run_time_spread",
-    "cheapest",
-];
-/// The accuracies answered below it.
-const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 /// The pages of all scenes, one under the other.
 fn page(reports: &[Named]) -> String {

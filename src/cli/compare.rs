@@ -26,6 +26,11 @@ use crate::study::sweep::Axis;
 use crate::study::validity;
 use crate::tui::theme::Theme;
 
+/// Columns by which the further lines of a sentence are indented.
+const INDENT: usize = 2;
+const MAP: draw::Size = (78, 30);
+/// Rows of the table of the line of 1.
+const LINE_ROWS: u64 = 11;
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 
@@ -150,12 +155,6 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     }
     Ok([x, y])
 }
-
-/// Columns by which the further lines of a sentence are indented.
-const INDENT: usize = 2;
-const MAP: draw::Size = (78, 30);
-/// Rows of the table of the line of 1.
-const LINE_ROWS: u64 = 11;
 
 fn page(name: &str, report: &Report) -> String {
     let projectile = &report.scene.projectile;

@@ -20,6 +20,8 @@ use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::{Effort, Report, study};
 use crate::study::validity;
 
+/// Cells of the longest bar.
+const BAR: usize = 20;
 /// Rows of the design and trajectories.
 const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
 const TRAJECTORIES_MAX: u64 = 100_000;
@@ -81,9 +83,6 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     table.deliver_warned(&warnings, &page, object, sensitivity::table(name, &report))?;
     Ok(progress::exit_code(true))
 }
-
-/// Cells of the longest bar.
-const BAR: usize = 20;
 
 fn page(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);

@@ -18,6 +18,8 @@ use crate::study::stability::map::{self, Axis, Map, Method};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 use crate::tui::theme::Theme;
 
+/// From this width on there is room for what makes a scene hard.
+const WIDE: usize = 118;
 /// Rows and columns of a coarser map.
 const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 
@@ -90,9 +92,6 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
     Ok(progress::exit_code(true))
 }
-
-/// From this width on there is room for what makes a scene hard.
-const WIDE: usize = 118;
 
 /// The table of the battery, what it means, and one line that sums it up.
 fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {

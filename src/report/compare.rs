@@ -10,6 +10,8 @@ use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
 
+/// The meaning of the contour on a map.
+const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 /// The lines of a page, by their keys.
 const LINES: [&str; 20] = [
     "candidate",
@@ -153,9 +155,6 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
 }
-
-/// The meaning of the line.
-pub const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 
 /// The map as a picture; `None` where no point has a mass efficiency.
 pub fn picture(found: &Map) -> Option<map::Map<'static>> {

@@ -13,6 +13,9 @@ use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
 use crate::study::limit::{Closures, Limit, Report, Shot};
 
+const LAW_POINTS: usize = 400;
+/// The scene's velocity is in view up to a given number of limits.
+const OWN_IN_VIEW: f64 = 4.0;
 /// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
 
@@ -216,10 +219,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }
-
-const LAW_POINTS: usize = 400;
-/// The scene's velocity is in view up to a given number of limits.
-const OWN_IN_VIEW: f64 = 4.0;
 
 /// The axes of impact and residual velocity; `None` where nothing goes through.
 pub fn axes(report: &Report) -> Option<(Axis<'static>, Axis<'static>)> {
