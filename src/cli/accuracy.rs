@@ -13,13 +13,26 @@ use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
-use crate::report::accuracy::{self, Named, TARGETS, by, methods, seconds};
-use crate::report::figures::accuracy::error_over_time;
-use crate::report::table::{Cells, grid};
+use crate::report::accuracy::{self, Named, TARGETS, by, error_over_time, methods, seconds};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Effort, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
 use crate::worker::clock;
+
+const SIZE: draw::Size = (80, 20);
+/// Columns of the table of methods.
+const KEYS: [&str; 8] = [
+    "letter",
+    "method",
+    "observed_order",
+    "least_error",
+    "run_time_s_to_1e-6",
+    "run_time_s_to_1e-9",
+    "run_time_spread",
+    "cheapest",
+];
+/// The accuracies answered below the table of methods.
+const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
@@ -86,19 +99,6 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
         .collect()
 }
 
-const SIZE: draw::Size = (80, 20);
-const KEYS: [&str; 7] = [
-    "letter",
-    "method",
-    "observed_order",
-    "least_error",
-    "run_time_s_to_1e-6",
-    "run_time_s_to_1e-9",
-    "run_time_spread",
-];
-/// The accuracies answered below it.
-const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
-
 /// The pages of all scenes, one under the other.
 fn page(reports: &[Named]) -> String {
     let pages: Vec<String> = reports.iter().map(|(name, report)| page_of(name, report)).collect();
@@ -141,12 +141,9 @@ fn chart(report: &Report) -> String {
 
 fn table_of(report: &Report) -> String {
     let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
-    let table = methods(&report.methods);
     let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
-    let marks = table.rows.iter().map(|it| mark(it).to_owned()).collect();
-    let mut cells = table.cells(&KEYS);
-    cells.push(Cells { head: String::new(), is_text: true, cells: marks });
-    format!("\n{}", grid(&cells, width()))
+    let table = methods(&report.methods).with("cheapest", "", "", mark);
+    format!("\n{}", table.page(&KEYS, width()))
 }
 
 /// The run times for some accuracies, and those with no term omitted.

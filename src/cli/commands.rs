@@ -3,24 +3,12 @@
 use std::process::ExitCode;
 
 use clap::{ArgMatches, Args, Command, CommandFactory as _};
-use cmra_studies::enumeration;
 
 use crate::cli::{self, Arguments, CliError};
 
-enumeration! {
-    /// The groups of commands in `cmra --help`.
-    pub(super) enum Group in GroupRow {
-        /// The heading of its commands.
-        heading: &'static str,
-    }
-    Explore { heading: "Run and explore" }
-    Decide { heading: "Decide" }
-    Check { heading: "Check" }
-    Data { heading: "Data" }
-}
-
 pub(super) struct Row {
-    pub(super) group: Group,
+    /// The heading of its group in `cmra --help`.
+    pub(super) group: &'static str,
     pub(super) name: &'static str,
     pub(super) about: &'static str,
     /// An old name that still works.
@@ -34,10 +22,10 @@ pub(super) struct Row {
 }
 
 macro_rules! commands {
-    ($($group:ident $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $module:ident;)*) => {
+    ($($group:literal $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $module:ident;)*) => {
         /// Every command, in the order of `cmra --help`.
         pub(super) const COMMANDS: &[Row] = &[$(Row {
-            group: Group::$group,
+            group: $group,
             name: $name,
             about: $about,
             old_name: [$($old,)?].first().copied(),
@@ -50,32 +38,32 @@ macro_rules! commands {
 }
 
 commands! {
-    Explore "run" "Run one scene and print what happened" run;
-    Explore "sweep" "Run a scene at every point of one or more axes" sweep;
-    Explore "join" "Join the parts of a sweep that was computed with --shard" join;
-    Decide "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
-    Decide "fit" "Find V50 from shots of a test, and the strength that gives it" fit;
-    Decide "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
-    Decide "seek" "Find the values of a variable that reach a goal" seek;
-    Decide "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
-    Decide "sensitivity" "Find which variables matter most" sensitivity;
-    Decide "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo;
-    Decide "report" "Write one file with scene, results, charts and warnings" report;
-    Check "accuracy" "Compare the error and the run time of every method" accuracy;
-    Check "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
-    Check "reproduce" "Check every claim of the thesis" reproduce;
-    Check "validate" "Compare the model with measurements from the literature" validate;
-    Data "presets" "List the presets, or show one" presets;
-    Data "variables" "List every variable of a scene: symbol, name, default, meaning" variables;
-    Data "explain" "Explain one variable or quantity" explain;
-    Data "libraries" "List threats, materials and absorbers with their sources" libraries;
-    Data "design" "Print formulas, the screening matrix and the design principles" design;
-    Data "keys" "Print every key of the workbench" keys;
-    Data "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
-    Data "paths" "Print where this program keeps presets, session and log" paths;
-    Data "completions" "Print a completion script for a shell" completions;
-    Data "man" "Print the manual page, in roff" man;
-    Data "install" "Install manual pages and shell completions" install;
+    "Run and explore" "run" "Run one scene and print what happened" run;
+    "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
+    "Run and explore" "join" "Join the parts of a sweep that was computed with --shard" join;
+    "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
+    "Decide" "fit" "Find V50 from shots of a test, and the strength that gives it" fit;
+    "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
+    "Decide" "seek" "Find the values of a variable that reach a goal" seek;
+    "Decide" "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
+    "Decide" "sensitivity" "Find which variables matter most" sensitivity;
+    "Decide" "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo;
+    "Decide" "report" "Write one file with scene, results, charts and warnings" report;
+    "Check" "accuracy" "Compare the error and the run time of every method" accuracy;
+    "Check" "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
+    "Check" "reproduce" "Check every claim of the thesis" reproduce;
+    "Check" "validate" "Compare the model with measurements from the literature" validate;
+    "Data" "presets" "List the presets, or show one" presets;
+    "Data" "variables" "List every variable of a scene: symbol, name, default, meaning" variables;
+    "Data" "explain" "Explain one variable or quantity" explain;
+    "Data" "libraries" "List threats, materials and absorbers with their sources" libraries;
+    "Data" "design" "Print formulas, the screening matrix and the design principles" design;
+    "Data" "keys" "Print every key of the workbench" keys;
+    "Data" "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
+    "Data" "paths" "Print where this program keeps presets, session and log" paths;
+    "Data" "completions" "Print a completion script for a shell" completions;
+    "Data" "man" "Print the manual page, in roff" man;
+    "Data" "install" "Install manual pages and shell completions" install;
 }
 
 /// Of a command that takes none.

@@ -19,7 +19,6 @@ use crate::model::scene::Scene;
 use crate::model::units::{Quantity, fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
-use crate::report::figures::efficiency;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
@@ -27,6 +26,11 @@ use crate::study::sweep::Axis;
 use crate::study::validity;
 use crate::tui::theme::Theme;
 
+/// Columns by which the further lines of a sentence are indented.
+const INDENT: usize = 2;
+const MAP: draw::Size = (78, 30);
+/// Rows of the table of the line of 1.
+const LINE_ROWS: u64 = 11;
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 
@@ -122,7 +126,7 @@ impl CompareArguments {
         if !self.pictures.is_stdout() {
             table.deliver(&page, &tables::map_table(name, &map))?;
         }
-        let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
+        let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;
         Ok(progress::exit_code(map.is_complete()))
     }
@@ -151,12 +155,6 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     }
     Ok([x, y])
 }
-
-/// Columns by which the further lines of a sentence are indented.
-const INDENT: usize = 2;
-const MAP: draw::Size = (78, 30);
-/// Rows of the table of the line of 1.
-const LINE_ROWS: u64 = 11;
 
 fn page(name: &str, report: &Report) -> String {
     let projectile = &report.scene.projectile;
@@ -220,7 +218,7 @@ fn map_page(name: &str, map: &Map) -> String {
         y.symbol(),
         significant(map.scene().mechanism.specific_energy_j_kg(), 4)
     );
-    let Some(drawn) = efficiency::map(map).filter(|drawn| drawn.values().next().is_some()) else {
+    let Some(drawn) = tables::picture(map).filter(|drawn| drawn.values().next().is_some()) else {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };

@@ -15,7 +15,7 @@ use crate::tui::TuiError;
 pub enum CliError {
     /// A file cannot be read, written or found.
     #[error(transparent)]
-    File(#[from] FileError),
+    File(FileError),
     /// The file exists already.
     #[error("`{path}` already exists: add --force to replace it, or choose another name")]
     Exists {
@@ -31,6 +31,16 @@ pub enum CliError {
     /// The workbench could not start or had to stop.
     #[error(transparent)]
     Workbench(#[from] TuiError),
+}
+
+impl From<FileError> for CliError {
+    /// Adds the cure of the command line for an existing file.
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Exists(path) => Self::Exists { path: path.display().to_string() },
+            other => Self::File(other),
+        }
+    }
 }
 
 impl From<VariableError> for CliError {

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Command};
 
-use crate::cli::commands::{self, COMMANDS, Group};
+use crate::cli::commands::{self, COMMANDS};
 use crate::cli::{CliError, keys, output};
 use crate::files::error::did_you_mean;
 
@@ -48,9 +48,9 @@ pub(super) fn command() -> Command {
 /// Each group with its commands and what they do.
 fn grouped() -> String {
     let mut text = String::new();
-    for group in Group::ALL {
-        let _ = writeln!(text, "{}:", group.heading());
-        for row in COMMANDS.iter().filter(|row| row.group == group) {
+    for group in COMMANDS.chunk_by(|a, b| a.group == b.group) {
+        let _ = writeln!(text, "{}:", group[0].group);
+        for row in group {
             let _ = writeln!(text, "  {:<12} {}", row.name, row.about);
         }
         text.push('\n');

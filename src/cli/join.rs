@@ -5,7 +5,6 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::table::exists;
 use crate::cli::{CliError, output};
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
@@ -33,7 +32,7 @@ pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
     let existing = Existing::replaced(arguments.force);
     let path = arguments.csv.clone().filter(|path| path.as_os_str() != "-");
     let to = path.map(|path| Destination { path, existing, meta: Meta::Beside });
-    let mut file = to.as_ref().map(Destination::begin).transpose().map_err(exists)?;
+    let mut file = to.as_ref().map(Destination::begin).transpose()?;
     let whole = Whole::of(&arguments.parts)?;
     whole.each_piece(|piece| match &mut file {
         Some(file) => file.add(piece).map_err(CliError::File),
@@ -43,7 +42,7 @@ pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
         output::print("")?;
         return Ok(ExitCode::SUCCESS);
     };
-    let written = to.finish(file, &[whole.beside()]).map_err(exists)?;
+    let written = to.finish(file, &[whole.beside()])?;
     output::note(&format!("joined {} parts", whole.count()));
     output::note_written(&written);
     Ok(ExitCode::SUCCESS)

@@ -26,6 +26,8 @@ use crate::study::search::nsga::Effort;
 use crate::study::sweep::{Axis, Plan, Spacing};
 use crate::study::validity;
 
+/// Designs of a front that are listed.
+const LISTED: usize = 16;
 /// Points of a generation, and generations.
 const POPULATION: RangeInclusive<usize> = 8..=2000;
 const GENERATIONS_MAX: u64 = 100_000;
@@ -161,9 +163,6 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     table.deliver_warned(&warnings, &page, object, rows)?;
     Ok(progress::exit_code(fronts.iter().all(|front| !front.designs.is_empty())))
 }
-
-/// Designs of a front that are listed.
-const LISTED: usize = 16;
 
 fn page(name: &str, task: &Task, fronts: &[Front]) -> String {
     let objective = |it: &crate::study::search::front::Objective| {

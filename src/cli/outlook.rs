@@ -19,38 +19,27 @@ const SPARED: u64 = 4;
 const FIRST: u64 = 8;
 const GROWTH: u64 = 4;
 
-/// Checked by a trial regularly: `Break` when it takes too long.
-type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
-
-/// Announces the time that runs of this number of designs within the bounds will take, if it is long.
+/// Announces the time that runs of this number of designs within the bounds will take, if it is long: tries some of them, in the way and
+/// on the threads all of them will take.
 pub(super) fn say_if_long(space: &Plan, runs: u64, what: &str, threads: usize) {
     // An interrupt of the trial counts for the study after it.
     interruptible();
-    by_batches(runs, what, |tried, go_on| {
-        // Shares that do not fall on one line through the box.
-        let share =
-            |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
-        let design = |at: u64| {
-            let axes = space.axes().iter().enumerate();
-            axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
-        };
-        let designs: Vec<Vec<f64>> = tried.map(design).collect();
-        let watch = &mut |_, _: Option<&()>| go_on();
-        space.evaluate(&designs, &mut Context::new(threads, watch)).len() as u64
-    });
-}
-
-/// Try batches of a given number of runs, the way and on the threads all of them will take. `attempt` makes the runs of these numbers, and
-/// gives how many it finished.
-fn by_batches(runs: u64, what: &str, mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64) {
     let start = Instant::now();
     let is_time = || start.elapsed() < TRYING;
-    let go_on = &mut || if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-    let (mut tried, mut size, mut done) = (0, FIRST, 0);
-    while tried < runs / SPARED && is_time() {
-        let until = (tried + size).min(runs / SPARED);
-        done += attempt(tried..until, go_on);
-        (tried, size) = (until, size * GROWTH);
+    let watch = &mut |_, _: Option<&()>| {
+        if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    // Shares that do not fall on one line through the box.
+    let share = |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
+    let design = |at: u64| {
+        let axes = space.axes().iter().enumerate();
+        axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
+    };
+    let (mut tried, mut done) = (0, 0);
+    for batch in batches(runs).take_while(|_| is_time()) {
+        tried = batch.end;
+        let designs: Vec<Vec<f64>> = batch.map(design).collect();
+        done += space.evaluate(&designs, &mut Context::new(threads, watch)).len();
     }
     if done == 0 {
         if tried > 0 {
@@ -70,24 +59,23 @@ fn by_batches(runs: u64, what: &str, mut attempt: impl FnMut(Range<u64>, GoOn<'_
     }
 }
 
+/// The numbers of the runs to be tried at once.
+fn batches(runs: u64) -> impl Iterator<Item = Range<u64>> {
+    let (mut from, mut size) = (0, FIRST);
+    std::iter::from_fn(move || {
+        let batch = from..(from + size).min(runs / SPARED);
+        (from, size) = (batch.end, size * GROWTH);
+        (!batch.is_empty()).then_some(batch)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Every number is tried once, batches grow, and a quarter of the runs is the most.
     #[test]
     fn batches_grow_and_end_at_a_quarter() {
-        let mut seen = Vec::new();
-        by_batches(100, "runs", |numbers, _| {
-            seen.push(numbers.clone());
-            numbers.end - numbers.start
-        });
-        assert_eq!(seen, [0..8, 8..25]);
-        seen.clear();
-        by_batches(3, "runs", |numbers, _| {
-            seen.push(numbers);
-            1
-        });
-        assert!(seen.is_empty());
+        assert_eq!(batches(100).collect::<Vec<_>>(), [0..8, 8..25]);
+        assert_eq!(batches(3).count(), 0);
     }
 }

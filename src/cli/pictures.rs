@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::cli::progress::was_interrupted;
-use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::table::{TableArguments, Target};
 use crate::cli::{CliError, output};
 use crate::files::atomic;
 use crate::report::svg::{self, Picture};
@@ -36,9 +36,7 @@ impl PictureArguments {
             ));
         }
         match &self.svg {
-            Some(path) if !self.is_stdout() => {
-                atomic::check(path, table.existing()).map_err(exists)
-            }
+            Some(path) if !self.is_stdout() => Ok(atomic::check(path, table.existing())?),
             _ => Ok(()),
         }
     }
@@ -63,7 +61,7 @@ impl PictureArguments {
         if self.is_stdout() {
             return output::print(&text);
         }
-        atomic::write(path, text.as_bytes(), table.existing()).map_err(exists)?;
+        atomic::write(path, text.as_bytes(), table.existing())?;
         output::note_written(std::slice::from_ref(path));
         Ok(())
     }

@@ -43,14 +43,16 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
     table.check()?;
     let paths = Paths::of_user().ok();
     let (presets, problems) = preset::list(paths.as_ref());
-    let (bundled, own): (Vec<&Preset>, Vec<&Preset>) =
-        presets.iter().partition(|preset| preset.origin == Origin::Bundled);
     let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
-    let mut text = String::new();
-    rows(&mut text, &bundled, width);
-    if let (Some(paths), false) = (&paths, own.is_empty()) {
-        let _ = writeln!(text, "\nyour own, in {}", paths.presets.display());
-        rows(&mut text, &own, width);
+    let (mut text, mut own) = (String::new(), paths.as_ref());
+    for preset in &presets {
+        // The bundled ones come first.
+        if let Some(paths) = own.take_if(|_| preset.origin != Origin::Bundled) {
+            let _ = writeln!(text, "\nyour own, in {}", paths.presets.display());
+        }
+        let title = clean::line(&preset.scene.title);
+        let row = format!("{:width$}  {title}", preset.name);
+        let _ = writeln!(text, "{}", row.trim_end());
     }
     table.alone().deliver(&text, &table_of(&presets))?;
     for problem in problems {
@@ -70,12 +72,4 @@ fn table_of(presets: &[Preset]) -> Table<'_, &Preset> {
             Origin::Mine(path) | Origin::File(path) => Some(path.display().to_string()),
             Origin::Bundled | Origin::Text => None,
         })
-}
-
-fn rows(text: &mut String, presets: &[&Preset], width: usize) {
-    for preset in presets {
-        let title = clean::line(&preset.scene.title);
-        let row = format!("{:width$}  {title}", preset.name);
-        let _ = writeln!(text, "{}", row.trim_end());
-    }
 }

@@ -14,6 +14,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 use crate::cli::output;
+use crate::cli::sweep::page::duration;
 use crate::study::context::{Context, Progress, Stop};
 
 /// Set by the first interrupt. Global, as signals are.
@@ -62,15 +63,19 @@ impl ProgressLine {
     }
 }
 
-/// Runs a study on this number of threads, and shows how many of its items are done.
+/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate.
 pub(super) fn study<P: ?Sized, T>(
     threads: usize,
     what: &str,
     study: impl FnOnce(&mut Context<'_, P>) -> T,
 ) -> T {
     let mut line = ProgressLine::begin();
-    let watch = &mut |progress: Progress, _: Option<&P>| {
-        line.update(|_| format!("{} of {} {what}", progress.done, progress.total))
+    let watch = &mut |Progress { done, total }: Progress, _: Option<&P>| {
+        line.update(|elapsed_s| {
+            let percent = 100.0 * done as f64 / total.max(1) as f64;
+            let left_s = elapsed_s * (total - done) as f64 / done.max(1) as f64;
+            format!("{percent:.0} %: {done} of {total} {what}, {} left", duration(left_s))
+        })
     };
     let found = study(&mut Context::new(threads, watch));
     line.clear();

@@ -10,7 +10,6 @@ use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::all_threads;
 use crate::cli::sweep::page::KEPT_MAX;
-use crate::cli::table::exists;
 use crate::cli::{CliError, draw, output, progress};
 use crate::files::atomic::{self, Existing};
 use crate::files::{clean, write};
@@ -19,10 +18,9 @@ use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{VARIABLES, Variable, is_used};
 use crate::report::document::{Block, Document};
-use crate::report::figures::limit::residual;
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::picture;
-use crate::report::limit::remarks;
+use crate::report::limit::{remarks, residual};
 use crate::report::run::page::sentence;
 use crate::report::svg::Picture;
 use crate::study::limit::{self, Criterion, Effort};
@@ -50,24 +48,17 @@ pub(super) struct ReportArguments {
     force: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Html,
-    Markdown,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self, CliError> {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "html" | "htm" | "xhtml" => Ok(Self::Html),
-            "md" | "markdown" => Ok(Self::Markdown),
-            _ => Err(CliError::Option(format!(
-                "-o {}: a report is .html or .md, for example -o {}",
-                path.display(),
-                path.with_extension("html").display()
-            ))),
-        }
+/// Whether a report of this name is HTML; it is Markdown otherwise.
+fn is_html(path: &Path) -> Result<bool, CliError> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    match ending.as_str() {
+        "html" | "htm" | "xhtml" => Ok(true),
+        "md" | "markdown" => Ok(false),
+        _ => Err(CliError::Option(format!(
+            "-o {}: a report is .html or .md, for example -o {}",
+            path.display(),
+            path.with_extension("html").display()
+        ))),
     }
 }
 
@@ -75,8 +66,8 @@ impl Format {
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
-    let format = Format::of(path)?;
-    atomic::check(path, existing).map_err(exists)?;
+    let is_html = is_html(path)?;
+    atomic::check(path, existing)?;
     let preset = arguments.scene.load()?;
     let scene = preset.scene.clone();
     let computed = run::compute(preset)?;
@@ -91,11 +82,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         output::note("no report was written");
         return Ok(ExitCode::FAILURE);
     }
-    let text = match format {
-        Format::Html => document.html(),
-        Format::Markdown => document.markdown(draw::picture),
-    };
-    atomic::write(path, clean::page(&text).as_bytes(), existing).map_err(exists)?;
+    let text = if is_html { document.html() } else { document.markdown(draw::picture) };
+    atomic::write(path, clean::page(&text).as_bytes(), existing)?;
     output::note_written(std::slice::from_ref(path));
     Ok(run::exit_code(&computed.run))
 }

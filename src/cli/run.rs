@@ -1,5 +1,6 @@
 //! `cmra run SCENE`: one impact, as a readable summary, as JSON, as CSV, or with charts in plain text.
 
+use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -8,26 +9,29 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::amount::above_zero;
-use crate::cli::models;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, choice, exists};
-use crate::cli::text::fitted;
-use crate::cli::{CliError, Glyphs, draw, output, summary};
+use crate::cli::table::{TableArguments, Target, at_top, choice};
+use crate::cli::text::{fitted, labelled, width};
+use crate::cli::{CliError, Glyphs, draw, output};
+use crate::files::clean;
 use crate::files::export::RunTable;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
+use crate::model::run::envelope::warnings;
 use crate::model::simulate::{self, Settings};
 use crate::model::units::{Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
+use crate::report::run::page::{computation, energy, events, results, sentence};
 use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
-use crate::study::models::What;
+use crate::study::models::{Comparison, Row, What, compare};
+use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 #[derive(Debug, Args)]
@@ -125,8 +129,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
         arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
-        let found = models::compute(&preset, what)?;
-        let (name, page) = (preset.name.as_str(), models::page(&preset.name, &found));
+        let found = compare_models(&preset, what)?;
+        let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
@@ -149,7 +153,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         Target::File(to) => {
             let (to, table) = (to.placed(!was_interrupted()), table());
             let written = to.write(table.text(to.meta)?.as_bytes(), &table.scenes());
-            output::note_written(&written.map_err(exists)?);
+            output::note_written(&written?);
         }
     }
     arguments.pictures.write(&arguments.table, || {
@@ -170,7 +174,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
 
 /// The summary, with charts of these characters below it where they are wanted.
 pub(super) fn print_readable(computed: &Computed, charts: Option<Glyphs>) -> Result<(), CliError> {
-    let mut text = summary::text(computed);
+    let mut text = summary(computed);
     if let Some(glyphs) = charts {
         text.push_str(&drawn(&computed.run, glyphs));
     }
@@ -223,4 +227,79 @@ fn drawn(run: &Run, glyphs: Glyphs) -> String {
     let theme = Theme { glyphs, depth: ColourDepth::None };
     let charts = response(run).into_iter().chain(mechanism(run));
     charts.fold(String::new(), |text, chart| text + "\n" + &draw::chart(&chart, SIZE, theme))
+}
+
+fn summary(computed: &Computed) -> String {
+    let run = &computed.run;
+    let title = clean::line(&run.scene.title);
+    let name = &computed.preset.name;
+    let title = if title.is_empty() { name.clone() } else { format!("{name}: {title}") };
+    let mut page = title + "\n";
+    if let Some(stack) = &run.stack {
+        for line in stack::table(run, stack) {
+            let _ = writeln!(page, "{line}");
+        }
+        page.push_str("\nelement 1 in full:\n");
+    }
+    let _ = writeln!(page, "{}\n", sentence(run));
+    for line in results(run) {
+        let _ = writeln!(page, "{line}");
+    }
+    let sections = [
+        ("energy", energy(&run.ledger)),
+        ("events", events(run)),
+        ("computation", computation(run, Some(computed.took))),
+    ];
+    for (heading, lines) in sections.into_iter().filter(|(_, lines)| !lines.is_empty()) {
+        let _ = writeln!(page, "\n{heading}");
+        for line in lines {
+            let _ = writeln!(page, "  {line}");
+        }
+    }
+    at_top(&page, &warnings(run))
+}
+
+fn compare_models(preset: &Preset, what: What) -> Result<Comparison, CliError> {
+    let start = Instant::now();
+    Ok(compare(&preset.scene, what, &mut || start.elapsed().as_secs_f64())?)
+}
+
+fn models_page(name: &str, found: &Comparison) -> String {
+    let (title, first) = (found.what.title(), found.what.first());
+    let mut page = format!("{name}: {title}\n\n");
+    let mut table = tables::table(name, found);
+    table.rows.truncate(found.rows.len());
+    page += &table.page(
+        &[
+            "model",
+            "final_penetration_m",
+            "penetration_deviation",
+            "max_plate_displacement_m",
+            "displacement_deviation",
+            "peak_contact_force_n",
+            "force_deviation",
+            "run_time_s",
+        ],
+        width(),
+    );
+    let _ = writeln!(
+        page,
+        "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\
+         time: shortest of several, without series and error estimate"
+    );
+    for (name, reason) in &found.refused {
+        labelled(&mut page, "refused", &format!("{name}: {reason}"));
+    }
+    let with_values: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
+    if found.what == What::Models {
+        for row in with_values {
+            let _ = writeln!(page, "{}: {}", row.name, row.with);
+        }
+        page.push('\n');
+        for row in &found.rows {
+            let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
+        }
+        page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
+    }
+    page
 }

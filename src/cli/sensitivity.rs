@@ -16,11 +16,12 @@ use crate::cli::text::width;
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
-use crate::report::table::{Cells, grid};
 use crate::study::sensitivity::{Effort, Report, study};
 use crate::study::sweep::Plan;
 use crate::study::validity;
 
+/// Cells of the longest bar.
+const BAR: usize = 20;
 /// Rows of the design and trajectories.
 const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
 const TRAJECTORIES_MAX: u64 = 100_000;
@@ -83,15 +84,12 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     Ok(progress::exit_code(true))
 }
 
-/// Cells of the longest bar.
-const BAR: usize = 20;
-
 fn page(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page =
         format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
-    let keys = ["variable", "low", "high", "output_at_low", "output_at_high"];
-    let bars = grid(&tornado(report, &keys, BAR), width());
+    let keys = ["variable", "low", "high", "output_at_low", "output_at_high", "bar"];
+    let bars = tornado(report, BAR).page(&keys, width());
     let _ = writeln!(page, "one at a time, the others as in the scene\n{bars}");
     morris(&mut page, report);
     sobol(&mut page, report);
@@ -102,15 +100,13 @@ fn morris(page: &mut String, report: &Report) {
     if report.effects.is_empty() {
         return;
     }
-    let table = table("", report);
-    let mut cells = table.cells(&["variable", "morris_mu_star", "morris_mu", "morris_sigma"]);
-    let used = table.rows.iter().map(|at| report.effects[*at].used.to_string());
-    cells.push(Cells { head: "steps".to_owned(), is_text: false, cells: used.collect() });
+    let table = table("", report).with("steps", "steps", "", |at| report.effects[*at].used);
+    let keys = ["variable", "morris_mu_star", "morris_mu", "morris_sigma", "steps"];
     let _ = writeln!(
         page,
         "Morris's effects over the whole range ({} trajectories)\n{}",
         report.effort.trajectories,
-        grid(&cells, width())
+        table.page(&keys, width())
     );
 }
 

@@ -11,13 +11,15 @@ use crate::cli::search::all_threads;
 use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::units::Engineering;
+use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
-use crate::report::{figures, stability as tables};
 use crate::study::stability;
 use crate::study::stability::map::{self, Axis, FixedStep, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 use crate::tui::theme::Theme;
 
+/// From this width on there is room for what makes a scene hard.
+const WIDE: usize = 118;
 /// Rows and columns of a coarser map.
 const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 
@@ -91,9 +93,6 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     Ok(progress::exit_code(true))
 }
 
-/// From this width on there is room for what makes a scene hard.
-const WIDE: usize = 118;
-
 /// The table of the battery, what it means, and one line that sums it up.
 fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
     let mut keys = vec!["scene"];
@@ -149,7 +148,7 @@ fn map_page(map: &Map, scene: &str) -> String {
         || "no limit".to_owned(),
         |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
     );
-    let picture = draw::map(&figures::stability::map(map), draw::MAP, Theme::PLAIN);
+    let picture = draw::map(&tables::picture(map), draw::MAP, Theme::PLAIN);
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
         map.method.name(),

@@ -14,19 +14,19 @@ use clap::Args;
 
 use crate::cli::outlook::say_if_long;
 use crate::cli::pictures::PictureArguments;
-use crate::cli::progress::{ProgressLine, interruptible};
+use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
-use crate::cli::table::{TableArguments, Target, at_top, exists};
+use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
 use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
-use crate::study::context::{Context, Progress, Stop, Work};
+use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet};
+use crate::study::context::{Context, Work};
 use crate::study::quantities;
 use crate::study::sweep::grid::{Grid, PIECE};
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
@@ -82,10 +82,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
     }
     let threads = arguments.threads.count();
-    let stop = interruptible();
-    let job = Job { plan: &plan, shard, threads, stop: &stop, preset: &preset };
+    let job = Job { plan: &plan, shard, threads, preset: &preset };
     let file = match &arguments.table.target() {
-        Target::File(to) => Some(to.begin().map_err(exists)?),
+        Target::File(to) => Some(to.begin()?),
         Target::None | Target::Stdout => None,
     };
     job.say_if_long();
@@ -106,7 +105,6 @@ struct Job<'a> {
     plan: &'a Plan,
     shard: Shard,
     threads: usize,
-    stop: &'a Stop,
     preset: &'a Preset,
 }
 
@@ -167,43 +165,36 @@ impl Job<'_> {
         kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
-        let json = arguments.table.json && !matches!(target, Target::Stdout);
-        let texts = Texts { csv: !matches!(target, Target::None), json };
-        let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
+        let (has_csv, has_json) = (!matches!(target, Target::None), arguments.table.json);
+        let scene = self.preset.name.as_str();
+        let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
         let style = arguments.table.csv_style;
-        if self.shard.is_first() && texts.csv {
+        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            match &mut file {
+                Some(file) => file.add(csv)?,
+                None => output::print_bytes(csv)?,
+            }
+            output::print_bytes(json.as_bytes())
+        };
+        if self.shard.is_first() && has_csv {
             let comments = match arguments.table.meta {
                 Meta::Beside => String::new(),
                 Meta::Inline => page::comments(self.preset, self.plan),
             };
-            let head = style.file(&comments, "")?;
-            match &mut file {
-                Some(file) => file.add(head.as_bytes())?,
-                None => output::print_bytes(head.as_bytes())?,
-            }
+            write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
         }
-        let mut write = |csv: &str, json: &str| -> Result<(), CliError> {
-            let csv = style.rows(csv.as_bytes())?;
-            match &mut file {
-                Some(file) => file.add(&csv)?,
-                None => output::print_bytes(&csv)?,
-            }
-            output::print_bytes(json.as_bytes())
-        };
-        let header =
-            if self.shard.is_first() && texts.csv { sheet.header() } else { String::new() };
-        write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
+        write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
                 grid.extend(&piece.rows);
             }
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
-                write("", ",\n")?;
+                write(b"", ",\n")?;
             }
-            write(&piece.csv, &piece.json)
+            write(&style.rows(piece.csv.as_bytes())?, &piece.json)
         })?;
-        write("", if json { JSON_TAIL } else { "" })?;
+        write(b"", if has_json { JSON_TAIL } else { "" })?;
         output::print("")?;
         if let (Some(file), Target::File(to)) = (file, target) {
             let (done, all) = (summary.points(), self.points().end - self.points().start);
@@ -218,7 +209,7 @@ impl Job<'_> {
             let scene = Scene { sweep, ..self.preset.scene.clone() };
             let beside = part.beside(&scene, missing.as_deref());
             let written = to.placed(missing.is_none()).finish(file, &[beside]);
-            output::note_written(&written.map_err(exists)?);
+            output::note_written(&written?);
         }
         Ok(summary)
     }
@@ -237,36 +228,27 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut line = ProgressLine::begin();
         let all = self.points();
         let (first, count) = (all.start, all.end - all.start);
+        let stop = interruptible();
         let worker = || {
-            let mut evaluator = Evaluator::new(self.plan, self.stop);
+            let mut evaluator = Evaluator::new(self.plan, &stop);
             move |piece: Range<u64>| {
                 sheet.piece(&mut evaluator, first + piece.start..first + piece.end)
             }
         };
-        let watch = &mut |Progress { done, .. }, _: Option<&()>| {
-            line.update(|elapsed_s| so_far(done as u64, count, elapsed_s))
-        };
         let work = Work { count, at_once: PIECE };
-        Context::new(self.threads, watch).each(work, worker, |context, piece, found| {
-            summary.add(first + piece.start, &found.rows);
-            context.count(found.rows.len());
-            let is_whole = found.rows.len() as u64 == piece.end - piece.start;
-            problem = take(&found).err();
-            // A piece by the contact kernel is done before it looks whether it should stop.
-            context.goes_on() && is_whole && problem.is_none()
+        progress::study(self.threads, "points", |context: &mut Context<'_>| {
+            context.expect(usize::try_from(count).unwrap_or(usize::MAX));
+            context.each(work, worker, |context, piece, found| {
+                summary.add(first + piece.start, &found.rows);
+                context.count(found.rows.len());
+                let is_whole = found.rows.len() as u64 == piece.end - piece.start;
+                problem = take(&found).err();
+                // A piece by the contact kernel is done before it looks whether it should stop.
+                context.goes_on() && is_whole && problem.is_none()
+            });
         });
-        line.clear();
         problem.map_or(Ok(summary), Err)
     }
-}
-
-/// The progress of a sweep, and the remaining time at this rate.
-fn so_far(done: u64, total: u64, elapsed_s: f64) -> String {
-    let percent = 100.0 * done as f64 / total as f64;
-    let left_s = elapsed_s * (total - done) as f64 / done.max(1) as f64;
-    let left = page::duration(left_s);
-    format!("{percent:.0} %: {done} of {total} points, {left} left")
 }

@@ -90,7 +90,7 @@ impl TableArguments {
         self.check_stdout()?;
         match self.target() {
             Target::None | Target::Stdout => Ok(()),
-            Target::File(to) => Destination { meta, ..to }.check().map_err(exists),
+            Target::File(to) => Ok(Destination { meta, ..to }.check()?),
         }
     }
 
@@ -182,7 +182,7 @@ impl Delivery<'_> {
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
         output::print(&if table.json { object() } else { text::fitted(&(changed() + page)) })?;
-        written.map_err(exists)
+        Ok(written?)
     }
 
     /// The lines at the head of the table, with `--meta inline`.
@@ -222,14 +222,6 @@ pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
     };
     let lines: String = warnings.iter().map(hang).collect();
     format!("{first}\n{lines}{rest}")
-}
-
-/// Adds the cure of the command line for an existing file.
-pub(super) fn exists(error: FileError) -> CliError {
-    match error {
-        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
-        other => CliError::File(other),
-    }
 }
 
 #[cfg(test)]

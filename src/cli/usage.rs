@@ -21,7 +21,8 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
         return Some(format!("`{first}` is not a subcommand: {hint} `cmra --help` lists them"));
     }
     let text = error.to_string();
-    let parts = text.lines().map(str::trim).filter(|part| !part.is_empty());
+    // A value that looks like an option is seldom what was meant.
+    let parts = text.lines().map(str::trim).filter(|it| !it.is_empty() && !it.contains("'-- -"));
     let is_problem = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more ");
     let problem = parts.take_while(is_problem).collect::<Vec<_>>().join("; ");
     let problem = problem.trim_start_matches("error: ").replace(":; ", ": ");

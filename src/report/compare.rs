@@ -3,10 +3,16 @@
 use serde_json::{Map as Object, Value, json};
 
 use crate::model::run::envelope;
+use crate::report::chart::Scale;
+use crate::report::chart::levels::Levels;
+use crate::report::figures::map_over;
+use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
 
+/// The meaning of the contour on a map.
+const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 /// The lines of a page, by their keys.
 const LINES: [&str; 20] = [
     "candidate",
@@ -157,4 +163,24 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             breaches.iter().map(ToString::to_string).collect::<Vec<String>>().join("; ")
         })
+}
+
+/// The map as a picture; `None` where no point has a mass efficiency.
+pub fn picture(found: &Map) -> Option<map::Map<'static>> {
+    let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
+        Some(Ok(value)) => Cell::Value(value),
+        Some(Err(absence)) => Cell::Mark(absence.letter(), Tone::Faint),
+        None => Cell::Empty,
+    };
+    let absences = found.cells.iter().filter_map(|cell| cell.err());
+    let mut marks: Vec<(char, String)> =
+        absences.map(|absence| (absence.letter(), absence.words())).collect();
+    marks.sort();
+    marks.dedup_by_key(|mark| mark.0);
+    let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
+    Some(map::Map {
+        contour: Some((1.0, LINE.into())),
+        marks,
+        ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
+    })
 }

@@ -1,4 +1,4 @@
-//! The pictures of each study: run, sweep, ballistic limit, mass efficiency, accuracy and stability.
+//! The pictures of a run and of sweeps, and the axes and maps of any sweep.
 
 use std::borrow::Cow;
 
@@ -7,11 +7,7 @@ use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{Cell, Map};
 use crate::study::sweep::{self, Spacing};
 
-pub mod accuracy;
-pub mod efficiency;
-pub mod limit;
 pub mod run;
-pub mod stability;
 pub mod sweeps;
 
 /// Values of a list that are this many times apart stand on a logarithmic axis.

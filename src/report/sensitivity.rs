@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::numerics::statistics::sorted_by;
-use crate::report::table::{Cells, Table};
+use crate::report::table::Table;
 use crate::study::sensitivity::Report;
 use crate::study::sensitivity::indices::Index;
 
@@ -38,20 +38,16 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.range95.1))
 }
 
-/// The effect of each variable alone: some columns, and bars of a given number of cells at most, the longest first.
-pub fn tornado(report: &Report, keys: &[&str], bar: usize) -> Vec<Cells> {
+/// The effect of each variable alone, the greatest first, with a column `bar` of a given number of cells at most.
+pub fn tornado(report: &Report, bar: usize) -> Table<'_, usize> {
     let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
     let mut table = table("", report);
     table.rows = sorted_by(table.rows, |at| -swing(at));
-    let widest = table.rows.first().map_or(0.0, &swing);
-    let cells = |at: &usize| {
+    let widest = table.rows.first().map_or(0.0, swing);
+    table.with("bar", "", "", move |at| {
         let length = swing(at) / widest * bar as f64;
         "#".repeat((1..=bar).filter(|cell| length >= *cell as f64 - 0.5).count())
-    };
-    let bars = table.rows.iter().map(cells).collect();
-    let mut columns = table.cells(keys);
-    columns.push(Cells { head: String::new(), is_text: true, cells: bars });
-    columns
+    })
 }
 
 /// Effects and indices in brief: half the interval of an index stands behind it.

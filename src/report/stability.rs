@@ -4,8 +4,11 @@ use serde_json::{Value, json};
 
 use crate::model::run::Outcome;
 use crate::model::units::Engineering;
+use crate::model::variables::find;
+use crate::report::chart::{Axis, Scale, Unit, ViewRange};
+use crate::report::map::{self, LINE, Tone};
 use crate::report::table::Table;
-use crate::study::stability::map::Map;
+use crate::study::stability::map::{Cell, Map};
 use crate::study::stability::others::Other;
 use crate::study::stability::{Row, Shortfall};
 
@@ -112,4 +115,43 @@ pub fn map_json(scene: &str, map: &Map) -> Value {
         "present": { "value": map.present.0, "dt_s": map.present.1 },
         "largest_stable_dt_s": map.largest_stable_dt_s,
     })
+}
+
+/// The map as a picture.
+pub fn picture(found: &Map) -> map::Map<'static> {
+    let symbol = found.axis.symbol();
+    let unit = find(symbol).map_or("", |variable| variable.unit().trim_matches('-'));
+    let axis = |label: &'static str, unit: &'static str, values: &[f64]| {
+        let ends = values.first().zip(values.last());
+        let view = ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high));
+        Axis::new(label, view).scale(Scale::Log10).unit(Unit::new(unit))
+    };
+    let axes = (axis("dt", "s", &found.dt_s), axis(symbol, unit, &found.values));
+    let counts = (found.dt_s.len(), found.values.len());
+    let cell = |column: usize, row: usize| {
+        let cell = found.cell(row, column);
+        map::Cell::Mark(cell.letter(), tone(cell))
+    };
+    let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
+    let mut marks: Vec<(char, String)> =
+        named.map(|cell| (cell.letter(), cell.words().to_owned())).collect();
+    marks.push((LINE, "analytic limit of stability".to_owned()));
+    marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
+    map::Map {
+        line: (0..counts.1).map(|row| found.limit_column(row)).collect(),
+        present: found.present_at().map(|(row, column)| ((column, row), '+')),
+        marks,
+        ..map::Map::new(found.method.name(), axes, counts, None, cell)
+    }
+}
+
+/// How a cell's letter stands out.
+pub fn tone(cell: Cell) -> Tone {
+    match cell {
+        Cell::Accurate => Tone::Plain,
+        Cell::Inaccurate => Tone::Warning,
+        Cell::Oscillating => Tone::Notable,
+        Cell::BlownUp => Tone::Error,
+        Cell::TooManySteps | Cell::Unknown | Cell::Waiting => Tone::Faint,
+    }
 }

@@ -37,15 +37,6 @@ impl Columns {
     }
 }
 
-/// Which texts are made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Texts {
-    /// Lines of CSV.
-    pub csv: bool,
-    /// Objects of JSON, separated by commas.
-    pub json: bool,
-}
-
 /// A piece of a sweep as text.
 #[derive(Debug, Default)]
 pub struct Piece {
@@ -66,8 +57,10 @@ pub struct Sheet<'p> {
     pub scene: &'p str,
     /// Which columns there are.
     pub columns: Columns,
-    /// Which texts are made.
-    pub texts: Texts,
+    /// Whether lines of CSV are made.
+    pub has_csv: bool,
+    /// Whether objects of JSON are made, separated by commas.
+    pub has_json: bool,
 }
 
 impl Sheet<'_> {
@@ -89,8 +82,8 @@ impl Sheet<'_> {
             }
         };
         let table = self.table(&points, &rows, &runs);
-        let csv = if self.texts.csv { table.csv_rows() } else { String::new() };
-        let json = if self.texts.json { table.json_rows() } else { String::new() };
+        let csv = if self.has_csv { table.csv_rows() } else { String::new() };
+        let json = if self.has_json { table.json_rows() } else { String::new() };
         drop(table);
         Piece { rows, csv, json }
     }
@@ -165,8 +158,9 @@ impl Sheet<'_> {
 /// The points of a grid that are there as a whole CSV, in the order of the sweep.
 pub fn grid_csv(scene: &str, grid: &Grid) -> String {
     let (points, rows) = grid.rows();
-    let (columns, texts) = (Columns::Chosen, Texts::default());
-    Sheet { plan: grid.plan(), scene, columns, texts }.table(&points, &rows, &[]).csv()
+    let (plan, columns) = (grid.plan(), Columns::Chosen);
+    let sheet = Sheet { plan, scene, columns, has_csv: true, has_json: false };
+    sheet.table(&points, &rows, &[]).csv()
 }
 
 /// The end of the JSON, after the rows.

@@ -3,7 +3,6 @@
 pub mod comparison;
 pub mod state;
 
-use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
 use crate::study::limit::Report;
 use crate::tui::app::layout::NARROW;
@@ -157,7 +156,7 @@ impl Page for LimitTab {
             return None;
         }
         let tab = &mut app.pages.limit;
-        let (x, _) = axes(tab.report.as_ref()?)?;
+        let (x, _) = limit::axes(tab.report.as_ref()?)?;
         let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
         let about = tab.shot().map(|shot| shot.impact_m_s);
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))

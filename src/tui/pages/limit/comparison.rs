@@ -3,7 +3,8 @@
 
 use crate::model::library::{Entry, Library};
 use crate::report;
-use crate::report::figures::{column_of, efficiency};
+use crate::report::compare::picture;
+use crate::report::figures::column_of;
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware};
@@ -208,7 +209,7 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, EFFICIENCY_MAP);
     let focused = app.has_focus(EFFICIENCY_MAP);
     let found = app.comparison().and_then(|found| found.map.as_ref());
-    let Some((found, map)) = found.and_then(|it| Some((it, efficiency::map(it)?))) else {
+    let Some((found, map)) = found.and_then(|it| Some((it, picture(it)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.draw(area, canvas);
         let why = found.map(|_| "no point has a mass efficiency");

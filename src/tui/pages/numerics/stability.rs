@@ -1,9 +1,9 @@
 //! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
 
 use crate::model::variables::{VARIABLES, Value};
+use crate::report;
 use crate::report::accuracy::seconds;
-use crate::report::stability::{HOW_IT_RAN, table};
-use crate::report::{self, figures};
+use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
 use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Row};
@@ -302,8 +302,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return canvas.put_centred(inner, nothing::<StabilityMap>(app, "computing the map", why));
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));
-    let map =
-        report::map::Map { title: title.into(), cursor, focused, ..figures::stability::map(found) };
+    let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let layout = canvas.draw(&map, above);
     legend(area, canvas);
@@ -333,7 +332,7 @@ fn legend(area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     for (cell, text) in cells.into_iter().zip(words) {
         let letter = cell.letter().to_string();
-        canvas.put(area, (column, row), &letter, role(figures::stability::tone(cell)));
+        canvas.put(area, (column, row), &letter, role(tone(cell)));
         column = canvas.put(area, (column + 2, row), text, Role::Text) + 2;
     }
     canvas.put(area, (column, row), marks, Role::Text);

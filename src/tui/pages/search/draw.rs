@@ -368,9 +368,9 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
         let text = "nothing to compare: no run has this result; Tab, then Of: choose another one";
         return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
     }
-    let keys = ["variable", "output_at_low", "output_at_high"];
+    let keys = ["variable", "output_at_low", "output_at_high", "bar"];
     let bar = width.saturating_sub(36).clamp(4, 40);
-    lines.extend(table_lines(tornado(report, &keys, bar), width));
+    lines.extend(table_lines(tornado(report, bar).cells(&keys), width));
     lines.push(note(String::new()));
     let keys = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
     lines.extend(table_lines(indices(report).cells(&keys), width));

@@ -1,7 +1,6 @@
 //! The Accuracy tab: error against run time as a chart with a letter for each method, their table, and what it means here.
 
-use crate::report::accuracy::{self, TARGETS};
-use crate::report::figures::accuracy::axes;
+use crate::report::accuracy::{self, TARGETS, axes};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::layout::WIDE;
