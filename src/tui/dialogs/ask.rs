@@ -256,7 +256,11 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Runs | Purpose::Table(_) => {
             format!("to {}", app.directory.join(state.text.value().trim()).display())
         }
-        Purpose::Curve(which) => curve_hint(app, which),
+        // The required format of the file, and the present points.
+        Purpose::Curve(which) => format!(
+            "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
+            extent(&app.scene.mechanism.one(which).table.points)
+        ),
     }
 }
 
@@ -270,14 +274,6 @@ pub(crate) fn ask(app: &mut App, word: &str) {
     }
 }
 
-/// The required format of the file, and the present points.
-pub(crate) fn curve_hint(app: &App, which: WhichSpring) -> String {
-    format!(
-        "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
-        extent(&app.scene.mechanism.one(which).table.points)
-    )
-}
-
 /// `3 points, x = 0 to 0.05 m`.
 pub(crate) fn extent(points: &[[f64; 2]]) -> String {
     match (points.first(), points.last()) {
@@ -289,10 +285,6 @@ pub(crate) fn extent(points: &[[f64; 2]]) -> String {
         ),
         _ => "no points".to_owned(),
     }
-}
-
-fn is_asked(dialog: Option<&Dialog>) -> bool {
-    matches!(dialog, Some(Dialog::Ask(ask)) if matches!(ask.purpose, Purpose::Curve(_)))
 }
 
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
@@ -316,7 +308,8 @@ pub(crate) fn read(
     });
     match (taken, &mut app.dialog) {
         (Ok((scene, count)), dialog) => {
-            if is_asked(dialog.as_ref()) {
+            let is_curve = |ask: &Ask| matches!(ask.purpose, Purpose::Curve(_));
+            if matches!(dialog, Some(Dialog::Ask(ask)) if is_curve(ask)) {
                 *dialog = None;
             }
             app.tell(format!("spring: {count} points from {name} (u undoes)"));

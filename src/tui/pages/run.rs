@@ -112,7 +112,8 @@ impl Page for RunTab {
             VARIABLES => {
                 let listed = app.editor.listed(&app.scene);
                 let selected = listed.iter().position(|index| *index == app.editor.selected);
-                let shown = variable_rows(app);
+                let area = app.layout().body.and_then(|body| panes(app, body).variables);
+                let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(3)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
@@ -141,11 +142,8 @@ impl Page for RunTab {
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let pins = || app.pins.get(app.run_order().get(row)?.checked_sub(1)?);
-        let name = || {
-            pins().map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
-        };
-        (app.pane() == RUNS).then(name)
+        let run = app.run_order().get(row).copied();
+        (app.pane() == RUNS).then(|| app.run_name(run.unwrap_or(0)))
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
@@ -250,11 +248,6 @@ pub(crate) fn panes(app: &App, body: Rect) -> Panes {
     } else {
         wide(body, app.size.1, focus, pins)
     }
-}
-
-pub(crate) fn variable_rows(app: &App) -> usize {
-    let variables = app.layout().body.and_then(|body| panes(app, body).variables);
-    variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
 }
 
 fn full(body: Rect, focus: Pane) -> Panes {

@@ -301,12 +301,11 @@ enum Detail {
 
 impl Detail {
     fn of(self, output: &Quantity) -> String {
-        match (self, output.name) {
-            (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
-            (Self::Short | Self::Least, "final_penetration_m" | "first_arrest_penetration_m") => {
-                "depth".to_owned()
-            }
-            (Self::Long | Self::Short | Self::Least, _) => output.title(),
+        match output.name {
+            _ if self == Self::Long => output.title(),
+            "max_plate_displacement_m" => "plate".to_owned(),
+            "final_penetration_m" | "first_arrest_penetration_m" => "depth".to_owned(),
+            _ => output.title(),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
-use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
+use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::{RESIDUAL, panes};
 use crate::tui::pages::prelude::*;
 
@@ -238,25 +238,6 @@ impl App {
             }
         }
         Some((Severity::Note, text))
-    }
-
-    pub fn limit_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.limit;
-        let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let words = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
-        let finding = progress::<LimitSearch>(self, self.limit_is_old(), kept, words);
-        let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
-        if let Some(report) = &tab.report {
-            if let Limit::Found { basis, .. } = report.limit {
-                parts.push(part(Severity::Note, format!("by {}", basis.words())));
-            }
-            parts.extend(self.jobs.running::<EqualMass>().map(|comparing| {
-                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
-            }));
-            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
-            parts.extend(self.validity_part());
-        }
-        parts
     }
 }
 

@@ -261,7 +261,10 @@ impl App {
             parts.push(part(
                 Severity::Note,
                 match first.ending {
-                    Ending::Arrest => format!("{} deep", engineering(first.depth_m, "m", 7)),
+                    Ending::Arrest => {
+                        let depth = Engineering { value: first.depth_m, unit: "m", digits: 7 };
+                        format!("{depth} deep")
+                    }
                     Ending::Perforation => "perforated".to_owned(),
                 },
             ));
@@ -286,12 +289,8 @@ impl App {
         Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
     }
 
-    /// The method of `auto`, and the run times for some accuracies, one line each.
-    pub fn accuracy_answers(&self) -> Vec<String> {
-        self.auto_sentence().into_iter().chain(self.costs()).collect()
-    }
-
-    fn costs(&self) -> Vec<String> {
+    /// The run times for some accuracies, one line each.
+    pub(crate) fn accuracy_costs(&self) -> Vec<String> {
         let Some(report) = &self.pages.numerics.accuracy.report else {
             return Vec::new();
         };
@@ -358,10 +357,6 @@ impl App {
         }
         lines
     }
-}
-
-fn engineering(value: f64, unit: &'static str, digits: usize) -> String {
-    Engineering { value, unit, digits }.to_string()
 }
 
 /// The tab is shown: measure, unless this scene has been or is being measured.

@@ -230,22 +230,13 @@ pub(crate) fn enter(app: &mut App) {
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
-    if app.pane() == STIFF_SCENES { in_battery(app, action) } else { in_map(app, action) }
-}
-
-fn in_battery(app: &mut App, action: Action) -> bool {
-    match action {
-        Action::Run => ask_battery(app),
-        Action::View => app.pages.numerics.stability.table_page += 1,
-        Action::Sort => app.pages.numerics.stability.sort_next(),
-        _ => return false,
-    }
-    true
-}
-
-fn in_map(app: &mut App, action: Action) -> bool {
+    let on_scenes = app.pane() == STIFF_SCENES;
     let tab = &mut app.pages.numerics.stability;
     match action {
+        Action::Run if on_scenes => ask_battery(app),
+        Action::View if on_scenes => tab.table_page += 1,
+        Action::Sort if on_scenes => tab.sort_next(),
+        _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;

@@ -66,6 +66,17 @@ impl App {
         self.runs_sorted.order(&self.compared_runs())
     }
 
+    /// The pin selected in the table of runs; `None`: the current run is.
+    fn selected_pin(&self) -> Option<&Pin> {
+        self.pins.get(self.selected_run.checked_sub(1)?)
+    }
+
+    /// A row of the table of runs in words: `now`, or letter and name of a pin.
+    pub(crate) fn run_name(&self, run: usize) -> String {
+        let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
+        pin.map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
+    }
+
     /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
     pub fn name_of(&self, scene: &Scene) -> String {
         let differing = Self::differing(scene, &self.base.scene);
@@ -139,18 +150,12 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
         Some(pin) => difference(app, pin, width),
         None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
     };
-    let run = match app.selected_run.checked_sub(1) {
-        None => app.shown.as_ref().map(|shown| &shown.run),
-        Some(at) => app.pins.get(at).and_then(|pin| pin.run.as_ref()),
-    };
+    let now = || app.shown.as_ref().map(|shown| &shown.run);
+    let run = app.selected_pin().map_or_else(now, |pin| pin.run.as_ref());
     let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
     if let Some(run) = run.filter(|_| free > RESULTS_MIN) {
         lines.push((String::new(), Role::Text));
-        let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
-            None => "now".to_owned(),
-            Some(pin) => format!("{} {}", pin.letter, pin.name),
-        };
-        let heading = format!("{whose}: {}", page::outcome(run));
+        let heading = format!("{}: {}", app.run_name(app.selected_run), page::outcome(run));
         lines.push((clip(&heading, width), Role::Title));
         let results = page::results(run).into_iter().take(free - 2);
         lines.extend(results.map(|line| (clip(&line, width), Role::Text)));
@@ -241,12 +246,8 @@ pub(crate) fn models(app: &mut App) {
     let missing: Vec<_> =
         wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
     if missing.is_empty() {
-        app.pins.retain(|pin| wanted.iter().all(|(_, scene)| *pin.scene != **scene));
-        app.selected_run = app.selected_run.min(app.pins.len());
-        app.charts.difference &= !app.pins.is_empty();
         app.tell("the other interaction models are unpinned");
-        app.request(Effect::SaveSession);
-        return;
+        return wanted.iter().for_each(|(_, scene)| take_away(app, scene));
     }
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {
@@ -288,18 +289,16 @@ pub(crate) fn unpin(app: &mut App) {
 }
 
 fn unpinned(app: &mut App, pin: Pin) {
-    take_away(app, &pin);
+    take_away(app, &pin.scene);
     app.tell(format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
     edit::note_unpinned(app, pin);
 }
 
-pub(crate) fn take_away(app: &mut App, gone: &Pin) {
-    // By its scene, not by its letter: that may have become another one's since.
-    app.pins.retain(|pin| *pin.scene != *gone.scene);
+/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
+pub(crate) fn take_away(app: &mut App, gone: &Scene) {
+    app.pins.retain(|pin| *pin.scene != *gone);
     app.selected_run = app.selected_run.min(app.pins.len());
-    if app.pins.is_empty() {
-        app.charts.difference = false;
-    }
+    app.charts.difference &= !app.pins.is_empty();
     app.request(Effect::SaveSession);
 }
 
@@ -339,14 +338,9 @@ pub(crate) fn load(app: &mut App) {
 }
 
 pub(crate) fn show_or_hide(app: &mut App) {
-    match app.selected_run.checked_sub(1) {
-        None => app.current_visible = !app.current_visible,
-        Some(at) => {
-            if let Some(pin) = app.pins.get_mut(at) {
-                pin.visible = !pin.visible;
-            }
-        }
-    }
+    let pin = app.selected_run.checked_sub(1).and_then(|at| app.pins.get_mut(at));
+    let visible = pin.map_or(&mut app.current_visible, |pin| &mut pin.visible);
+    *visible = !*visible;
 }
 
 pub(crate) fn copy(app: &mut App) {
