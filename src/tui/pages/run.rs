@@ -275,14 +275,10 @@ fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
 
 fn wide(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
     let (left, mut right) = split_left(body, if body.width >= ROOMY { 52 } else { 48 });
-    let mut panes = Panes::default();
+    let mut panes = Panes { variables: Some(left), ..Panes::default() };
     if height >= TALL || focus == RUNS {
-        let wanted = runs_height(pins).min(body.height / 2);
-        let (top, bottom) = split_bottom(left, wanted);
-        panes.variables = Some(top);
-        panes.runs = Some(bottom);
-    } else {
-        panes.variables = Some(left);
+        let (top, bottom) = split_bottom(left, runs_height(pins).min(body.height / 2));
+        (panes.variables, panes.runs) = (Some(top), Some(bottom));
     }
     if body.width >= WIDEST {
         let (middle, column) = split_left(right, right.width - 42);
@@ -320,13 +316,10 @@ fn stacked(area: Rect) -> Vec<Rect> {
     // Short charts share the time axis of the lowest, which needs two rows more for it.
     let extra = if count > 1 && area.height / count < 11 { 2 } else { 0 };
     let each = (area.height - extra) / count;
-    let mut areas = Vec::new();
-    let mut y = area.y;
-    for index in 0..count {
-        let rest = area.y + area.height - y;
-        let height = if index + 1 == count { rest } else { each };
-        areas.push(Rect { y, height, ..area });
-        y += height;
-    }
-    areas
+    let one = |index: u16| {
+        let y = area.y + index * each;
+        let height = if index + 1 == count { area.bottom() - y } else { each };
+        Rect { y, height, ..area }
+    };
+    (0..count).map(one).collect()
 }

@@ -140,14 +140,7 @@ pub fn sweep_of(scene: &Scene) -> Sweep {
     for (name, from, to, count) in USUAL_AXES {
         let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
         if sweep.axes.len() < 2 && !taken {
-            sweep.axes.push(SweepAxis {
-                name: name.to_owned(),
-                from,
-                to,
-                count,
-                log: false,
-                values: Vec::new(),
-            });
+            sweep.axes.push(SweepAxis::linear(name, from, to, count));
         }
     }
     if sweep.outputs.is_empty() {
@@ -192,8 +185,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            let value = axis.get(&self.scene)?;
-            usize::try_from(axis.nearest(value)).ok()
+            nearest(axis, axis.get(&self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
@@ -308,6 +300,11 @@ impl Detail {
             _ => output.title(),
         }
     }
+}
+
+/// The place of the value of an axis nearest to a number.
+pub fn nearest(axis: &Axis, value: f64) -> Option<usize> {
+    usize::try_from(axis.nearest(value)).ok()
 }
 
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {

@@ -287,9 +287,9 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
 fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);
-    let why = app.pages.limit.report.as_ref().map(|report| match report.is_complete {
-        true => "no shot perforates: no curve to draw",
-        false => "cancelled before there was a curve",
+    let why = app.pages.limit.report.as_ref().map(|report| {
+        let cut = "cancelled before there was a curve";
+        if report.is_complete { "no shot perforates: no curve to draw" } else { cut }
     });
     canvas.put_centred(inner, nothing::<LimitSearch>(app, "finding the limit", why));
 }
