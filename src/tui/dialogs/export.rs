@@ -69,7 +69,8 @@ struct Line {
 #[derive(Clone, Debug, Default)]
 pub struct Choices {
     lines: Vec<Line>,
-    selected: usize,
+    /// The selected line; the first one is the path.
+    pub(super) selected: usize,
 }
 
 impl Choices {
@@ -125,30 +126,12 @@ impl Choices {
         Meta::ALL[self.choice(SCENE)]
     }
 
-    fn value(&self) -> &Value {
-        self.lines.get(self.selected).map_or(&Value::Path, |line| &line.value)
-    }
-
-    /// Whether the selected line is the path.
-    pub(super) fn is_on_path(&self) -> bool {
-        matches!(self.value(), Value::Path)
-    }
-
-    /// Whether it is one of some words.
-    pub(super) fn is_on_words(&self) -> bool {
-        matches!(self.value(), Value::Choice(..))
-    }
-
     /// The field of the selected line, where that is not the path.
     pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
         match &mut self.lines.get_mut(self.selected)?.value {
             Value::Text(field) => Some(field),
             Value::Path | Value::Choice(..) | Value::Tick { .. } => None,
         }
-    }
-
-    pub(super) fn select_path(&mut self) {
-        self.selected = 0;
     }
 
     /// Change what the selected line chooses, round and round, or tick it.
@@ -213,7 +196,7 @@ pub(crate) fn open(app: &mut App) {
     lines.push(line(STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
     lines.push(line(SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
-    ask::open_with(app, Purpose::Runs, path, Choices { lines, selected: 0 });
+    ask::open(app, Purpose::Runs, path, Choices { lines, selected: 0 });
 }
 
 /// The runs that can be exported: the current one and the pins, those with a result.

@@ -5,7 +5,6 @@ pub mod editor;
 pub(crate) mod mechanism;
 pub mod runs;
 pub mod steps;
-pub mod summary;
 
 use crate::model::variables::Kind;
 use crate::tui::app::layout::{ROOMY, WIDE};

@@ -193,14 +193,12 @@ impl App {
 
     /// The point of a design nearest to the scene, each axis by its length.
     fn nearest_point(&self, grid: &Grid) -> usize {
-        let axes = grid.plan().axes();
         let away = |x: usize| -> f64 {
-            let one = |(at, axis): (usize, &Axis)| {
+            let one = |(axis, value): (&Axis, f64)| {
                 let here = axis.get(&self.scene).and_then(|value| axis.share(value));
-                let there = axis.share(grid.coordinate((x, 0), at));
-                (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
+                (here.unwrap_or(0.0) - axis.share(value).unwrap_or(0.0)).powi(2)
             };
-            axes.iter().enumerate().map(one).sum()
+            values_at(grid, (x, 0)).map(one).sum()
         };
         let points = 0..grid.counts().0;
         points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
@@ -221,9 +219,8 @@ impl App {
         let picture = self.picture();
         let grid = &self.pages.explore.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
-        let axes = grid.plan().axes();
-        let at = |(place, axis): (usize, &Axis)| {
-            let value = grid.coordinate((x, y), place);
+        let values = || values_at(grid, (x, y));
+        let at = |(axis, value): (&Axis, f64)| {
             let shown = match words {
                 Detail::Long => axis.show(value, 5),
                 Detail::Short => significant(value, 5),
@@ -231,9 +228,8 @@ impl App {
             };
             format!("{} {shown}", axis.symbol())
         };
-        let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
-        let away = axes.iter().enumerate().any(|(place, axis)| {
-            let value = grid.coordinate((x, y), place);
+        let mut parts: Vec<String> = values().map(at).collect();
+        let away = values().any(|(axis, value)| {
             axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
@@ -274,11 +270,8 @@ impl App {
         if self.sweep_is_old(picture) {
             return Err("these results belong to another setup: press r to sweep again".to_owned());
         }
-        let grid = &found.grid;
-        let point = self.cursor_point(grid);
-        let axes = grid.plan().axes().iter().enumerate();
-        let values = axes.map(|(place, axis)| (axis, grid.coordinate(point, place)));
-        Ok(placed((*self.scene).clone(), values))
+        let point = self.cursor_point(&found.grid);
+        Ok(placed((*self.scene).clone(), values_at(&found.grid, point)))
     }
 }
 
@@ -300,6 +293,12 @@ impl Detail {
             _ => output.title(),
         }
     }
+}
+
+/// The axes of a grid with their values at a point.
+fn values_at(grid: &Grid, point: (usize, usize)) -> impl Iterator<Item = (&Axis, f64)> {
+    let axes = grid.plan().axes().iter().enumerate();
+    axes.map(move |(place, axis)| (axis, grid.coordinate(point, place)))
 }
 
 /// The place of the value of an axis nearest to a number.

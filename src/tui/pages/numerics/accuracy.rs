@@ -445,10 +445,11 @@ fn measure(app: &mut App) {
 fn show_or_hide(app: &mut App) {
     let tab = &mut app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.hidden.contains(&method) {
-        tab.hidden.retain(|hidden| *hidden != method);
-    } else {
-        tab.hidden.push(method);
+    match tab.hidden.iter().position(|hidden| *hidden == method) {
+        Some(at) => {
+            tab.hidden.remove(at);
+        }
+        None => tab.hidden.push(method),
     }
 }
 

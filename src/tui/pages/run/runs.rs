@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use crate::model::run::Run;
+use crate::model::run::{Run, Warning, envelope};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VARIABLES};
-use crate::report::run::page;
+use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
 use crate::study::models::by_every_model;
@@ -75,6 +75,32 @@ impl App {
     pub(crate) fn run_name(&self, run: usize) -> String {
         let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
         pin.map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
+    }
+
+    /// The last result in a few lines, for the main screen after leaving.
+    pub fn summary(&self) -> String {
+        let Some(shown) = &self.shown else {
+            return format!("{}: not run", self.base.name);
+        };
+        let run = &shown.run;
+        let name = self.name_of(&run.scene);
+        let outcome = format!("{} ({})", page::outcome(run), run.end.words());
+        let mut lines = [("scene", name), ("outcome", outcome)]
+            .map(|(label, text)| page::labelled(label, &text))
+            .to_vec();
+        lines.extend(page::results(run));
+        // How it ended stands beside the outcome already.
+        let ended = Warning::EndedEarly(run.end).to_string();
+        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
+        lines.extend(warnings.map(|warning| page::labelled("warning", &warning)));
+        let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
+        let hang = |line: String| {
+            // A label is columns of ASCII.
+            let (label, words) = line.split_at_checked(LABEL).unwrap_or((&line, ""));
+            let indent = format!("\n{:LABEL$}", "");
+            format!("{label}{}", wrap(words, room).join(&indent))
+        };
+        lines.into_iter().map(hang).collect::<Vec<_>>().join("\n")
     }
 
     /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
@@ -268,8 +294,9 @@ pub(crate) fn models(app: &mut App) {
     ));
 }
 
-fn selected(app: &mut App) -> Option<usize> {
-    let found = app.selected_run.checked_sub(1).filter(|at| *at < app.pins.len());
+/// The pin selected in the table of runs, or why there is none.
+fn selected(app: &mut App) -> Option<Pin> {
+    let found = app.selected_pin().cloned();
     if found.is_none() {
         app.tell(if app.pins.is_empty() {
             "no run is pinned yet: Space pins the current one"
@@ -281,11 +308,9 @@ fn selected(app: &mut App) -> Option<usize> {
 }
 
 pub(crate) fn unpin(app: &mut App) {
-    let Some(at) = selected(app) else {
-        return;
-    };
-    let pin = app.pins[at].clone();
-    unpinned(app, pin);
+    if let Some(pin) = selected(app) {
+        unpinned(app, pin);
+    }
 }
 
 fn unpinned(app: &mut App, pin: Pin) {
@@ -324,10 +349,7 @@ fn insert(app: &mut App, pin: Pin) {
 }
 
 pub(crate) fn load(app: &mut App) {
-    let Some(at) = selected(app) else {
-        return;
-    };
-    let pin = &app.pins[at];
+    let Some(pin) = selected(app) else { return };
     if *pin.scene == *app.scene {
         return app.tell("the current scene is this one already");
     }
