@@ -102,6 +102,13 @@ pub struct SweepAxis {
     pub values: Vec<f64>,
 }
 
+impl SweepAxis {
+    /// An axis of a number of points at equal differences.
+    pub fn linear(name: &str, from: f64, to: f64, count: usize) -> Self {
+        Self { name: name.to_owned(), from, to, count, log: false, values: Vec::new() }
+    }
+}
+
 /// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
 pub const LAYERS_MAX: usize = 50;
 

@@ -163,7 +163,9 @@ pub(crate) trait Page: Sync {
     fn focused(&self, _app: &mut App) {}
 
     /// What a key does here; `None` where the page has no meaning of its own for it.
-    fn act(&self, app: &mut App, action: Action) -> bool;
+    fn act(&self, _app: &mut App, _action: Action) -> bool {
+        false
+    }
 
     /// Whether a key that the pane lists has nothing to act on as things are.
     fn is_idle(&self, _app: &App, _action: Action) -> bool {
@@ -171,7 +173,9 @@ pub(crate) trait Page: Sync {
     }
 
     /// What stands under the cursor, or what the selected row means.
-    fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)>;
+    fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
+        None
+    }
 
     /// The status row, the most important part first.
     fn status(&self, app: &App) -> Vec<StatusPart>;

@@ -19,11 +19,7 @@ use crate::tui::update::edit;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::wrapped;
 
-fn open(app: &mut App, purpose: Purpose, text: TextField) {
-    open_with(app, purpose, text, Choices::default());
-}
-
-pub(crate) fn open_with(app: &mut App, purpose: Purpose, text: TextField, choices: Choices) {
+pub(crate) fn open(app: &mut App, purpose: Purpose, text: TextField, choices: Choices) {
     let (question, completions) = (false, Vec::new());
     app.dialog = Some(Dialog::Ask(Box::new(Ask { purpose, text, question, completions, choices })));
 }
@@ -31,7 +27,7 @@ pub(crate) fn open_with(app: &mut App, purpose: Purpose, text: TextField, choice
 impl Ask {
     /// The field that takes characters, where the selected line has one.
     pub(crate) fn field_mut(&mut self) -> Option<&mut TextField> {
-        if self.choices.is_on_path() { Some(&mut self.text) } else { self.choices.field_mut() }
+        if self.choices.selected == 0 { Some(&mut self.text) } else { self.choices.field_mut() }
     }
 
     /// Another text or choice: what was said about the old one is removed.
@@ -51,14 +47,17 @@ impl Ask {
 /// Ask for the name to save the scene under.
 pub(crate) fn save(app: &mut App) {
     let name = proposed_name(app);
-    open(app, Purpose::Preset, TextField::selected(name));
+    open(app, Purpose::Preset, TextField::selected(name), Choices::default());
     app.list_presets();
 }
 
 /// Ask for the file to write the table shown to, if there is anything in it.
 pub(crate) fn export_table(app: &mut App) {
     match pages::of(app.tab).table(app) {
-        Some(table) => open(app, Purpose::Table(table.title), TextField::new(table.file)),
+        Some(table) => {
+            let file = TextField::new(table.file);
+            open(app, Purpose::Table(table.title), file, Choices::default());
+        }
         None => app.refuse("nothing to export yet: press r to compute it"),
     }
 }
@@ -89,7 +88,7 @@ fn proposed_name(app: &App) -> String {
 
 pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
     let is_path = state.purpose != Purpose::Preset;
-    let (typing, chooses) = (state.field_mut().is_some(), state.choices.is_on_words());
+    let typing = state.field_mut().is_some();
     match key.code {
         KeyCode::Esc if !(is_path && state.question) => return,
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
@@ -97,21 +96,19 @@ pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
         KeyCode::Char('y' | 'o') if state.question => accept(app, &mut state, true),
         KeyCode::Char('r') if state.question && is_path => {
             state.text = TextField::new(next_name(state.text.value()));
-            state.choices.select_path();
-            state.question = false;
+            (state.choices.selected, state.question) = (0, false);
         }
         KeyCode::Enter if state.question => {}
         KeyCode::Enter => accept(app, &mut state, false),
-        KeyCode::Tab if is_path && state.choices.is_on_path() => {
+        KeyCode::Tab if is_path && state.choices.selected == 0 => {
             app.request(Effect::Files(FileTask::Complete(state.text.value().to_owned())));
         }
         KeyCode::Down | KeyCode::Tab => state.choices.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.choices.move_by(-1),
         KeyCode::Char('j') if !typing => state.choices.move_by(1),
         KeyCode::Char('k') if !typing => state.choices.move_by(-1),
-        KeyCode::Left | KeyCode::Char('h') if chooses => state.change(-1),
-        KeyCode::Right | KeyCode::Char('l') if chooses => state.change(1),
-        KeyCode::Char(' ') if !typing => state.change(1),
+        KeyCode::Left | KeyCode::Char('h') if !typing => state.change(-1),
+        KeyCode::Right | KeyCode::Char('l' | ' ') if !typing => state.change(1),
         KeyCode::Char('a') if !typing => state.choices.all_or_none(),
         _ => {
             if state.field_mut().is_some_and(|field| field.press(key)) {
@@ -256,7 +253,11 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Runs | Purpose::Table(_) => {
             format!("to {}", app.directory.join(state.text.value().trim()).display())
         }
-        Purpose::Curve(which) => curve_hint(app, which),
+        // The required format of the file, and the present points.
+        Purpose::Curve(which) => format!(
+            "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
+            extent(&app.scene.mechanism.one(which).table.points)
+        ),
     }
 }
 
@@ -266,16 +267,8 @@ pub(crate) fn ask(app: &mut App, word: &str) {
     if let Some((which, "kind")) = row
         && word == SpringKind::Table.word()
     {
-        open(app, Purpose::Curve(which), TextField::default());
+        open(app, Purpose::Curve(which), TextField::default(), Choices::default());
     }
-}
-
-/// The required format of the file, and the present points.
-pub(crate) fn curve_hint(app: &App, which: WhichSpring) -> String {
-    format!(
-        "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
-        extent(&app.scene.mechanism.one(which).table.points)
-    )
 }
 
 /// `3 points, x = 0 to 0.05 m`.
@@ -289,10 +282,6 @@ pub(crate) fn extent(points: &[[f64; 2]]) -> String {
         ),
         _ => "no points".to_owned(),
     }
-}
-
-fn is_asked(dialog: Option<&Dialog>) -> bool {
-    matches!(dialog, Some(Dialog::Ask(ask)) if matches!(ask.purpose, Purpose::Curve(_)))
 }
 
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
@@ -316,7 +305,8 @@ pub(crate) fn read(
     });
     match (taken, &mut app.dialog) {
         (Ok((scene, count)), dialog) => {
-            if is_asked(dialog.as_ref()) {
+            let is_curve = |ask: &Ask| matches!(ask.purpose, Purpose::Curve(_));
+            if matches!(dialog, Some(Dialog::Ask(ask)) if is_curve(ask)) {
                 *dialog = None;
             }
             app.tell(format!("spring: {count} points from {name} (u undoes)"));

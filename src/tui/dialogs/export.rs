@@ -33,32 +33,15 @@ const KINDS: [Kind; 4] = [
 const SERIES: usize = 0;
 const GRID: usize = 1;
 
-/// The part that a line belongs to; lines of one part stand together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
-    File,
-    What,
-    Rows,
-    Runs,
-    Columns,
-    Style,
-    Scene,
-}
-
-impl Part {
-    /// The text at the left of its first line.
-    fn label(self) -> &'static str {
-        match self {
-            Self::File => "file",
-            Self::What => "what",
-            Self::Rows => "rows",
-            Self::Runs => "runs",
-            Self::Columns => "columns",
-            Self::Style => "style",
-            Self::Scene => "scene",
-        }
-    }
-}
+/// The part that a line belongs to, which stands at the left of its first line; lines of one part stand together.
+type Part = &'static str;
+const FILE: Part = "file";
+const WHAT: Part = "what";
+const ROWS: Part = "rows";
+const RUNS: Part = "runs";
+const COLUMNS: Part = "columns";
+const STYLE: Part = "style";
+const SCENE: Part = "scene";
 
 #[derive(Clone, Debug)]
 enum Value {
@@ -86,15 +69,16 @@ struct Line {
 #[derive(Clone, Debug, Default)]
 pub struct Choices {
     lines: Vec<Line>,
-    selected: usize,
+    /// The selected line; the first one is the path.
+    pub(super) selected: usize,
 }
 
 impl Choices {
     /// The lines there are now: the grid's number only for a grid, columns only for a series.
     fn shown(&self) -> Vec<usize> {
         let is_shown = |at: &usize| match self.lines[*at].part {
-            Part::Rows => self.choice(Part::What) == GRID,
-            Part::Columns => self.is_series(),
+            ROWS => self.choice(WHAT) == GRID,
+            COLUMNS => self.is_series(),
             _ => true,
         };
         (0..self.lines.len()).filter(is_shown).collect()
@@ -125,35 +109,21 @@ impl Choices {
     }
 
     fn is_series(&self) -> bool {
-        matches!(self.choice(Part::What), SERIES | GRID)
+        matches!(self.choice(WHAT), SERIES | GRID)
     }
 
     /// The columns that are chosen of a series; none of another table.
     fn columns(&self) -> Vec<String> {
-        let chosen = if self.is_series() { self.ticked(Part::Columns) } else { Vec::new() };
+        let chosen = if self.is_series() { self.ticked(COLUMNS) } else { Vec::new() };
         chosen.into_iter().map(str::to_owned).collect()
     }
 
     fn style(&self) -> Style {
-        Style::ALL[self.choice(Part::Style)]
+        Style::ALL[self.choice(STYLE)]
     }
 
     pub(super) fn meta(&self) -> Meta {
-        Meta::ALL[self.choice(Part::Scene)]
-    }
-
-    fn value(&self) -> &Value {
-        self.lines.get(self.selected).map_or(&Value::Path, |line| &line.value)
-    }
-
-    /// Whether the selected line is the path.
-    pub(super) fn is_on_path(&self) -> bool {
-        matches!(self.value(), Value::Path)
-    }
-
-    /// Whether it is one of some words.
-    pub(super) fn is_on_words(&self) -> bool {
-        matches!(self.value(), Value::Choice(..))
+        Meta::ALL[self.choice(SCENE)]
     }
 
     /// The field of the selected line, where that is not the path.
@@ -162,10 +132,6 @@ impl Choices {
             Value::Text(field) => Some(field),
             Value::Path | Value::Choice(..) | Value::Tick { .. } => None,
         }
-    }
-
-    pub(super) fn select_path(&mut self) {
-        self.selected = 0;
     }
 
     /// Change what the selected line chooses, round and round, or tick it.
@@ -219,18 +185,18 @@ pub(crate) fn open(app: &mut App) {
     let text = |text: String| Value::Text(TextField::new(text));
     let tick = |name: String, about| Value::Tick { name, about, on: true };
     let mut lines = vec![
-        line(Part::File, Value::Path),
-        line(Part::What, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
-        line(Part::Rows, text(GRID_ROWS.to_string())),
+        line(FILE, Value::Path),
+        line(WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
+        line(ROWS, text(GRID_ROWS.to_string())),
     ];
     let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
-    lines.extend(runs.map(|(about, name)| line(Part::Runs, tick(name, about))));
+    lines.extend(runs.map(|(about, name)| line(RUNS, tick(name, about))));
     let names = run::columns(Rows::Series, false).into_iter();
-    lines.extend(names.map(|it| line(Part::Columns, tick(it.to_owned(), String::new()))));
-    lines.push(line(Part::Style, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
-    lines.push(line(Part::Scene, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
+    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new()))));
+    lines.push(line(STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
+    lines.push(line(SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
-    ask::open_with(app, Purpose::Runs, path, Choices { lines, selected: 0 });
+    ask::open(app, Purpose::Runs, path, Choices { lines, selected: 0 });
 }
 
 /// The runs that can be exported: the current one and the pins, those with a result.
@@ -242,19 +208,19 @@ fn available(app: &App) -> Vec<NamedRun> {
 
 /// The table of what is chosen.
 pub(super) fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
-    let chosen = choices.ticked(Part::Runs);
+    let chosen = choices.ticked(RUNS);
     let runs = available(app).into_iter().filter(|(name, _)| chosen.contains(&&**name));
     let runs: Vec<NamedRun> = runs.collect();
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let what = choices.choice(Part::What);
-    let grid = if what == GRID { grid_rows(choices.text(Part::Rows), runs.len())? } else { 0 };
+    let what = choices.choice(WHAT);
+    let grid = if what == GRID { grid_rows(choices.text(ROWS), runs.len())? } else { 0 };
     let mut columns = choices.columns();
     if choices.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
     }
-    if columns.len() == choices.of(Part::Columns).count() {
+    if columns.len() == choices.of(COLUMNS).count() {
         columns.clear();
     }
     let rows = (KINDS[what].rows)(grid);
@@ -302,7 +268,7 @@ fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let lines = &state.choices.lines;
     let (here, shown) = (state.choices.selected == at, &lines[at]);
     if at == 0 || lines[at - 1].part != shown.part {
-        canvas.put(line, (2, 0), shown.part.label(), Role::Title);
+        canvas.put(line, (2, 0), shown.part, Role::Title);
     }
     if here {
         canvas.put(line, (0, 0), ">", Role::Title);
@@ -354,7 +320,7 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
 fn preview(app: &App, choices: &Choices) -> Vec<String> {
     let Some(shown) = &app.shown else { return Vec::new() };
     let named = [("now".to_owned(), Arc::clone(&shown.run))];
-    let rows = (KINDS[choices.choice(Part::What)].rows)(3);
+    let rows = (KINDS[choices.choice(WHAT)].rows)(3);
     let text = run::csv(rows, &named, &choices.columns(), 2).unwrap_or_default();
     let text = choices.style().file("", &text).unwrap_or_default();
     text.trim_start_matches(choices.style().head()).lines().take(3).map(str::to_owned).collect()

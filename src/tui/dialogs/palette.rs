@@ -106,12 +106,10 @@ pub fn shown_in(entry: &PresetEntry) -> Tab {
     if swept && entry.part.is_none() { Tab::Explore } else { Tab::Run }
 }
 
+/// A name within a sentence; one such as "V50" or "Monte Carlo" keeps its capitals after the first letter.
 fn lower(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| {
-        // A name such as "V50" or "Monte Carlo" keeps its capitals after the first letter.
-        first.to_lowercase().chain(letters).collect()
-    })
+    let (first, rest) = name.split_at(1);
+    first.to_lowercase() + rest
 }
 
 pub(crate) fn chosen(app: &mut App, picker: &Picker) {

@@ -128,7 +128,9 @@ fn paragraphs(text: &str) -> Vec<String> {
 
 /// Load the selected preset; a path opens its file. What is refused leaves the list open.
 pub(crate) fn chosen(app: &mut App, picker: &Picker) {
-    let typed = picker.filter.value();
+    let typed = picker.filter.value().trim();
+    let ends = std::path::Path::new(typed).extension();
+    let is_path = typed.contains('/') || ends.is_some_and(|end| end == "toml");
     let stay = || Some(Dialog::List(List::Presets, picker.clone()));
     match selected_preset(app, picker) {
         Some(entry) => {
@@ -138,11 +140,11 @@ pub(crate) fn chosen(app: &mut App, picker: &Picker) {
                 app.dialog = stay();
             }
         }
-        None if looks_like_path(typed) => {
-            app.request(Effect::Files(FileTask::Load(typed.trim().into())));
+        None if is_path => {
+            app.request(Effect::Files(FileTask::Load(typed.into())));
         }
         None => {
-            let typed = clip(typed.trim(), 24);
+            let typed = clip(typed, 24);
             app.tell(format!("no preset matches; a file is opened by its path: ./{typed}.toml"));
             app.dialog = stay();
         }
@@ -167,11 +169,6 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) {
             }
         }
     }
-}
-
-fn looks_like_path(text: &str) -> bool {
-    let text = text.trim();
-    text.contains('/') || std::path::Path::new(text).extension().is_some_and(|end| end == "toml")
 }
 
 fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {

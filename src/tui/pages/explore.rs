@@ -5,15 +5,18 @@ pub mod plan;
 pub mod setup;
 pub mod state;
 
+use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::layout::{ROOMY, setup_width};
+use crate::tui::app::show_duration;
+use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
-use crate::tui::pages::explore::plan::PictureSweep;
-use crate::tui::pages::explore::state::{Found, Picture, sweep_of};
+use crate::tui::pages::explore::plan::{PictureSweep, at_rest};
+use crate::tui::pages::explore::state::{Found, Picture, quadratic, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
@@ -115,7 +118,53 @@ impl Page for ExploreTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.sweep_status(app.picture())
+        let picture = app.picture();
+        let found = app.pages.explore.found(picture);
+        let computing = app.jobs.study::<PictureSweep>();
+        let computing = computing.filter(|(_, sweep)| sweep.picture == picture);
+        let mut parts = vec![match (computing, &app.pages.explore.problem, found) {
+            (Some((computing, _)), ..) => {
+                let points = computing.counted("of", " points");
+                let left = computing.left().filter(|left| left.as_secs() > 0);
+                let left =
+                    left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
+                Progress::Running(format!("sweeping{points}{left}")).part()
+            }
+            (None, Some(problem), _) => part(Severity::Error, problem.clone()),
+            _ if app.sweep_is_old(picture) => Progress::Old("scene").part(),
+            (None, None, None) => Progress::Nothing.part(),
+            (None, None, Some(found)) => {
+                let (done, total) = found.grid.progress();
+                match found.took.filter(|_| found.grid.is_complete()) {
+                    Some(took) => {
+                        Progress::Done(format!("{total} points in {}", show_duration(took))).part()
+                    }
+                    None => Progress::Cut(format!(" after {done} of {total} points")).part(),
+                }
+            }
+        }];
+        if let Some(found) = found {
+            let others = found.grid.outcomes().each().into_iter();
+            for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
+                let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
+                parts.push(part(severity, format!("{count} {word}")));
+            }
+            let output = app.shown_output(&found.grid).0;
+            parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
+        }
+        let fitted = picture == Picture::Surface && app.pages.explore.residuals;
+        if let Some(found) = found.filter(|_| fitted) {
+            let (output, _) = app.shown_output(&found.grid);
+            let text = quadratic(&found.grid, output).map_or_else(
+                || "no quadratic fits".to_owned(),
+                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
+            );
+            parts.push(part(Severity::Note, text));
+        }
+        let ends = found.map(|found| found.grid.outside_at_ends.iter().copied());
+        parts.extend(outside(ends.into_iter().flatten(), " at the ends", ""));
+        parts.extend(app.validity_part());
+        parts
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {

@@ -4,8 +4,9 @@ pub mod comparison;
 pub mod state;
 
 use crate::report::{compare, limit};
-use crate::study::limit::Report;
+use crate::study::limit::{Limit, Report};
 use crate::tui::app::layout::NARROW;
+use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
 use crate::tui::pages::limit::state::LimitSearch;
@@ -87,7 +88,26 @@ impl Page for LimitTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.limit_status()
+        let tab = &app.pages.limit;
+        let kept = tab.report.as_ref().map(|report| report.is_complete);
+        let words = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
+        let finding = progress::<LimitSearch>(app, app.limit_is_old(), kept, words);
+        let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
+        if let Some(report) = &tab.report {
+            if let Limit::Found { basis, .. } = report.limit {
+                parts.push(part(Severity::Note, format!("by {}", basis.words())));
+            }
+            parts.extend(app.jobs.running::<EqualMass>().map(|comparing| {
+                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
+            }));
+            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
+            let at_limit = report.at_limit.as_ref();
+            parts.extend(at_limit.map_or_else(
+                || app.validity_part(),
+                |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit", ""),
+            ));
+        }
+        parts
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {

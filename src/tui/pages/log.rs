@@ -41,14 +41,6 @@ impl Page for LogTab {
         app.pages.log.scroll = 0;
     }
 
-    fn act(&self, _app: &mut App, _action: Action) -> bool {
-        false
-    }
-
-    fn readout(&self, _app: &App, _room: usize) -> Option<(Severity, String)> {
-        None
-    }
-
     fn status(&self, app: &App) -> Vec<StatusPart> {
         app.run_status()
     }
@@ -67,8 +59,24 @@ impl Page for LogTab {
         Some(&mut app.pages.log.find)
     }
 
-    fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        render(app, body, canvas);
+    fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+        let lines = app.log_lines(usize::from(area.width));
+        let height = usize::from(area.height.saturating_sub(2));
+        let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
+        let end = (first + height).min(lines.len());
+        let counter = if lines.len() > height {
+            format!("{}-{}/{}", first + 1, end, lines.len())
+        } else {
+            String::new()
+        };
+        let pane = PaneFrame::new("Log of this run and this session")
+            .right(counter)
+            .focused(app.dialog.is_none());
+        let inner = pane.draw(area, canvas);
+        for (row, (text, role)) in inner.rows().zip(lines.iter().skip(first)) {
+            let column = if *role == Role::Title { 1 } else { 3 };
+            canvas.put(row, (column, 0), text, *role);
+        }
     }
 }
 
@@ -145,24 +153,4 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     section(lines, heading, plain(energy(&run.ledger)));
     section(lines, "Results", plain([vec![sentence(run)], results(run)].concat()));
     section(lines, "Computation", plain(computation(run, shown.took)));
-}
-
-pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let lines = app.log_lines(usize::from(area.width));
-    let height = usize::from(area.height.saturating_sub(2));
-    let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
-    let end = (first + height).min(lines.len());
-    let counter = if lines.len() > height {
-        format!("{}-{}/{}", first + 1, end, lines.len())
-    } else {
-        String::new()
-    };
-    let pane = PaneFrame::new("Log of this run and this session")
-        .right(counter)
-        .focused(app.dialog.is_none());
-    let inner = pane.draw(area, canvas);
-    for (row, (text, role)) in inner.rows().zip(lines.iter().skip(first)) {
-        let column = if *role == Role::Title { 1 } else { 3 };
-        canvas.put(row, (column, 0), text, *role);
-    }
 }

@@ -5,7 +5,6 @@ pub mod editor;
 pub(crate) mod mechanism;
 pub mod runs;
 pub mod steps;
-pub mod summary;
 
 use crate::model::variables::Kind;
 use crate::tui::app::layout::{ROOMY, WIDE};
@@ -112,7 +111,8 @@ impl Page for RunTab {
             VARIABLES => {
                 let listed = app.editor.listed(&app.scene);
                 let selected = listed.iter().position(|index| *index == app.editor.selected);
-                let shown = variable_rows(app);
+                let area = app.layout().body.and_then(|body| panes(app, body).variables);
+                let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(3)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
@@ -141,11 +141,8 @@ impl Page for RunTab {
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let pins = || app.pins.get(app.run_order().get(row)?.checked_sub(1)?);
-        let name = || {
-            pins().map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
-        };
-        (app.pane() == RUNS).then(name)
+        let run = app.run_order().get(row).copied();
+        (app.pane() == RUNS).then(|| app.run_name(run.unwrap_or(0)))
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
@@ -252,11 +249,6 @@ pub(crate) fn panes(app: &App, body: Rect) -> Panes {
     }
 }
 
-pub(crate) fn variable_rows(app: &App) -> usize {
-    let variables = app.layout().body.and_then(|body| panes(app, body).variables);
-    variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
-}
-
 fn full(body: Rect, focus: Pane) -> Panes {
     match focus {
         CHARTS => Panes { charts: stacked(body), ..Panes::default() },
@@ -282,14 +274,10 @@ fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
 
 fn wide(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
     let (left, mut right) = split_left(body, if body.width >= ROOMY { 52 } else { 48 });
-    let mut panes = Panes::default();
+    let mut panes = Panes { variables: Some(left), ..Panes::default() };
     if height >= TALL || focus == RUNS {
-        let wanted = runs_height(pins).min(body.height / 2);
-        let (top, bottom) = split_bottom(left, wanted);
-        panes.variables = Some(top);
-        panes.runs = Some(bottom);
-    } else {
-        panes.variables = Some(left);
+        let (top, bottom) = split_bottom(left, runs_height(pins).min(body.height / 2));
+        (panes.variables, panes.runs) = (Some(top), Some(bottom));
     }
     if body.width >= WIDEST {
         let (middle, column) = split_left(right, right.width - 42);
@@ -327,13 +315,10 @@ fn stacked(area: Rect) -> Vec<Rect> {
     // Short charts share the time axis of the lowest, which needs two rows more for it.
     let extra = if count > 1 && area.height / count < 11 { 2 } else { 0 };
     let each = (area.height - extra) / count;
-    let mut areas = Vec::new();
-    let mut y = area.y;
-    for index in 0..count {
-        let rest = area.y + area.height - y;
-        let height = if index + 1 == count { rest } else { each };
-        areas.push(Rect { y, height, ..area });
-        y += height;
-    }
-    areas
+    let one = |index: u16| {
+        let y = area.y + index * each;
+        let height = if index + 1 == count { area.bottom() - y } else { each };
+        Rect { y, height, ..area }
+    };
+    (0..count).map(one).collect()
 }

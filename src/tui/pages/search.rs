@@ -13,8 +13,8 @@ use crate::tui::dialogs::wrap;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
-use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
-use crate::tui::pages::search::state::{Request, Row};
+use crate::tui::pages::search::setup::{Bound, Setup, brief, read_bound};
+use crate::tui::pages::search::state::{Answer, Request, Row, completeness};
 use crate::tui::update::act::{along, move_by};
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_after};
@@ -130,11 +130,64 @@ impl Page for SearchTab {
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        crate::tui::pages::note(app.search_readout())
+        let tab = &app.pages.search;
+        if let Some(problem) = &tab.problem {
+            return note(Some(problem.clone()));
+        }
+        note(match &*tab.shown()?.answer {
+            Answer::Seek(report) => {
+                let solution = report.solutions().nth(tab.selected())?;
+                let at = report.axis.show(solution.place.at, 5);
+                let value = report.measure.show(solution.place.value, 4);
+                Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
+            }
+            Answer::Front(_, task) => {
+                let design = *tab.designs().get(tab.selected())?;
+                let values = task.axes.iter().zip(&design.values);
+                let values = values
+                    .map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)));
+                let values: Vec<String> = values.collect();
+                let results = design.measures.iter().zip(task.measures());
+                let results = results.filter_map(|(value, column)| {
+                    Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
+                });
+                let (at, count) = (tab.selected() + 1, tab.choices());
+                let results = results.collect::<Vec<String>>().join(", ");
+                Some(format!("#{at}/{count} {}: {results}", values.join(" ")))
+            }
+            Answer::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
+            Answer::MonteCarlo(_) => None,
+        })
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.search_status()
+        let tab = &app.pages.search;
+        let of_page = |(running, request): (_, &Request)| (running, request.page() == tab.page);
+        let running: Option<(&Running, bool)> = app.jobs.study::<Request>().map(of_page);
+        let mut count = None;
+        let progress = match (running, tab.shown()) {
+            (Some((running, true)), _) => {
+                let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
+                Progress::Running(format!("searching{counted}"))
+            }
+            (Some((_, false)), _) => Progress::Running("another search is running".to_owned()),
+            (None, Some(_)) if app.search_is_old() => Progress::Old("setup"),
+            (None, Some(found)) => {
+                let (is_complete, runs) = completeness(&found.answer);
+                count = runs;
+                if is_complete {
+                    Progress::Done("done".to_owned())
+                } else {
+                    Progress::Cut(String::new())
+                }
+            }
+            (None, None) => Progress::Nothing,
+        };
+        let problem = tab.problem.is_some() && running.is_none() && tab.shown().is_none();
+        let refused = || part(Severity::Error, "this cannot be searched for");
+        let first = if problem { refused() } else { progress.part() };
+        let count = count.map(|runs| part(Severity::Note, runs));
+        std::iter::once(first).chain(count).chain(app.validity_part()).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
@@ -171,7 +224,7 @@ impl Page for SearchTab {
         let row = app.search_choices()[row];
         let before = app.snapshot();
         change(app, row, input)?;
-        note(app, row, before, matches!(input, Input::Step(_)));
+        note_change(app, row, before, matches!(input, Input::Step(_)));
         follow(app);
         Ok(())
     }
@@ -237,7 +290,7 @@ fn view(app: &mut App) {
         setup.axes = (0, 1.min(count.saturating_sub(1)));
     }
     app.pages.search.zoomed = None;
-    note(app, Row::Up, before, false);
+    note_change(app, Row::Up, before, false);
 }
 
 /// Lines of the words that have no room; none where the chart stands alone.
@@ -274,7 +327,7 @@ fn look(app: &mut App) {
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
-fn note(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
+fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     if app.pages.search.setup == before.search {
         return;
     }

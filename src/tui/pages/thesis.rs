@@ -10,6 +10,7 @@ use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::status::fitting;
 use crate::tui::app::{Base, Origin};
+use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::prelude::*;
@@ -99,7 +100,32 @@ impl Page for ThesisTab {
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        note(app.thesis_readout())
+        let tab = &app.pages.thesis;
+        let text = match app.pane() {
+            CLAIMS => {
+                let row = app.claim()?;
+                let opens = match row.claim.opens() {
+                    Opens::Nothing => "no scene shows this".to_owned(),
+                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("Enter opens {name}"),
+                };
+                // The cause is in the detail: a line that changes its height here would move the list.
+                format!("{}: {opens}", row.found.verdict.words())
+            }
+            // Its name is selected in the list and heads the detail.
+            PRINCIPLES => match principles::PRINCIPLES[tab.principle].preset {
+                Some(name) => format!("Enter opens {name}"),
+                None => "no preset shows it".to_owned(),
+            },
+            // In one row of the narrowest screen: a second one would hide the ranks.
+            _ => format!(
+                "{}: {} %, printed {} %",
+                CRITERIA[tab.criterion],
+                significant(tab.weights[tab.criterion], 4),
+                significant(WEIGHTS_PERCENT[tab.criterion], 4),
+            ),
+        };
+        note(Some(text))
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -309,12 +335,9 @@ impl Thesis {
 
     /// The next verdict to filter by; after the last one, all rows.
     pub fn next_filter(&mut self) {
-        let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
-        self.filter = match at {
-            None => Verdict::ALL.first().copied(),
-            Some(at) => Verdict::ALL.get(at + 1).copied(),
-        };
-        self.selected = 0;
+        let all: Vec<Option<Verdict>> =
+            std::iter::once(None).chain(Verdict::ALL.into_iter().map(Some)).collect();
+        (self.filter, self.selected) = (around(&all, self.filter, 1), 0);
     }
 }
 
@@ -336,41 +359,5 @@ impl App {
 
     pub fn claim(&self) -> Option<&Row> {
         self.claims().get(self.pages.thesis.selected).copied()
-    }
-
-    /// The selection in words, for the message row.
-    pub fn thesis_readout(&self) -> Option<String> {
-        let tab = &self.pages.thesis;
-        match self.pane() {
-            CLAIMS => {
-                let row = self.claim()?;
-                let opens = match row.claim.opens() {
-                    Opens::Nothing => "no scene shows this".to_owned(),
-                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
-                    Opens::Preset(name) => format!("Enter opens {name}"),
-                };
-                // The cause is in the detail: a line that changes its height here would move the list.
-                Some(format!("{}: {opens}", row.found.verdict.words()))
-            }
-            PRINCIPLES => {
-                let principle = &principles::PRINCIPLES[tab.principle];
-                let opens = principle.preset.map_or_else(
-                    || "no preset shows it".to_owned(),
-                    |name| format!("Enter opens {name}"),
-                );
-                // Its name is selected in the list and heads the detail.
-                Some(opens)
-            }
-            _ => {
-                let weight = tab.weights[tab.criterion];
-                // In one row of the narrowest screen: a second one would hide the ranks.
-                Some(format!(
-                    "{}: {} %, printed {} %",
-                    CRITERIA[tab.criterion],
-                    significant(weight, 4),
-                    significant(WEIGHTS_PERCENT[tab.criterion], 4),
-                ))
-            }
-        }
     }
 }

@@ -180,7 +180,7 @@ fn go_to(app: &mut App, done: usize) {
         match made {
             Change::State(states) if forward => make(app, &states.0, states.1),
             Change::State(states) => make(app, &states.1, states.0),
-            Change::Unpinned(pin) if forward => runs::take_away(app, &pin),
+            Change::Unpinned(pin) if forward => runs::take_away(app, &pin.scene),
             Change::Unpinned(pin) => runs::put_back(app, pin),
         }
     }

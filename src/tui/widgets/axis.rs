@@ -127,8 +127,7 @@ pub(crate) fn over(
         };
         (from, if to < most { to } else { most })
     });
-    let name = variable.symbol.to_owned();
-    Ok(SweepAxis { name, from, to, count, log: false, values: Vec::new() })
+    Ok(SweepAxis::linear(variable.symbol, from, to, count))
 }
 
 /// The numeric variables, in the order of the editor: what an axis can be.

@@ -10,10 +10,10 @@ use crate::tui::app::status::shortened;
 use crate::tui::chart::heatmap::{dot, role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::PictureSweep;
-use crate::tui::pages::explore::state::{Found, Picture, no_value, place, quadratic};
+use crate::tui::pages::explore::state::{Found, Picture, nearest, no_value, place, quadratic};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::text::put;
+use crate::tui::widgets::text::{put, wrapped};
 
 pub(crate) fn render_curves(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
@@ -100,9 +100,7 @@ fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canv
     let layout = canvas.draw(&chart, area);
     marks(app, grid, output, &layout, canvas);
     if grid.is_full() {
-        canvas.plot(&layout, |x, _| {
-            Some(Target::Cell(RESULTS, (usize::try_from(axes[0].nearest(x)).ok()?, selected)))
-        });
+        canvas.plot(&layout, |x, _| Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, selected))));
     } else {
         canvas.plot(&layout, |x, _| nearest_point(grid, &layout, x));
     }
@@ -133,19 +131,16 @@ fn marks(app: &App, grid: &Grid, output: usize, layout: &Layout, canvas: &mut Ca
 /// No point of the sweep has this output: say why, and what to do.
 fn nothing_exists(title: &str, grid: &Grid, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new(title.to_owned()).draw(area, canvas);
-    let room = usize::from(inner.width.saturating_sub(2)).max(8);
+    let room = inner.width.saturating_sub(2).max(8);
     let texts = no_value(grid, output);
-    let said: Vec<(bool, String)> = texts
-        .iter()
-        .enumerate()
-        .flat_map(|(at, text)| wrap(text, room).into_iter().map(move |line| (at == 0, line)))
-        .collect();
-    let rows = u16::try_from(said.len()).unwrap_or(u16::MAX);
+    let roles = std::iter::once(Role::Text).chain(std::iter::repeat(Role::Dim));
+    let lines = texts.iter().zip(roles).flat_map(|(text, role)| wrapped(text, room, role));
+    let lines: Vec<TextLine> = lines.collect();
+    let rows = u16::try_from(lines.len()).unwrap_or(u16::MAX);
     let top = inner.height.saturating_sub(rows) / 2;
-    for (row, (is_case, text)) in (top..inner.height).zip(&said) {
+    for (row, (text, role)) in (top..inner.height).zip(&lines) {
         let column = inner.width.saturating_sub(columns(text)) / 2;
-        let role = if *is_case { Role::Text } else { Role::Dim };
-        canvas.put(inner, (column, row), text, role);
+        canvas.put(inner, (column, row), text, *role);
     }
 }
 
@@ -250,7 +245,6 @@ impl<'a> ChartView<'a> {
         };
         let layout = canvas.draw(&map, area);
         canvas.plot(&layout, |x, y| {
-            let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
             Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, nearest(&axes[1], y)?)))
         });
     }

@@ -85,12 +85,11 @@ impl App {
 
     pub(crate) fn setup_form(&self) -> Form {
         let sweep = sweep_of(&self.scene);
+        // A default for the second axis is not shown as chosen.
+        let has_one = self.picture() == Picture::Line && !has_family(&self.scene);
         let line = |row| match row {
             SetupRow::Heading(text) => Line::heading(text),
-            SetupRow::Axis(1, Part::Name) if self.has_no_second() => Line::typed(
-                "variable", "none",
-            )
-            .means(
+            SetupRow::Axis(1, Part::Name) if has_one => Line::typed("variable", "none").means(
                 "curves can be repeated for values of a second variable: l, or Enter and its name",
             ),
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
@@ -130,11 +129,6 @@ impl App {
             ..Line::word(variable.symbol, shown)
         }
         .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
-    }
-
-    /// Whether there is one curve: a default for the second axis is not shown as chosen.
-    fn has_no_second(&self) -> bool {
-        self.picture() == Picture::Line && !has_family(&self.scene)
     }
 }
 

@@ -140,14 +140,7 @@ pub fn sweep_of(scene: &Scene) -> Sweep {
     for (name, from, to, count) in USUAL_AXES {
         let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
         if sweep.axes.len() < 2 && !taken {
-            sweep.axes.push(SweepAxis {
-                name: name.to_owned(),
-                from,
-                to,
-                count,
-                log: false,
-                values: Vec::new(),
-            });
+            sweep.axes.push(SweepAxis::linear(name, from, to, count));
         }
     }
     if sweep.outputs.is_empty() {
@@ -192,8 +185,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            let value = axis.get(&self.scene)?;
-            usize::try_from(axis.nearest(value)).ok()
+            nearest(axis, axis.get(&self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
@@ -201,14 +193,12 @@ impl App {
 
     /// The point of a design nearest to the scene, each axis by its length.
     fn nearest_point(&self, grid: &Grid) -> usize {
-        let axes = grid.plan().axes();
         let away = |x: usize| -> f64 {
-            let one = |(at, axis): (usize, &Axis)| {
+            let one = |(axis, value): (&Axis, f64)| {
                 let here = axis.get(&self.scene).and_then(|value| axis.share(value));
-                let there = axis.share(grid.coordinate((x, 0), at));
-                (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
+                (here.unwrap_or(0.0) - axis.share(value).unwrap_or(0.0)).powi(2)
             };
-            axes.iter().enumerate().map(one).sum()
+            values_at(grid, (x, 0)).map(one).sum()
         };
         let points = 0..grid.counts().0;
         points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
@@ -229,9 +219,8 @@ impl App {
         let picture = self.picture();
         let grid = &self.pages.explore.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
-        let axes = grid.plan().axes();
-        let at = |(place, axis): (usize, &Axis)| {
-            let value = grid.coordinate((x, y), place);
+        let values = || values_at(grid, (x, y));
+        let at = |(axis, value): (&Axis, f64)| {
             let shown = match words {
                 Detail::Long => axis.show(value, 5),
                 Detail::Short => significant(value, 5),
@@ -239,9 +228,8 @@ impl App {
             };
             format!("{} {shown}", axis.symbol())
         };
-        let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
-        let away = axes.iter().enumerate().any(|(place, axis)| {
-            let value = grid.coordinate((x, y), place);
+        let mut parts: Vec<String> = values().map(at).collect();
+        let away = values().any(|(axis, value)| {
             axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
@@ -282,11 +270,8 @@ impl App {
         if self.sweep_is_old(picture) {
             return Err("these results belong to another setup: press r to sweep again".to_owned());
         }
-        let grid = &found.grid;
-        let point = self.cursor_point(grid);
-        let axes = grid.plan().axes().iter().enumerate();
-        let values = axes.map(|(place, axis)| (axis, grid.coordinate(point, place)));
-        Ok(placed((*self.scene).clone(), values))
+        let point = self.cursor_point(&found.grid);
+        Ok(placed((*self.scene).clone(), values_at(&found.grid, point)))
     }
 }
 
@@ -301,14 +286,24 @@ enum Detail {
 
 impl Detail {
     fn of(self, output: &Quantity) -> String {
-        match (self, output.name) {
-            (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
-            (Self::Short | Self::Least, "final_penetration_m" | "first_arrest_penetration_m") => {
-                "depth".to_owned()
-            }
-            (Self::Long | Self::Short | Self::Least, _) => output.title(),
+        match output.name {
+            _ if self == Self::Long => output.title(),
+            "max_plate_displacement_m" => "plate".to_owned(),
+            "final_penetration_m" | "first_arrest_penetration_m" => "depth".to_owned(),
+            _ => output.title(),
         }
     }
+}
+
+/// The axes of a grid with their values at a point.
+fn values_at(grid: &Grid, point: (usize, usize)) -> impl Iterator<Item = (&Axis, f64)> {
+    let axes = grid.plan().axes().iter().enumerate();
+    axes.map(move |(place, axis)| (axis, grid.coordinate(point, place)))
+}
+
+/// The place of the value of an axis nearest to a number.
+pub fn nearest(axis: &Axis, value: f64) -> Option<usize> {
+    usize::try_from(axis.nearest(value)).ok()
 }
 
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {

@@ -11,7 +11,7 @@ use crate::study::compare::{self, Hardware};
 use crate::study::context::Progress;
 use crate::study::sweep::Axis;
 use crate::tui::chart::heatmap;
-use crate::tui::pages::explore::state::placed;
+use crate::tui::pages::explore::state::{nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::put;
@@ -80,12 +80,8 @@ impl App {
 
     /// Whether the comparison belongs to another scene than the one on the screen.
     pub fn comparison_is_old(&self) -> bool {
-        let wanted = self.compared_scene().ok();
-        self.pages
-            .limit
-            .comparison
-            .as_ref()
-            .is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
+        let (wanted, kept) = (self.compared_scene().ok(), &self.pages.limit.comparison);
+        kept.as_ref().is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
     }
 
     pub fn comparison(&self) -> Option<&Comparison> {
@@ -108,11 +104,8 @@ impl App {
     /// The cell of the map under the cursor: the one it was moved to, else the one nearest to the scene.
     pub fn efficiency_cursor(&self) -> Option<(usize, usize)> {
         let map = self.comparison()?.map.as_ref()?;
-        let nearest = |axis: &Axis| {
-            let value = axis.get(&self.scene)?;
-            usize::try_from(axis.nearest(value)).ok()
-        };
-        let own = || Some((nearest(map.x())?, nearest(map.y())?));
+        let own = |axis: &Axis| nearest(axis, axis.get(&self.scene)?);
+        let own = || own(map.x()).zip(own(map.y()));
         self.pages.limit.map_cursor.or_else(own).or(Some((0, 0)))
     }
 
@@ -235,7 +228,6 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         column = canvas.put(area, (column, above.height), &from, Role::Text);
     }
     canvas.plot(&layout, |x, y| {
-        let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
         Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))
     });
 }

@@ -9,9 +9,9 @@ use crate::report::limit::{remarks, residual, velocity};
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::app::status::{fitting, outside};
+use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
-use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
+use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::{RESIDUAL, panes};
 use crate::tui::pages::prelude::*;
 
@@ -238,29 +238,6 @@ impl App {
         }
         Some((Severity::Note, text))
     }
-
-    pub fn limit_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.limit;
-        let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let words = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
-        let finding = progress::<LimitSearch>(self, self.limit_is_old(), kept, words);
-        let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
-        if let Some(report) = &tab.report {
-            if let Limit::Found { basis, .. } = report.limit {
-                parts.push(part(Severity::Note, format!("by {}", basis.words())));
-            }
-            parts.extend(self.jobs.running::<EqualMass>().map(|comparing| {
-                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
-            }));
-            parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
-            let at_limit = report.at_limit.as_ref();
-            parts.extend(at_limit.map_or_else(
-                || self.validity_part(),
-                |it| outside(it.breaches.iter().map(|breach| breach.check), " at the limit", ""),
-            ));
-        }
-        parts
-    }
 }
 
 /// Draw the pane of the residual velocity.
@@ -309,9 +286,9 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
 fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);
-    let why = app.pages.limit.report.as_ref().map(|report| match report.is_complete {
-        true => "no shot perforates: no curve to draw",
-        false => "cancelled before there was a curve",
+    let why = app.pages.limit.report.as_ref().map(|report| {
+        let cut = "cancelled before there was a curve";
+        if report.is_complete { "no shot perforates: no curve to draw" } else { cut }
     });
     canvas.put_centred(inner, nothing::<LimitSearch>(app, "finding the limit", why));
 }

@@ -82,6 +82,12 @@ impl Accuracy {
         self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
     }
 
+    /// Points measured so far.
+    fn points(&self) -> usize {
+        let methods = self.report.iter().flat_map(|report| &report.methods);
+        methods.map(|one| one.points.len()).sum()
+    }
+
     pub fn method(&self) -> Method {
         Method::ALL[self.selected_row()]
     }
@@ -202,35 +208,26 @@ impl Accuracy {
 impl App {
     /// Whether what was measured belongs to another scene than the one on the screen.
     pub fn accuracy_is_old(&self) -> bool {
-        self.pages
-            .numerics
-            .accuracy
-            .report
-            .as_ref()
-            .is_some_and(|report| *report.scene != *self.scene)
+        let report = self.pages.numerics.accuracy.report.as_ref();
+        report.is_some_and(|report| *report.scene != *self.scene)
     }
 
     /// The error of every method at the crosshair, in one line.
     pub fn accuracy_readout(&self) -> Option<String> {
-        let time_s = self.pages.numerics.accuracy.cursor_s?;
-        let shown = Method::ALL
-            .into_iter()
-            .filter(|one| !self.pages.numerics.accuracy.hidden.contains(one));
-        let values: Vec<String> = shown
-            .filter_map(|method| {
-                let (_, best) = self.pages.numerics.accuracy.best_within(method, time_s)?;
-                Some(format!("{}={:.0e}", method.letter(), best.error()))
-            })
-            .collect();
+        let tab = &self.pages.numerics.accuracy;
+        let time_s = tab.cursor_s?;
+        let shown = Method::ALL.into_iter().filter(|one| !tab.hidden.contains(one));
+        let values = shown.filter_map(|method| {
+            let (_, best) = tab.best_within(method, time_s)?;
+            Some(format!("{}={:.0e}", method.letter(), best.error()))
+        });
+        let values: Vec<String> = values.collect();
         Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
     }
 
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
-        let count = tab
-            .report
-            .as_ref()
-            .map_or(0, |report| report.methods.iter().map(|one| one.points.len()).sum());
+        let count = tab.points();
         let progress = match (self.jobs.running::<Measurements>(), &tab.report) {
             (Some(measuring), _) => {
                 Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
@@ -246,35 +243,25 @@ impl App {
             (None, None) => Progress::Nothing,
         };
         let mut parts = vec![progress.part()];
-        if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
-            let sure = first.uncertainty.map_or_else(
-                || "uncertainty unknown".to_owned(),
-                |uncertainty| format!("uncertainty {uncertainty:.0e}"),
-            );
+        let Some(report) = &tab.report else { return parts };
+        if let Some(first) = report.references.first() {
+            let sure = first.uncertainty.map(|it| format!("{it:.0e}"));
+            let sure = sure.as_deref().unwrap_or("unknown");
             let words = first.basis.words();
-            parts.push((
-                Severity::Note,
-                format!("reference {words}, {sure}"),
-                format!("ref. {words}"),
-            ));
-            parts.push(part(
-                Severity::Note,
-                match first.ending {
-                    Ending::Arrest => format!("{} deep", engineering(first.depth_m, "m", 7)),
-                    Ending::Perforation => "perforated".to_owned(),
-                },
-            ));
+            let long = format!("reference {words}, uncertainty {sure}");
+            parts.push((Severity::Note, long, format!("ref. {words}")));
+            let depth = Engineering { value: first.depth_m, unit: "m", digits: 7 };
+            let ending = match first.ending {
+                Ending::Arrest => format!("{depth} deep"),
+                Ending::Perforation => "perforated".to_owned(),
+            };
+            parts.push(part(Severity::Note, ending));
         }
-        if let Some(unsteady) =
-            tab.report.as_ref().map(|report| report.unsteady()).filter(|it| *it > 0)
-        {
-            parts.push(part(
-                Severity::Warning,
-                format!(
-                    "{unsteady} timing{} unsteady: busy machine",
-                    if unsteady == 1 { "" } else { "s" }
-                ),
-            ));
+        let unsteady = report.unsteady();
+        if unsteady > 0 {
+            let timings = if unsteady == 1 { "timing" } else { "timings" };
+            let text = format!("{unsteady} {timings} unsteady: busy machine");
+            parts.push(part(Severity::Warning, text));
         }
         parts
     }
@@ -285,15 +272,10 @@ impl App {
         Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
     }
 
-    /// The method of `auto`, and the run times for some accuracies, one line each.
-    pub fn accuracy_answers(&self) -> Vec<String> {
-        self.auto_sentence().into_iter().chain(self.costs()).collect()
-    }
-
-    fn costs(&self) -> Vec<String> {
-        let Some(report) = &self.pages.numerics.accuracy.report else {
-            return Vec::new();
-        };
+    /// The run times for some accuracies, one line each.
+    pub(crate) fn accuracy_costs(&self) -> Vec<String> {
+        let tab = &self.pages.numerics.accuracy;
+        let Some(report) = &tab.report else { return Vec::new() };
         TARGETS
             .iter()
             .map(|target| match report.cheapest(*target) {
@@ -306,14 +288,9 @@ impl App {
                     format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
                 None if !report.is_complete => {
-                    let (done, total) = self
-                        .jobs
-                        .running::<Measurements>()
-                        .and_then(|it| it.points)
-                        .unwrap_or_else(|| {
-                            let points = report.methods.iter().map(|one| one.points.len()).sum();
-                            (points, self.pages.numerics.accuracy.points_in_all.max(points))
-                        });
+                    let running = self.jobs.running::<Measurements>();
+                    let kept = (tab.points(), tab.points_in_all.max(tab.points()));
+                    let (done, total) = running.and_then(|it| it.points).unwrap_or(kept);
                     format!("error {target:.0e}: not computed yet ({done} of {total})")
                 }
                 None => format!("error {target:.0e}: no method reaches it"),
@@ -323,14 +300,15 @@ impl App {
 
     /// All about the selected method: its example point, then what it refused and why.
     pub fn accuracy_details(&self) -> Vec<TextLine> {
-        let method = self.pages.numerics.accuracy.method();
+        let tab = &self.pages.numerics.accuracy;
+        let method = tab.method();
         let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
         let mut add = |role, text: String| lines.push((text, role));
-        let Some(report) = self.pages.numerics.accuracy.of(method) else {
+        let Some(report) = tab.of(method) else {
             add(Role::Text, "not measured yet".to_owned());
             return lines;
         };
-        if let Some((knob, it)) = self.pages.numerics.accuracy.example() {
+        if let Some((knob, it)) = tab.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
             let knob = knob.to_string();
             let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
@@ -347,7 +325,7 @@ impl App {
         for (words, count) in reasons {
             add(Role::Warning, format!("{count} of {total}: {words}"));
         }
-        if let Some((_, it)) = self.pages.numerics.accuracy.example() {
+        if let Some((_, it)) = tab.example() {
             let spread = it
                 .timing
                 .spread()
@@ -357,10 +335,6 @@ impl App {
         }
         lines
     }
-}
-
-fn engineering(value: f64, unit: &'static str, digits: usize) -> String {
-    Engineering { value, unit, digits }.to_string()
 }
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
@@ -392,8 +366,9 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 
 /// Set the scene to the selected method at the accuracy requested first: its tolerance, or the thesis's listing.
 fn use_method(app: &mut App) {
-    let method = app.pages.numerics.accuracy.method();
-    if app.accuracy_is_old() || app.pages.numerics.accuracy.report.is_none() {
+    let tab = &app.pages.numerics.accuracy;
+    let method = tab.method();
+    if app.accuracy_is_old() || tab.report.is_none() {
         return app.refuse("no results of this scene: press r to measure");
     }
     let mut scene = (*app.scene).clone();
@@ -403,8 +378,7 @@ fn use_method(app: &mut App) {
             "the listing of the thesis (contact model appendix)".to_owned()
         }
         _ if method.is_of_engine() => {
-            let Some(tolerance) = app.pages.numerics.accuracy.tolerance_for(method, TARGETS[0])
-            else {
+            let Some(tolerance) = tab.tolerance_for(method, TARGETS[0]) else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);
             };
@@ -470,10 +444,11 @@ fn measure(app: &mut App) {
 fn show_or_hide(app: &mut App) {
     let tab = &mut app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.hidden.contains(&method) {
-        tab.hidden.retain(|hidden| *hidden != method);
-    } else {
-        tab.hidden.push(method);
+    match tab.hidden.iter().position(|hidden| *hidden == method) {
+        Some(at) => {
+            tab.hidden.remove(at);
+        }
+        None => tab.hidden.push(method),
     }
 }
 

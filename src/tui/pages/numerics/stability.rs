@@ -133,16 +133,12 @@ impl App {
 
     /// The cell at the crosshair in words.
     pub fn map_readout(&self) -> Option<String> {
-        let (_, map) = self.pages.numerics.stability.map.as_ref()?;
-        let (row, column) = self.pages.numerics.stability.cursor()?;
-        let here = if self.pages.numerics.stability.present() == Some((row, column)) {
-            // In one row of 80 columns: a second one would move the map.
-            "; the scene"
-        } else {
-            ""
-        };
-        let limit = map.limit_s[row]
-            .map_or_else(|| "none".to_owned(), |limit_s| significant(limit_s, 2) + " s");
+        let tab = &self.pages.numerics.stability;
+        let ((_, map), (row, column)) = tab.map.as_ref().zip(tab.cursor())?;
+        // In one row of 80 columns: a second one would move the map.
+        let here = if tab.present() == Some((row, column)) { "; the scene" } else { "" };
+        let limit = map.limit_s[row];
+        let limit = limit.map_or_else(|| "none".to_owned(), |it| significant(it, 2) + " s");
         Some(format!(
             "dt {} s, {} {}: {}; analytic limit {limit}{here}",
             significant(map.dt_s[column], 2),
@@ -153,23 +149,19 @@ impl App {
     }
 
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
-        let row =
-            *self.pages.numerics.stability.sorted().get(self.pages.numerics.stability.selected)?;
-        Some(match row.shortfall {
-            None => {
-                // The codes of the cells in words.
-                let failed = Other::ALL.into_iter().zip(row.others);
-                let failed = failed.filter(|(_, verdict)| verdict.error().is_none());
-                let words = failed
-                    .map(|(other, verdict)| format!("; {}: {}", other.heading(), verdict.words()));
-                let words: String = words.collect();
-                (Severity::Note, format!("{}: {}{words}", row.case.name, row.case.why))
-            }
-            Some(shortfall) => (
-                Severity::Error,
-                format!("{}: fails: {}; {}", row.case.name, shortfall.words(), row.run.end.words()),
-            ),
-        })
+        let tab = &self.pages.numerics.stability;
+        let row = *tab.sorted().get(tab.selected)?;
+        let name = &row.case.name;
+        if let Some(shortfall) = row.shortfall {
+            let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
+            return Some((Severity::Error, text));
+        }
+        // The codes of the cells in words.
+        let failed = Other::ALL.into_iter().zip(row.others);
+        let failed = failed.filter(|(_, verdict)| verdict.error().is_none());
+        let words =
+            failed.map(|(other, verdict)| format!("; {}: {}", other.heading(), verdict.words()));
+        note(Some(format!("{name}: {}{}", row.case.why, words.collect::<String>())))
     }
 
     pub fn stability_status(&self) -> Vec<StatusPart> {
@@ -194,13 +186,9 @@ impl App {
         let mapping = progress::<StabilityMap>(self, self.map_is_old(), kept, words);
         parts.extend(mapping.map(Progress::part));
         if let Some((_, map)) = &tab.map {
-            parts.push(part(
-                Severity::Note,
-                match map.largest_stable_dt_s {
-                    Some(dt_s) => format!("largest stable dt of this scene: {}", seconds(dt_s)),
-                    None => "largest stable dt of this scene: no limit".to_owned(),
-                },
-            ));
+            let largest = map.largest_stable_dt_s.map_or_else(|| "no limit".to_owned(), seconds);
+            let text = format!("largest stable dt of this scene: {largest}");
+            parts.push(part(Severity::Note, text));
             parts.push(part(Severity::Note, map.method.name().to_owned()));
         }
         parts
@@ -230,22 +218,13 @@ pub(crate) fn enter(app: &mut App) {
 }
 
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
-    if app.pane() == STIFF_SCENES { in_battery(app, action) } else { in_map(app, action) }
-}
-
-fn in_battery(app: &mut App, action: Action) -> bool {
-    match action {
-        Action::Run => ask_battery(app),
-        Action::View => app.pages.numerics.stability.table_page += 1,
-        Action::Sort => app.pages.numerics.stability.sort_next(),
-        _ => return false,
-    }
-    true
-}
-
-fn in_map(app: &mut App, action: Action) -> bool {
+    let on_scenes = app.pane() == STIFF_SCENES;
     let tab = &mut app.pages.numerics.stability;
     match action {
+        Action::Run if on_scenes => ask_battery(app),
+        Action::View if on_scenes => tab.table_page += 1,
+        Action::Sort if on_scenes => tab.sort_next(),
+        _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;
@@ -288,20 +267,15 @@ fn ask_battery(app: &mut App) {
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
     let old = if app.map_is_old() { ", old" } else { "" };
-    let title = match &tab.map {
-        Some((_, map)) => {
-            format!("{}, up: {}{old}", map.method.name(), map.axis.symbol())
-        }
-        None => "Map".to_owned(),
-    };
     let focused = app.has_focus(STABILITY);
     let Some((_, found)) = &tab.map else {
-        let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(focused);
+        let pane = PaneFrame::new("Map").right("Tab: stiff scenes").focused(focused);
         let inner = pane.draw(area, canvas);
         let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
         return canvas.put_centred(inner, nothing::<StabilityMap>(app, "computing the map", why));
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));
+    let title = format!("{}, up: {}{old}", found.method.name(), found.axis.symbol());
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let layout = canvas.draw(&map, above);

@@ -147,13 +147,14 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     });
     let breaches = envelope::of_scene(&app.scene);
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
-    for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
+    for (line, row) in list.rows().zip(rows.iter().skip(first)) {
         match row {
             Row::Heading(group) => {
-                canvas.put(list, (0, at), group.title(), Role::Title);
+                canvas.put(line, (0, 0), group.title(), Role::Title);
             }
             Row::Variable(index) => {
-                variable(app, (*index, &outside), (list, at), canvas);
+                let is_outside = outside.contains(&VARIABLES[*index].symbol);
+                variable(app, *index, is_outside, line, canvas);
             }
         }
     }
@@ -188,66 +189,54 @@ fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
     format!("{}-{}/{}", above + 1, above + seen, number(rows))
 }
 
-fn variable(
-    app: &App,
-    (index, outside): (usize, &[&str]),
-    (list, row): (Rect, u16),
-    canvas: &mut Canvas<'_>,
-) {
+fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut Canvas<'_>) {
     let variable = &VARIABLES[index];
     let selected = app.editor.selected == index;
     let used = variables::is_used(variable, &app.scene);
-    let is_outside =
-        variable.range_warning(&app.scene).is_some() || outside.contains(&variable.symbol);
-    let warned = used && is_outside;
+    let warned = used && (is_outside || variable.range_warning(&app.scene).is_some());
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let role = if used { Role::Text } else { Role::Dim };
     let field = app.field.as_ref().filter(|_| selected && app.pane() == run::VARIABLES);
 
     if differs {
-        canvas.put(list, (1, row), "*", Role::Note);
+        canvas.put(line, (1, 0), "*", Role::Note);
     }
-    let columns_of = Columns::of(list.width);
-    canvas.put(list, (SYMBOL, row), variable.symbol, role);
+    let columns_of = Columns::of(line.width);
+    canvas.put(line, (SYMBOL, 0), variable.symbol, role);
     if columns_of.meaning > 0 {
         let text = clip(variable.label, usize::from(columns_of.meaning - 1));
-        canvas.put(list, (VALUE, row), &text, Role::Dim);
+        canvas.put(line, (VALUE, 0), &text, Role::Dim);
     }
     if let Some(field) = field {
-        open_field(variable, field, (list, row), canvas);
+        open_field(variable, field, line, canvas);
     } else {
         let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
         let Columns { value, flag, unit, .. } = columns_of;
         let start = flag.saturating_sub(columns(&text)).max(value);
-        let end = canvas.put(list, (start, row), &text, role);
+        let end = canvas.put(line, (start, 0), &text, role);
         if matches!(variable.value(&app.scene), Value::Number(_)) && end <= flag {
-            canvas.put(list, (unit, row), variable.unit().trim_matches('-'), Role::Dim);
+            canvas.put(line, (unit, 0), variable.unit().trim_matches('-'), Role::Dim);
         }
     }
     if warned {
-        canvas.put(list, (columns_of.flag, row), "!", Role::Warning);
+        canvas.put(line, (columns_of.flag, 0), "!", Role::Warning);
     }
     if selected {
-        canvas.put(list, (0, row), ">", Role::Title);
+        canvas.put(line, (0, 0), ">", Role::Title);
         if field.is_none() {
-            canvas.paint_row(list, row);
+            canvas.paint_row(line, 0);
         }
     }
 }
 
 /// `[ 1.25_  ]`, wider where the text needs it.
-fn open_field(
-    variable: &Variable,
-    field: &Field,
-    (list, row): (Rect, u16),
-    canvas: &mut Canvas<'_>,
-) {
+fn open_field(variable: &Variable, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
     let long = columns(field.text.value()) >= VALUE_WIDTH;
-    let Columns { value, unit, .. } = Columns::of(list.width);
-    let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
-    field.draw_boxed(canvas, Rect { y: list.y + row, height: 1, ..list }, value, room);
+    let Columns { value, unit, .. } = Columns::of(line.width);
+    let room = if long { line.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
+    field.draw_boxed(canvas, line, value, room);
     if !long {
-        canvas.put(list, (unit + 1, row), variable.unit().trim_matches('-'), Role::Dim);
+        canvas.put(line, (unit + 1, 0), variable.unit().trim_matches('-'), Role::Dim);
     }
 }
 

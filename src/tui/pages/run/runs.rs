@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use crate::model::run::Run;
+use crate::model::run::{Run, Warning, envelope};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VARIABLES};
-use crate::report::run::page;
+use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison, no_depth};
 use crate::report::table::Table;
 use crate::study::models::by_every_model;
@@ -64,6 +64,43 @@ impl App {
     /// The runs in the order of their table: 0 the current one, then the pins.
     pub fn run_order(&self) -> Vec<usize> {
         self.runs_sorted.order(&self.compared_runs())
+    }
+
+    /// The pin selected in the table of runs; `None`: the current run is.
+    fn selected_pin(&self) -> Option<&Pin> {
+        self.pins.get(self.selected_run.checked_sub(1)?)
+    }
+
+    /// A row of the table of runs in words: `now`, or letter and name of a pin.
+    pub(crate) fn run_name(&self, run: usize) -> String {
+        let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
+        pin.map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
+    }
+
+    /// The last result in a few lines, for the main screen after leaving.
+    pub fn summary(&self) -> String {
+        let Some(shown) = &self.shown else {
+            return format!("{}: not run", self.base.name);
+        };
+        let run = &shown.run;
+        let name = self.name_of(&run.scene);
+        let outcome = format!("{} ({})", page::outcome(run), run.end.words());
+        let mut lines = [("scene", name), ("outcome", outcome)]
+            .map(|(label, text)| page::labelled(label, &text))
+            .to_vec();
+        lines.extend(page::results(run));
+        // How it ended stands beside the outcome already.
+        let ended = Warning::EndedEarly(run.end).to_string();
+        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
+        lines.extend(warnings.map(|warning| page::labelled("warning", &warning)));
+        let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
+        let hang = |line: String| {
+            // A label is columns of ASCII.
+            let (label, words) = line.split_at_checked(LABEL).unwrap_or((&line, ""));
+            let indent = format!("\n{:LABEL$}", "");
+            format!("{label}{}", wrap(words, room).join(&indent))
+        };
+        lines.into_iter().map(hang).collect::<Vec<_>>().join("\n")
     }
 
     /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
@@ -139,18 +176,12 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
         Some(pin) => difference(app, pin, width),
         None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
     };
-    let run = match app.selected_run.checked_sub(1) {
-        None => app.shown.as_ref().map(|shown| &shown.run),
-        Some(at) => app.pins.get(at).and_then(|pin| pin.run.as_ref()),
-    };
+    let now = || app.shown.as_ref().map(|shown| &shown.run);
+    let run = app.selected_pin().map_or_else(now, |pin| pin.run.as_ref());
     let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
     if let Some(run) = run.filter(|_| free > RESULTS_MIN) {
         lines.push((String::new(), Role::Text));
-        let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
-            None => "now".to_owned(),
-            Some(pin) => format!("{} {}", pin.letter, pin.name),
-        };
-        let heading = format!("{whose}: {}", page::outcome(run));
+        let heading = format!("{}: {}", app.run_name(app.selected_run), page::outcome(run));
         lines.push((clip(&heading, width), Role::Title));
         let results = page::results(run).into_iter().take(free - 2);
         lines.extend(results.map(|line| (clip(&line, width), Role::Text)));
@@ -241,12 +272,8 @@ pub(crate) fn models(app: &mut App) {
     let missing: Vec<_> =
         wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
     if missing.is_empty() {
-        app.pins.retain(|pin| wanted.iter().all(|(_, scene)| *pin.scene != **scene));
-        app.selected_run = app.selected_run.min(app.pins.len());
-        app.charts.difference &= !app.pins.is_empty();
         app.tell("the other interaction models are unpinned");
-        app.request(Effect::SaveSession);
-        return;
+        return wanted.iter().for_each(|(_, scene)| take_away(app, scene));
     }
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {
@@ -267,8 +294,9 @@ pub(crate) fn models(app: &mut App) {
     ));
 }
 
-fn selected(app: &mut App) -> Option<usize> {
-    let found = app.selected_run.checked_sub(1).filter(|at| *at < app.pins.len());
+/// The pin selected in the table of runs, or why there is none.
+fn selected(app: &mut App) -> Option<Pin> {
+    let found = app.selected_pin().cloned();
     if found.is_none() {
         app.tell(if app.pins.is_empty() {
             "no run is pinned yet: Space pins the current one"
@@ -280,26 +308,22 @@ fn selected(app: &mut App) -> Option<usize> {
 }
 
 pub(crate) fn unpin(app: &mut App) {
-    let Some(at) = selected(app) else {
-        return;
-    };
-    let pin = app.pins[at].clone();
-    unpinned(app, pin);
+    if let Some(pin) = selected(app) {
+        unpinned(app, pin);
+    }
 }
 
 fn unpinned(app: &mut App, pin: Pin) {
-    take_away(app, &pin);
+    take_away(app, &pin.scene);
     app.tell(format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
     edit::note_unpinned(app, pin);
 }
 
-pub(crate) fn take_away(app: &mut App, gone: &Pin) {
-    // By its scene, not by its letter: that may have become another one's since.
-    app.pins.retain(|pin| *pin.scene != *gone.scene);
+/// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
+pub(crate) fn take_away(app: &mut App, gone: &Scene) {
+    app.pins.retain(|pin| *pin.scene != *gone);
     app.selected_run = app.selected_run.min(app.pins.len());
-    if app.pins.is_empty() {
-        app.charts.difference = false;
-    }
+    app.charts.difference &= !app.pins.is_empty();
     app.request(Effect::SaveSession);
 }
 
@@ -325,10 +349,7 @@ fn insert(app: &mut App, pin: Pin) {
 }
 
 pub(crate) fn load(app: &mut App) {
-    let Some(at) = selected(app) else {
-        return;
-    };
-    let pin = &app.pins[at];
+    let Some(pin) = selected(app) else { return };
     if *pin.scene == *app.scene {
         return app.tell("the current scene is this one already");
     }
@@ -339,14 +360,9 @@ pub(crate) fn load(app: &mut App) {
 }
 
 pub(crate) fn show_or_hide(app: &mut App) {
-    match app.selected_run.checked_sub(1) {
-        None => app.current_visible = !app.current_visible,
-        Some(at) => {
-            if let Some(pin) = app.pins.get_mut(at) {
-                pin.visible = !pin.visible;
-            }
-        }
-    }
+    let pin = app.selected_run.checked_sub(1).and_then(|at| app.pins.get_mut(at));
+    let visible = pin.map_or(&mut app.current_visible, |pin| &mut pin.visible);
+    *visible = !*visible;
 }
 
 pub(crate) fn copy(app: &mut App) {

@@ -43,14 +43,12 @@ pub struct Setup {
 impl Default for Setup {
     fn default() -> Self {
         Self {
-            seek: SweepAxis {
-                name: "d".to_owned(),
-                from: 0.0,
-                to: 0.5,
-                count: usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX),
-                log: false,
-                values: Vec::new(),
-            },
+            seek: SweepAxis::linear(
+                "d",
+                0.0,
+                0.5,
+                usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX),
+            ),
             goal: ("percent_of_baseline", 60.0),
             bounds: Vec::new(),
             objectives: [true; 4],

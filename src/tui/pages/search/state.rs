@@ -11,7 +11,6 @@ use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
-use crate::tui::pages::search::setup::brief;
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -256,85 +255,6 @@ impl App {
             }
         }
     }
-
-    pub fn search_readout(&self) -> Option<String> {
-        let tab = &self.pages.search;
-        if let Some(problem) = &tab.problem {
-            return Some(problem.clone());
-        }
-        let found = tab.shown()?;
-        match &*found.answer {
-            Answer::Seek(report) => {
-                let solution = report.solutions().nth(tab.selected())?;
-                let at = report.axis.show(solution.place.at, 5);
-                let value = report.measure.show(solution.place.value, 4);
-                Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
-            }
-            Answer::Front(_, task) => {
-                let design = *tab.designs().get(tab.selected())?;
-                let values = task.axes.iter().zip(&design.values);
-                let values: Vec<String> = values
-                    .map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)))
-                    .collect();
-                let results: Vec<String> = design
-                    .measures
-                    .iter()
-                    .zip(task.measures())
-                    .filter_map(|(value, column)| {
-                        Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
-                    })
-                    .collect();
-                Some(format!(
-                    "#{}/{} {}: {}",
-                    tab.selected() + 1,
-                    tab.choices(),
-                    values.join(" "),
-                    results.join(", ")
-                ))
-            }
-            Answer::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
-            Answer::MonteCarlo(_) => None,
-        }
-    }
-
-    pub fn search_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.search;
-        let running = self.jobs.study::<Request>();
-        let mine = running.filter(|(_, request)| request.page() == tab.page);
-        let mut parts = Vec::new();
-        match (running, mine, tab.shown()) {
-            (_, Some((running, _)), _) => {
-                let of = running.points.map_or_else(String::new, |(done, total)| {
-                    format!(": about {} of {total} runs", done.min(total))
-                });
-                parts.push(Progress::Running(format!("searching{of}")).part());
-            }
-            (Some(_), None, _) => {
-                parts.push(Progress::Running("another search is running".to_owned()).part());
-            }
-            (None, _, None) if tab.problem.is_some() => {
-                parts.push(part(Severity::Error, "this cannot be searched for".to_owned()));
-            }
-            (None, _, None) => parts.push(Progress::Nothing.part()),
-            (None, _, Some(_)) if self.search_is_old() => {
-                parts.push(Progress::Old("setup").part());
-            }
-            (None, _, Some(found)) => {
-                let (done, runs) = completeness(&found.answer);
-                let progress = if done {
-                    Progress::Done("done".to_owned())
-                } else {
-                    Progress::Cut(String::new())
-                };
-                parts.push(progress.part());
-                if let Some(runs) = runs {
-                    parts.push(part(Severity::Note, runs));
-                }
-            }
-        }
-        parts.extend(self.validity_part());
-        parts
-    }
 }
 
 impl Found {
@@ -356,7 +276,7 @@ impl Found {
 }
 
 /// Whether an answer is whole, and how much went into it.
-fn completeness(answer: &Answer) -> (bool, Option<String>) {
+pub(super) fn completeness(answer: &Answer) -> (bool, Option<String>) {
     match answer {
         Answer::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
         Answer::Front(front, _) => {

@@ -44,7 +44,8 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (left, right) = split_left(top, top.width - wanted.min(top.width));
     chart(app, left, canvas);
     methods(app, right, canvas);
-    for (row, line) in (0..answers.height).zip(app.accuracy_answers()) {
+    let lines = app.auto_sentence().into_iter().chain(app.accuracy_costs());
+    for (row, line) in (0..answers.height).zip(lines) {
         let room = usize::from(answers.width.saturating_sub(2));
         // The cost with nothing omitted goes before it is cut in two.
         let brief = line.split(';').next().filter(|_| line.chars().count() > room);
