@@ -14,7 +14,7 @@ use crate::tui::message::{Content, FileTask};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{TextLine, columns, window, wrapped};
+use crate::tui::widgets::text::{TextLine, columns, wrapped};
 
 /// Rows of a grid by default.
 const GRID_ROWS: usize = 1001;
@@ -361,10 +361,15 @@ fn one(state: &Export, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let room = line.width.saturating_sub(VALUE + 1);
     let role = if here { Role::Selection } else { Role::Text };
     let text = match &shown.value {
-        Value::Text(field) if here => {
-            return field.draw(canvas, Rect { x: line.x + VALUE, width: room, ..line });
+        Value::Text(field) => {
+            let area = Rect { x: line.x + VALUE, width: room, ..line };
+            if here {
+                field.draw(canvas, area);
+            } else {
+                field.put(canvas, area, role);
+            }
+            return;
         }
-        Value::Text(field) => window(&field.input, room).0,
         Value::Choice(at, words) => format!("< {} >", words[*at]),
         Value::Tick { name, about, on } => {
             let tick = if *on { "[x]" } else { "[ ]" };
