@@ -1,6 +1,6 @@
 //! The loop itself, and the effects that are not files: jobs, timers, the clipboard, suspending, leaving.
 
-use std::collections::{HashSet, VecDeque};
+use std::collections::VecDeque;
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
@@ -11,14 +11,13 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 use super::effects::{self, IoThread};
 use super::pace::Pace;
 use super::signals::{self, Signal, Watch};
-use super::terminal::{self, Guard, Stopped};
+use super::terminal::{self, Guard};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::message::{EffectReport, FileTask, Message};
 use crate::tui::prelude::*;
 use crate::tui::{update, view};
-use crate::worker::study::Lane;
-use crate::worker::{Report, Slot, Worker};
+use crate::worker::{Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
 const LOOK: Duration = Duration::from_millis(250);
@@ -57,10 +56,6 @@ pub(super) struct Shell {
     io_thread: IoThread,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
-    /// Runs submitted that have not ended.
-    running: HashSet<u64>,
-    /// The newest job of the scene on the screen.
-    newest: Option<u64>,
     /// Events that arrived while the process was being stopped.
     put_off: VecDeque<Incoming>,
     last_look: Instant,
@@ -88,7 +83,7 @@ impl Shell {
         let watch = signals::spawn(sender.clone(), move || {
             // The reader is gone.
             let _ = unsaved.save();
-            terminal::restore_without_waiting();
+            terminal::restore();
         })?;
         let now = Instant::now();
         // Dropped when anything below fails, which restores the terminal.
@@ -101,8 +96,6 @@ impl Shell {
             io_thread,
             pace: Pace::new(now),
             timers: Vec::new(),
-            running: HashSet::new(),
-            newest: None,
             put_off: VecDeque::new(),
             last_look: now,
             _watch: watch,
@@ -220,7 +213,7 @@ impl Shell {
             },
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
             // Where no shell could continue it, the system would ignore the signal.
-            Incoming::Signal(Signal::Stop) => self.suspend(Stopped::Process).map(|_stopped| None),
+            Incoming::Signal(Signal::Stop) => self.suspend().map(|_stopped| None),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
                 self.pace.change();
@@ -244,11 +237,14 @@ impl Shell {
     fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
-            if let Message::Report(report) = &message {
-                self.note(report);
-            }
             let effects = update::update(&mut self.app, message);
             self.pace.change();
+            let run = self.app.jobs.current.as_ref();
+            // One that takes a moment has reported.
+            self.pace.set_busy(run.is_some_and(|run| !run.elapsed.is_zero()));
+            if run.is_none() {
+                self.pace.result_came();
+            }
             for effect in effects {
                 if let Some(ending) = self.carry_out(effect, &mut queue)? {
                     return Ok(Some(ending));
@@ -256,25 +252,6 @@ impl Shell {
             }
         }
         Ok(None)
-    }
-
-    /// Keep count of the runs under way.
-    fn note(&mut self, report: &Report) {
-        if !self.running.contains(&report.id) {
-            return;
-        }
-        if !report.body.is_last() {
-            self.pace.set_busy(true);
-            return;
-        }
-        self.running.remove(&report.id);
-        if self.newest == Some(report.id) {
-            self.newest = None;
-            self.pace.result_came();
-        }
-        if self.running.is_empty() {
-            self.pace.set_busy(false);
-        }
     }
 
     fn carry_out(
@@ -285,12 +262,7 @@ impl Shell {
         match effect {
             Effect::Submit(task) => {
                 if task.study.slot() == Slot::Current {
-                    self.newest = Some(task.id);
                     self.pace.expect_result(Instant::now());
-                }
-                // A run is drawn less often while it takes a while.
-                if task.study.lane() == Lane::Runs {
-                    self.running.insert(task.id);
                 }
                 self.worker.submit(task);
             }
@@ -302,7 +274,7 @@ impl Shell {
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => self.guard.redraw_all()?,
             Effect::Suspend => {
-                if !self.suspend(Stopped::Group)? {
+                if !self.suspend()? {
                     queue.push_back(Message::Done(EffectReport::Said(
                         Severity::Error,
                         "cannot suspend: no shell is there to come back from".to_owned(),
@@ -330,12 +302,12 @@ impl Shell {
     }
 
     /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
-    fn suspend(&mut self, whom: Stopped) -> io::Result<bool> {
+    fn suspend(&mut self) -> io::Result<bool> {
         if !terminal::could_be_continued() {
             return Ok(false);
         }
         terminal::restore();
-        terminal::stop(whom)?;
+        terminal::stop()?;
         // The system stops the process a moment after the call; it goes on with a signal. The time runs out while stopped, too:
         // only the second wait in a row without a signal means that nothing happened.
         let mut stopped = false;

@@ -10,8 +10,6 @@ pub(super) mod hook;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
@@ -135,23 +133,14 @@ impl Drop for Guard {
 /// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
     if ENTERED.swap(false, Ordering::SeqCst) {
-        if !matches!(poll_out(Some(SHORT)), Ok(true)) {
+        let takes =
+            || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
+        if !takes() {
             discard_output();
         }
-        // If the terminal is gone, the error cannot be shown.
-        let _ = write_all(&farewell());
-        let _ = disable_raw_mode();
-    }
-}
-
-/// The same while another thread may be stuck in a write to the terminal: what it writes comes first, and may never end.
-pub(super) fn restore_without_waiting() {
-    if ENTERED.swap(false, Ordering::SeqCst) {
-        discard_output();
-        let (done, wait) = mpsc::channel();
-        let write = move || drop(write_all(&farewell()).map(|()| done.send(())));
-        if thread::Builder::new().spawn(write).is_ok() {
-            let _ = wait.recv_timeout(SHORT);
+        if takes() {
+            // If the terminal is gone, the error cannot be shown.
+            let _ = write_all(&farewell());
         }
         let _ = disable_raw_mode();
     }
@@ -188,21 +177,10 @@ fn farewell() -> Vec<u8> {
     bytes
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stopped {
-    /// This process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does.
-    Group,
-    /// This process alone, as the signal asks.
-    Process,
-}
-
-/// Stop until continued. The signal cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
-pub(super) fn stop(whom: Stopped) -> io::Result<()> {
-    let stopped = match whom {
-        Stopped::Group => kill_current_process_group(Signal::STOP),
-        Stopped::Process => kill_process(getpid(), Signal::STOP),
-    };
-    stopped.map_err(io::Error::from)
+/// Stop this process and those started with it (`cargo run`, for one) until continued, as the shell's own Ctrl-Z does. The signal
+/// cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
+pub(super) fn stop() -> io::Result<()> {
+    Ok(kill_current_process_group(Signal::STOP)?)
 }
 
 /// Whether a shell could continue this process: one of the processes above it in its group has a parent outside of the group, but
@@ -253,13 +231,7 @@ pub(super) fn is_entered() -> bool {
 /// Whether the other end of the terminal is gone.
 pub(super) fn is_hung_up() -> bool {
     // No event requested: only hang-ups and errors are reported.
-    let out = stdout();
-    let mut watched = [PollFd::new(&out, PollFlags::empty())];
-    let now = Timespec { tv_sec: 0, tv_nsec: 0 };
-    match poll(&mut watched, Some(&now)) {
-        Ok(_) => watched[0].revents().intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL),
-        Err(error) => error != Errno::INTR,
-    }
+    poll_stdout(PollFlags::empty(), Some(Duration::ZERO)).is_ok_and(|found| !found.is_empty())
 }
 
 /// The backend: collects a frame and writes it at once.
@@ -393,7 +365,7 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
             Err(Errno::INTR) => {}
             // Someone who shares the terminal has made it non-blocking.
             Err(Errno::AGAIN) => {
-                poll_out(None)?;
+                poll_stdout(PollFlags::OUT, None)?;
             }
             Err(error) => return Err(error.into()),
         }
@@ -401,17 +373,13 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Wait until the terminal takes bytes, at most this long; whether it does.
-fn poll_out(patience: Option<Duration>) -> io::Result<bool> {
+/// Wait for events of the terminal, at most this long; gives those that have come, hang-ups and errors among them.
+fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlags, Errno> {
     let out = stdout();
-    let mut watched = [PollFd::new(&out, PollFlags::OUT)];
-    let patience = patience.map(|wait| Timespec {
-        tv_sec: wait.as_secs().try_into().unwrap_or(i64::MAX),
-        tv_nsec: wait.subsec_nanos().into(),
-    });
+    let mut watched = [PollFd::new(&out, wanted)];
+    let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
     match poll(&mut watched, patience.as_ref()) {
-        Ok(ready) => Ok(ready > 0),
-        Err(Errno::INTR) => Ok(false),
-        Err(error) => Err(error.into()),
+        Ok(_) | Err(Errno::INTR) => Ok(watched[0].revents()),
+        Err(error) => Err(error),
     }
 }
