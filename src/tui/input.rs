@@ -147,8 +147,8 @@ fn incoming_of(event: Event) -> Option<Incoming> {
         Event::Key(key) if key.kind == KeyEventKind::Release => return None,
         Event::Key(key) => Message::Key(key),
         Event::Paste(text) => Message::Paste(text),
-        Event::Resize(columns, rows) => {
-            let (columns, rows) = terminal::usable(columns, rows);
+        Event::Resize(..) => {
+            let (columns, rows) = terminal::size().ok()?;
             Message::Resize(columns, rows)
         }
         Event::Mouse(mouse) => return pointing(mouse),
@@ -170,8 +170,7 @@ fn pointing(mouse: MouseEvent) -> Option<Incoming> {
         | MouseEventKind::Moved => false,
     };
     // A terminal counts from one; one that sends a zero has clicked nowhere, and crossterm makes 65535 of it.
-    let place = (mouse.column, mouse.row);
-    (used && place == terminal::usable(mouse.column, mouse.row)).then_some(Incoming::Mouse(mouse))
+    (used && mouse.column.max(mouse.row) < u16::MAX).then_some(Incoming::Mouse(mouse))
 }
 
 #[cfg(test)]

@@ -101,7 +101,7 @@ impl Shell {
             _watch: watch,
         };
         input::spawn(sender)?;
-        let (columns, rows) = shell.guard.size()?;
+        let (columns, rows) = terminal::size()?;
         let mut queue = VecDeque::from([Message::Resize(columns, rows)]);
         for effect in effects {
             // Starting requests runs and lists only.
@@ -175,7 +175,7 @@ impl Shell {
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let app = &self.app;
-            let changed = self.guard.draw(|frame| view::view(app, frame))?;
+            let changed = self.guard.draw(app.size, |buffer| view::view(app, buffer))?;
             self.pace.drawn(Instant::now(), changed);
         }
         Ok(None)

@@ -1,6 +1,5 @@
 //! The screen: five regions, panes, and a dialog on top. Reads the state, changes nothing.
 
-use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
@@ -14,22 +13,16 @@ use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{self, columns, text_role};
 
-pub fn view(app: &App, frame: &mut Frame<'_>) {
-    let area = frame.area();
-    let mut canvas = Canvas::new(frame.buffer_mut(), app.theme);
-    if (area.width, area.height) == app.size {
-        draw(app, area, &mut canvas);
-    } else {
-        // The terminal has a new size, and the message that says so is under way.
-        draw(&App { size: (area.width, area.height), ..app.clone() }, area, &mut canvas);
-    }
+/// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, if it is shown.
+pub fn view(app: &App, buffer: &mut Buffer) -> Option<(u16, u16)> {
+    let area = buffer.area;
+    let mut canvas = Canvas::new(buffer, app.theme);
+    draw(app, area, &mut canvas);
     let cursor = canvas.cursor;
     if app.theme.glyphs == GlyphSet::Ascii {
-        ascii_pass(frame.buffer_mut());
+        ascii_pass(buffer);
     }
-    if let Some(cursor) = cursor {
-        frame.set_cursor_position(cursor);
-    }
+    cursor
 }
 
 /// The target at a column and a row of the screen; `None` where a click has no effect.

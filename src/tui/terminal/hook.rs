@@ -74,6 +74,7 @@ mod tests {
     use std::io::Read;
 
     use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+    use ratatui::style::Style;
 
     use super::*;
     use crate::tui::terminal::Guard;
@@ -159,7 +160,10 @@ mod tests {
     fn another_thread_panics() {
         let mut guard = take_over();
         assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
-        let drawn = guard.draw(|frame| frame.render_widget("still here", frame.area()));
+        let drawn = guard.draw((80, 24), |buffer| {
+            buffer.set_string(0, 0, "still here", Style::new());
+            None
+        });
         assert!(drawn.is_ok_and(|changed| changed));
     }
 }

@@ -20,8 +20,8 @@ use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::{Finding, Progress, ReportBody};
 use insta::assert_snapshot;
-use ratatui::Terminal;
-use ratatui::backend::TestBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use ratatui::style::Color;
 
 /// A sweep that was requested.
@@ -125,9 +125,9 @@ fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() 
         let mut bench = open_map("figure-9.7", 21, glyphs, (80, 24));
         bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
         keys(&mut bench, "2");
-        let mut terminal = Terminal::new(TestBackend::new(80, 24)).unwrap();
-        terminal.draw(|frame| view(&bench.app, frame)).unwrap();
-        terminal.backend().buffer().clone()
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
+        view(&bench.app, &mut buffer);
+        buffer
     };
     let coloured = |cell: &&ratatui::buffer::Cell| matches!(cell.bg, Color::Indexed(_));
     let block = draw(GlyphSet::Block);
