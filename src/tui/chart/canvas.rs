@@ -6,11 +6,14 @@ use super::{Curve, Mapping, Scale};
 use crate::report::chart::scale::whole_below;
 use crate::tui::theme::GlyphSet;
 
+/// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
+const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
+
 pub(super) struct Canvas {
     glyphs: GlyphSet,
     /// Cells across and down.
     cells: (usize, usize),
-    /// Dots of each cell, as bits: row of dots from the top times dots across, plus column of dots.
+    /// Dots of each cell, as bits: those of a braille character, or one for each row of dots from the top.
     dots: Vec<u8>,
     /// Who drew last in each cell; meaningless where there are no dots.
     owners: Vec<usize>,
@@ -68,7 +71,7 @@ impl Canvas {
                 0b10 => '▄',
                 _ => '█',
             },
-            GlyphSet::Braille => char::from_u32(0x2800 + u32::from(braille(dots))).unwrap_or(' '),
+            GlyphSet::Braille => char::from_u32(0x2800 + u32::from(dots)).unwrap_or(' '),
         }
     }
 
@@ -83,7 +86,9 @@ impl Canvas {
         let from_top = height - 1 - y;
         let (column, row) = (x / across, from_top / down);
         let index = row * self.cells.0 + column;
-        self.dots[index] |= 1 << (from_top % down * across + x % across);
+        let place = from_top % down * across + x % across;
+        self.dots[index] |=
+            if self.glyphs == GlyphSet::Braille { BRAILLE[place] } else { 1 << place };
         self.owners[index] = owner;
         let (top, bottom) = self.reach[column].unwrap_or((row, row));
         self.reach[column] = Some((top.min(row), bottom.max(row)));
@@ -134,13 +139,6 @@ impl Canvas {
             self.dot(x, y, owner);
         }
     }
-}
-
-/// From rows of two dots to the order of bits in a braille character: 1 4 / 2 5 / 3 6 / 7 8.
-fn braille(dots: u8) -> u8 {
-    const BITS: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
-    let set = |(place, bit): (usize, &u8)| if dots >> place & 1 == 1 { *bit } else { 0 };
-    BITS.iter().enumerate().map(set).sum()
 }
 
 /// The part of a line inside `0..=size` (Liang and Barsky 1984), if any.
