@@ -20,66 +20,43 @@ use crossterm::event::{
 };
 
 use super::{Incoming, terminal};
-use crate::tui::app::notice::Severity;
-use crate::tui::message::{EffectReport, Message};
-
-/// Panics in a row, without an event between them, after which reading is given up.
-const PANICS_MAX: usize = 16;
-
-/// The message shown when reading panicked.
-const RESTARTED: &str = "internal error while reading keys: reading was restarted, the last keys may be lost (see the log)";
+use crate::tui::message::Message;
 
 /// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
 pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
         // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
         let waits = || event::poll(Duration::from_millis(1)).unwrap_or(false);
-        listen(&inbox, event::read, waits);
+        // A panic is in the log.
+        match panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, event::read, waits))) {
+            Ok(Err(error)) => log::warn!("reading from the terminal failed: {error}"),
+            Ok(Ok(())) | Err(_) => {}
+        }
         // The loop may be over already.
         let _ = inbox.send(Incoming::InputLost);
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
-/// Pass events on until reading fails, panics again and again, or the loop is over. A panic costs the bytes that had been read.
+/// Pass events on until reading fails or the loop is over.
 fn listen(
     inbox: &Sender<Incoming>,
     mut read: impl FnMut() -> io::Result<Event>,
     mut waits: impl FnMut() -> bool,
-) {
-    let mut panics = 0;
-    let mut repaired: VecDeque<Event> = VecDeque::new();
-    while panics < PANICS_MAX {
-        let mut next = || -> io::Result<Event> {
-            if let Some(event) = repaired.pop_front() {
-                return Ok(event);
+) -> io::Result<()> {
+    loop {
+        let event = read()?;
+        let follows = is_escape(&event) && waits();
+        let mut events = VecDeque::from([event]);
+        if follows {
+            events.extend(after_escape(&mut read, &mut waits)?);
+        }
+        for incoming in events.into_iter().filter_map(incoming_of) {
+            if inbox.send(incoming).is_err() {
+                return Ok(());
             }
-            let event = read()?;
-            if is_escape(&event) && waits() {
-                repaired = after_escape(&mut read, &mut waits)?;
-            }
-            Ok(event)
-        };
-        let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut next)) {
-            Err(_panic) => {
-                panics += 1;
-                let report = EffectReport::Said(Severity::Warning, RESTARTED.to_owned());
-                Some(Incoming::Message(Message::Done(report)))
-            }
-            Ok(Ok(event)) => {
-                panics = 0;
-                incoming_of(event)
-            }
-            Ok(Err(error)) => {
-                log::warn!("reading from the terminal failed: {error}");
-                return;
-            }
-        };
-        if incoming.is_some_and(|incoming| inbox.send(incoming).is_err()) {
-            return;
         }
     }
-    log::error!("reading from the terminal failed {PANICS_MAX} times in a row");
 }
 
 fn is_escape(event: &Event) -> bool {
@@ -188,35 +165,6 @@ mod tests {
         assert!(incoming_of(Event::Key(key)).is_none());
     }
 
-    #[test]
-    fn a_panic_of_the_parser_is_reported_and_reading_goes_on() {
-        let (send, inbox) = std::sync::mpsc::channel();
-        let key = Event::Key(KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE));
-        let mut turn = 0;
-        let read = || {
-            turn += 1;
-            match turn {
-                1 => panic!("the parser"),
-                2 => Ok(key.clone()),
-                _ => Err(io::ErrorKind::NotConnected.into()),
-            }
-        };
-        listen(&send, read, || false);
-        let reported = inbox.recv().unwrap();
-        assert!(
-            matches!(reported, Incoming::Message(Message::Done(EffectReport::Said(_, text))) if text == RESTARTED)
-        );
-        assert!(matches!(inbox.recv().unwrap(), Incoming::Message(Message::Key(_))));
-        // One that panics for ever does not keep a core busy for ever.
-        let mut turns = 0;
-        let read = || {
-            turns += 1;
-            panic!("the parser")
-        };
-        listen(&send, read, || false);
-        assert_eq!(turns, PANICS_MAX);
-    }
-
     /// `Esc` and an arrow in one read: the arrow is an arrow, not the letters of its sequence.
     #[test]
     fn an_arrow_in_the_same_read_as_an_escape_stays_an_arrow() {
@@ -232,7 +180,7 @@ mod tests {
                 left.set(left.get().saturating_sub(1));
                 rest.pop_front().ok_or_else(|| io::ErrorKind::NotConnected.into())
             };
-            listen(&send, read, || left.get() > 0);
+            listen(&send, read, || left.get() > 0).unwrap_err();
             drop(send);
             let code = |incoming| match incoming {
                 Incoming::Message(Message::Key(key)) => Some(key.code),
