@@ -133,7 +133,7 @@ const BLACK: Color = Color::Indexed(16);
 const WHITE: Color = Color::Indexed(231);
 
 /// The ink that can be read on a step's colour.
-pub(super) fn ink_on(colour: Color) -> Color {
+pub(crate) fn ink_on(colour: Color) -> Color {
     let shade = (0..HEAT.len()).find(|shade| heat(*shade).0 == colour);
     shade.map_or(WHITE, |shade| heat(shade).1)
 }
