@@ -58,7 +58,6 @@ pub(super) struct Shell {
     timers: Vec<(Instant, Message)>,
     /// Events that arrived while the process was being stopped.
     put_off: VecDeque<Incoming>,
-    last_look: Instant,
     _watch: Watch,
 }
 
@@ -97,7 +96,6 @@ impl Shell {
             pace: Pace::new(now),
             timers: Vec::new(),
             put_off: VecDeque::new(),
-            last_look: now,
             _watch: watch,
         };
         input::spawn(sender)?;
@@ -167,11 +165,8 @@ impl Shell {
             return Ok(Some(ending));
         }
         let now = Instant::now();
-        if now.duration_since(self.last_look) >= LOOK {
-            self.last_look = now;
-            if terminal::is_hung_up() {
-                return Ok(Some(Ending::HungUp));
-            }
+        if terminal::is_hung_up() {
+            return Ok(Some(Ending::HungUp));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let app = &self.app;
