@@ -13,7 +13,7 @@ use cmra::model::run::{
 };
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
-use cmra::tui::app::{App, Base, Origin};
+use cmra::tui::app::{App, Base};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message, PresetEntry};
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -62,7 +62,7 @@ impl Bench {
     pub(crate) fn closed(glyphs: GlyphSet, size: (u16, u16)) -> Self {
         let base = Base {
             name: "thesis-baseline".to_owned(),
-            origin: Origin::Bundled,
+            is_mine: false,
             scene: Arc::new(Scene::default()),
         };
         let theme = Theme { glyphs, depth: ColourDepth::None };

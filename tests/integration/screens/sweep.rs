@@ -10,7 +10,7 @@ use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
-use cmra::tui::app::{Base, Origin};
+use cmra::tui::app::Base;
 use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::Tab;
@@ -61,7 +61,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
     }
     let scene = Arc::new(scene);
     bench.app.scene = Arc::clone(&scene);
-    bench.app.base = Base { name: figure.to_owned(), origin: Origin::Bundled, scene };
+    bench.app.base = Base { name: figure.to_owned(), is_mine: false, scene };
     bench
 }
 
