@@ -357,10 +357,7 @@ mod tests {
         loop {
             match inbox.recv_timeout(PATIENCE).expect("a report in time") {
                 Incoming::Message(Message::Done(report)) => return report,
-                Incoming::Message(_)
-                | Incoming::Mouse(_)
-                | Incoming::InputLost
-                | Incoming::Signal(_) => {}
+                Incoming::Message(_) | Incoming::Mouse(_) | Incoming::Signal(_) => {}
             }
         }
     }

@@ -19,10 +19,11 @@ use crossterm::event::{
     MouseEventKind,
 };
 
+use super::signals::{HUNG_UP, Signal};
 use super::{Incoming, terminal};
 use crate::tui::message::Message;
 
-/// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
+/// Start the thread. When it ends, whatever the reason, the terminal counts as gone.
 pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
         // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
@@ -33,7 +34,7 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
             Ok(Ok(())) | Err(_) => {}
         }
         // The loop may be over already.
-        let _ = inbox.send(Incoming::InputLost);
+        let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }

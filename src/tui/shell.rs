@@ -10,7 +10,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{self, IoThread};
 use super::pace::Pace;
-use super::signals::{self, Signal, Watch};
+use super::signals::{self, HUNG_UP, Signal, Watch};
 use super::terminal::{self, Guard};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
@@ -40,9 +40,8 @@ pub(super) enum Ending {
         /// The last summary is wanted on the main screen.
         summary: bool,
     },
-    /// A signal, with the exit status it stands for.
+    /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
-    HungUp,
     /// The terminal cannot be used any more, though it is there.
     Broken(io::Error),
 }
@@ -118,7 +117,7 @@ impl Shell {
                 Ok(None) => {}
                 Ok(Some(ending)) => return ending,
                 // A terminal that is gone answers with several different errors.
-                Err(_) if terminal::is_hung_up() => return Ending::HungUp,
+                Err(_) if terminal::is_hung_up() => return Ending::Signal(HUNG_UP),
                 Err(error) => return Ending::Broken(error),
             }
         }
@@ -129,7 +128,7 @@ impl Shell {
     pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
-            Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
+            Ending::Signal(_) | Ending::Broken(_) => (FINISH_FORCED, false),
         };
         self.io_thread.session_changed(start::session(&self.app));
         // The person sees the prompt while the disk is still busy.
@@ -148,7 +147,7 @@ impl Shell {
             None => match self.inbox.recv_timeout(self.wait(Instant::now())) {
                 Ok(incoming) => Some(incoming),
                 Err(RecvTimeoutError::Timeout) => None,
-                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::HungUp)),
+                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::Signal(HUNG_UP))),
             },
         };
         let mut taken = 0;
@@ -166,7 +165,7 @@ impl Shell {
         }
         let now = Instant::now();
         if terminal::is_hung_up() {
-            return Ok(Some(Ending::HungUp));
+            return Ok(Some(Ending::Signal(HUNG_UP)));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let app = &self.app;
@@ -214,7 +213,6 @@ impl Shell {
                 self.pace.change();
                 Ok(None)
             }
-            Incoming::InputLost => Ok(Some(Ending::HungUp)),
         }
     }
 

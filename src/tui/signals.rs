@@ -35,6 +35,9 @@ pub(super) enum Signal {
     Continued,
 }
 
+/// The exit status where the terminal is gone, whether a signal said so or not.
+pub(super) const HUNG_UP: u8 = 128 + 1;
+
 /// Tells the signal thread that the loop has left; it then no longer ends the process.
 pub(super) struct Watch {
     _left: Sender<()>,
