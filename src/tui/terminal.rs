@@ -95,7 +95,9 @@ impl Guard {
         }
         let mut next = Buffer::empty(area);
         let cursor = render(&mut next);
-        let any = encode::cells(&mut self.pending, self.shown.diff_iter(&next));
+        let before = self.pending.len();
+        encode::cells(&mut self.pending, self.shown.diff_iter(&next));
+        let any = self.pending.len() > before;
         match cursor {
             Some((x, y)) if any || cursor != self.cursor => {
                 queue!(self.pending, MoveTo(x, y))?;

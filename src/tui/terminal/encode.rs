@@ -16,17 +16,12 @@ struct Style {
 
 const PLAIN: Style = Style { fg: Color::Reset, bg: Color::Reset, modifier: Modifier::empty() };
 
-/// Append the cells to `out`; the style is plain again afterwards. Returns whether there were any.
-pub(super) fn cells<'a>(
-    out: &mut Vec<u8>,
-    content: impl Iterator<Item = (u16, u16, &'a Cell)>,
-) -> bool {
+/// Append the cells to `out`; the style is plain again afterwards.
+pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u16, &'a Cell)>) {
     let mut style = PLAIN;
     // Where the next character would land, were nothing done about it.
     let mut next: Option<(u16, u16)> = None;
-    let mut any = false;
     for (x, y, cell) in content {
-        any = true;
         go_to(out, next, (x, y));
         let wanted = Style { fg: cell.fg, bg: cell.bg, modifier: cell.modifier };
         if wanted != style {
@@ -40,7 +35,6 @@ pub(super) fn cells<'a>(
     if style != PLAIN {
         out.extend_from_slice(b"\x1b[m");
     }
-    any
 }
 
 /// Whether a symbol surely takes one column: one character of those this program draws with.
@@ -206,7 +200,7 @@ mod tests {
         buffer[(0, 0)].set_style(Wanted::new().fg(Color::Indexed(1)).add_modifier(Modifier::BOLD));
         let mut bytes = Vec::new();
         let before = Buffer::empty(buffer.area);
-        assert!(cells(&mut bytes, before.diff(&buffer).into_iter()));
+        cells(&mut bytes, before.diff(&buffer).into_iter());
         // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves on; CUP without a column is column 1.
         assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
     }
