@@ -137,16 +137,13 @@ fn incoming_of(event: Event) -> Option<Incoming> {
 /// The left button and the wheel; other buttons are left to the terminal's own menus. What they point at only the loop knows,
 /// which has the screen.
 fn pointing(mouse: MouseEvent) -> Option<Incoming> {
-    let used = match mouse.kind {
-        MouseEventKind::Down(button) => button == MouseButton::Left,
-        MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => true,
-        // Sideways would step values by mistake when a touchpad is brushed.
-        MouseEventKind::ScrollLeft
-        | MouseEventKind::ScrollRight
-        | MouseEventKind::Up(_)
-        | MouseEventKind::Drag(_)
-        | MouseEventKind::Moved => false,
-    };
+    // The wheel turned sideways would step values by mistake when a touchpad is brushed.
+    let used = matches!(
+        mouse.kind,
+        MouseEventKind::Down(MouseButton::Left)
+            | MouseEventKind::ScrollUp
+            | MouseEventKind::ScrollDown
+    );
     // A terminal counts from one; one that sends a zero has clicked nowhere, and crossterm makes 65535 of it.
     (used && mouse.column.max(mouse.row) < u16::MAX).then_some(Incoming::Mouse(mouse))
 }

@@ -10,7 +10,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{self, IoThread};
 use super::pace::Pace;
-use super::signals::{self, HUNG_UP, Signal, Watch};
+use super::signals::{self, HUNG_UP, Signal};
 use super::terminal::{self, Guard};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
@@ -57,7 +57,8 @@ pub(super) struct Shell {
     timers: Vec<(Instant, Message)>,
     /// Events that arrived while the process was being stopped.
     put_off: VecDeque<Incoming>,
-    _watch: Watch,
+    /// Dropped when the loop has left.
+    _left: Sender<()>,
 }
 
 impl Shell {
@@ -78,7 +79,7 @@ impl Shell {
         log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
         let io_thread = IoThread::spawn(paths, known, sender.clone())?;
         let unsaved = io_thread.unsaved();
-        let watch = signals::spawn(sender.clone(), move || {
+        let left = signals::spawn(sender.clone(), move || {
             // The reader is gone.
             let _ = unsaved.save();
             terminal::restore();
@@ -95,7 +96,7 @@ impl Shell {
             pace: Pace::new(now),
             timers: Vec::new(),
             put_off: VecDeque::new(),
-            _watch: watch,
+            _left: left,
         };
         input::spawn(sender)?;
         let (columns, rows) = terminal::size()?;

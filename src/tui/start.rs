@@ -46,15 +46,12 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     if options.fresh {
         loaded.session = None;
     }
-    let mut opened = None;
+    let opened = options.scene.as_ref().and_then(|preset| match &preset.origin {
+        preset::Origin::File(path) => Some(path.clone()),
+        _ => None,
+    });
     let mut app = match (options.scene, loaded.session) {
-        (Some(preset), _) => {
-            opened = match &preset.origin {
-                preset::Origin::File(path) => Some(path.clone()),
-                _ => None,
-            };
-            App::new(base_of(preset), theme, directory)
-        }
+        (Some(preset), _) => App::new(base_of(preset), theme, directory),
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);

@@ -10,7 +10,7 @@ use std::fs;
 use std::io::Write as _;
 use std::panic::{self, PanicHookInfo};
 use std::path::{Path, PathBuf};
-use std::thread::{self, ThreadId};
+use std::thread;
 
 /// Install the hook; the calling thread is the one that draws. Reports go to `directory`.
 pub(crate) fn install(directory: Option<PathBuf>) {
@@ -19,17 +19,13 @@ pub(crate) fn install(directory: Option<PathBuf>) {
     panic::set_hook(Box::new(move |info| {
         if !super::is_entered() {
             before(info);
-        } else if on(drawing) {
+        } else if thread::current().id() == drawing {
             super::restore();
             tell(&report(info), directory.as_deref());
         } else {
             log::error!("{}", report(info));
         }
     }));
-}
-
-fn on(thread: ThreadId) -> bool {
-    thread::current().id() == thread
 }
 
 /// Everything a person who mends this wants to know.
