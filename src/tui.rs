@@ -72,8 +72,6 @@ enum Incoming {
     Message(Message),
     Mouse(MouseEvent),
     Signal(Signal),
-    /// Nothing can be read from the terminal any more.
-    InputLost,
 }
 
 /// Run the workbench on the terminal of standard output until the person leaves. Returns the exit status: 0, or 128 + the
@@ -98,7 +96,6 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     match ending {
         Ending::Quit { .. } => Ok(0),
         Ending::Signal(status) => Ok(status),
-        Ending::HungUp => Ok(129),
         Ending::Broken(error) => Err(error.into()),
     }
 }

@@ -37,22 +37,12 @@ use crate::tui::widgets::table::Sorting;
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Origin {
-    /// Compiled in; never overwritten.
-    Bundled,
-    /// The user's own, in the data directory.
-    Mine,
-    /// A file elsewhere, or a scene without a file.
-    #[default]
-    Other,
-}
-
 /// The reference of the scene: the preset it was loaded from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Base {
     pub name: String,
-    pub origin: Origin,
+    /// It is the user's own, in the data directory.
+    pub is_mine: bool,
     pub scene: Arc<Scene>,
 }
 

@@ -292,8 +292,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         name: found.name,
         scene: found.scene,
         comment: found.comment,
-        part: None,
-        problem: None,
+        ..PresetEntry::default()
     };
     presets
         .into_iter()
@@ -325,21 +324,16 @@ fn broken(paths: Option<&Paths>, read: &[Preset], problems: &[FileError]) -> Vec
 
 /// Write the copied text where a terminal without OSC 52 leaves it in reach, and say where it went.
 fn keep_copy(paths: Option<&Paths>, text: &str, sent: &str) -> String {
-    let Some(paths) = paths else {
-        return format!("{sent}; not to a file: {}", FileError::NoHome);
-    };
-    let path = paths.state.join("clipboard.txt");
-    match write_copy(&path, text) {
-        Ok(()) => format!("{sent}; also written to {}", path.display()),
+    let path = paths.map(|paths| paths.state.join("clipboard.txt")).ok_or(FileError::NoHome);
+    let written = path.and_then(|path| {
+        atomic::make_folder_of(&path)?;
+        atomic::write(&path, text.as_bytes(), Existing::Replace)?;
+        Ok(path)
+    });
+    match written {
+        Ok(path) => format!("{sent}; also written to {}", path.display()),
         Err(error) => format!("{sent}; not to a file: {error}"),
     }
-}
-
-fn write_copy(path: &Path, text: &str) -> Result<(), FileError> {
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
-    }
-    atomic::write(path, text.as_bytes(), Existing::Replace)
 }
 
 #[cfg(test)]
@@ -363,10 +357,7 @@ mod tests {
         loop {
             match inbox.recv_timeout(PATIENCE).expect("a report in time") {
                 Incoming::Message(Message::Done(report)) => return report,
-                Incoming::Message(_)
-                | Incoming::Mouse(_)
-                | Incoming::InputLost
-                | Incoming::Signal(_) => {}
+                Incoming::Message(_) | Incoming::Mouse(_) | Incoming::Signal(_) => {}
             }
         }
     }

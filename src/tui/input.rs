@@ -19,67 +19,45 @@ use crossterm::event::{
     MouseEventKind,
 };
 
+use super::signals::{HUNG_UP, Signal};
 use super::{Incoming, terminal};
-use crate::tui::app::notice::Severity;
-use crate::tui::message::{EffectReport, Message};
+use crate::tui::message::Message;
 
-/// Panics in a row, without an event between them, after which reading is given up.
-const PANICS_MAX: usize = 16;
-
-/// The message shown when reading panicked.
-const RESTARTED: &str = "internal error while reading keys: reading was restarted, the last keys may be lost (see the log)";
-
-/// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
+/// Start the thread. When it ends, whatever the reason, the terminal counts as gone.
 pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
         // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
         let waits = || event::poll(Duration::from_millis(1)).unwrap_or(false);
-        listen(&inbox, event::read, waits);
+        // A panic is in the log.
+        match panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, event::read, waits))) {
+            Ok(Err(error)) => log::warn!("reading from the terminal failed: {error}"),
+            Ok(Ok(())) | Err(_) => {}
+        }
         // The loop may be over already.
-        let _ = inbox.send(Incoming::InputLost);
+        let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
-/// Pass events on until reading fails, panics again and again, or the loop is over. A panic costs the bytes that had been read.
+/// Pass events on until reading fails or the loop is over.
 fn listen(
     inbox: &Sender<Incoming>,
     mut read: impl FnMut() -> io::Result<Event>,
     mut waits: impl FnMut() -> bool,
-) {
-    let mut panics = 0;
-    let mut repaired: VecDeque<Event> = VecDeque::new();
-    while panics < PANICS_MAX {
-        let mut next = || -> io::Result<Event> {
-            if let Some(event) = repaired.pop_front() {
-                return Ok(event);
+) -> io::Result<()> {
+    loop {
+        let event = read()?;
+        let follows = is_escape(&event) && waits();
+        let mut events = VecDeque::from([event]);
+        if follows {
+            events.extend(after_escape(&mut read, &mut waits)?);
+        }
+        for incoming in events.into_iter().filter_map(incoming_of) {
+            if inbox.send(incoming).is_err() {
+                return Ok(());
             }
-            let event = read()?;
-            if is_escape(&event) && waits() {
-                repaired = after_escape(&mut read, &mut waits)?;
-            }
-            Ok(event)
-        };
-        let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut next)) {
-            Err(_panic) => {
-                panics += 1;
-                let report = EffectReport::Said(Severity::Warning, RESTARTED.to_owned());
-                Some(Incoming::Message(Message::Done(report)))
-            }
-            Ok(Ok(event)) => {
-                panics = 0;
-                incoming_of(event)
-            }
-            Ok(Err(error)) => {
-                log::warn!("reading from the terminal failed: {error}");
-                return;
-            }
-        };
-        if incoming.is_some_and(|incoming| inbox.send(incoming).is_err()) {
-            return;
         }
     }
-    log::error!("reading from the terminal failed {PANICS_MAX} times in a row");
 }
 
 fn is_escape(event: &Event) -> bool {
@@ -147,8 +125,8 @@ fn incoming_of(event: Event) -> Option<Incoming> {
         Event::Key(key) if key.kind == KeyEventKind::Release => return None,
         Event::Key(key) => Message::Key(key),
         Event::Paste(text) => Message::Paste(text),
-        Event::Resize(columns, rows) => {
-            let (columns, rows) = terminal::usable(columns, rows);
+        Event::Resize(..) => {
+            let (columns, rows) = terminal::size().ok()?;
             Message::Resize(columns, rows)
         }
         Event::Mouse(mouse) => return pointing(mouse),
@@ -159,19 +137,15 @@ fn incoming_of(event: Event) -> Option<Incoming> {
 /// The left button and the wheel; other buttons are left to the terminal's own menus. What they point at only the loop knows,
 /// which has the screen.
 fn pointing(mouse: MouseEvent) -> Option<Incoming> {
-    let used = match mouse.kind {
-        MouseEventKind::Down(button) => button == MouseButton::Left,
-        MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => true,
-        // Sideways would step values by mistake when a touchpad is brushed.
-        MouseEventKind::ScrollLeft
-        | MouseEventKind::ScrollRight
-        | MouseEventKind::Up(_)
-        | MouseEventKind::Drag(_)
-        | MouseEventKind::Moved => false,
-    };
+    // The wheel turned sideways would step values by mistake when a touchpad is brushed.
+    let used = matches!(
+        mouse.kind,
+        MouseEventKind::Down(MouseButton::Left)
+            | MouseEventKind::ScrollUp
+            | MouseEventKind::ScrollDown
+    );
     // A terminal counts from one; one that sends a zero has clicked nowhere, and crossterm makes 65535 of it.
-    let place = (mouse.column, mouse.row);
-    (used && place == terminal::usable(mouse.column, mouse.row)).then_some(Incoming::Mouse(mouse))
+    (used && mouse.column.max(mouse.row) < u16::MAX).then_some(Incoming::Mouse(mouse))
 }
 
 #[cfg(test)]
@@ -189,35 +163,6 @@ mod tests {
         assert!(incoming_of(Event::Key(key)).is_none());
     }
 
-    #[test]
-    fn a_panic_of_the_parser_is_reported_and_reading_goes_on() {
-        let (send, inbox) = std::sync::mpsc::channel();
-        let key = Event::Key(KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE));
-        let mut turn = 0;
-        let read = || {
-            turn += 1;
-            match turn {
-                1 => panic!("the parser"),
-                2 => Ok(key.clone()),
-                _ => Err(io::ErrorKind::NotConnected.into()),
-            }
-        };
-        listen(&send, read, || false);
-        let reported = inbox.recv().unwrap();
-        assert!(
-            matches!(reported, Incoming::Message(Message::Done(EffectReport::Said(_, text))) if text == RESTARTED)
-        );
-        assert!(matches!(inbox.recv().unwrap(), Incoming::Message(Message::Key(_))));
-        // One that panics for ever does not keep a core busy for ever.
-        let mut turns = 0;
-        let read = || {
-            turns += 1;
-            panic!("the parser")
-        };
-        listen(&send, read, || false);
-        assert_eq!(turns, PANICS_MAX);
-    }
-
     /// `Esc` and an arrow in one read: the arrow is an arrow, not the letters of its sequence.
     #[test]
     fn an_arrow_in_the_same_read_as_an_escape_stays_an_arrow() {
@@ -233,7 +178,7 @@ mod tests {
                 left.set(left.get().saturating_sub(1));
                 rest.pop_front().ok_or_else(|| io::ErrorKind::NotConnected.into())
             };
-            listen(&send, read, || left.get() > 0);
+            listen(&send, read, || left.get() > 0).unwrap_err();
             drop(send);
             let code = |incoming| match incoming {
                 Incoming::Message(Message::Key(key)) => Some(key.code),

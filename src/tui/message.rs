@@ -85,7 +85,7 @@ pub enum ExportOutcome {
     Failed(String),
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PresetEntry {
     pub name: String,
     /// Where it comes from: `bundled`, `mine` or `recent`.
@@ -110,20 +110,13 @@ impl PresetEntry {
             scene,
             comment,
             part: Some(part),
-            problem: None,
+            ..Self::default()
         }
     }
 
     /// The row of a file that cannot be read.
     pub fn broken(name: String, problem: String) -> Self {
-        Self {
-            name,
-            origin: "mine",
-            scene: Scene::default(),
-            comment: String::new(),
-            part: None,
-            problem: Some(problem),
-        }
+        Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
     }
 
     /// The scene it makes of the present one.

@@ -1,6 +1,6 @@
 //! The loop itself, and the effects that are not files: jobs, timers, the clipboard, suspending, leaving.
 
-use std::collections::{HashSet, VecDeque};
+use std::collections::VecDeque;
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
@@ -10,15 +10,14 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{self, IoThread};
 use super::pace::Pace;
-use super::signals::{self, Signal, Watch};
-use super::terminal::{self, Guard, Stopped};
+use super::signals::{self, HUNG_UP, Signal};
+use super::terminal::{self, Guard};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::message::{EffectReport, FileTask, Message};
 use crate::tui::prelude::*;
 use crate::tui::{update, view};
-use crate::worker::study::Lane;
-use crate::worker::{Report, Slot, Worker};
+use crate::worker::{Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
 const LOOK: Duration = Duration::from_millis(250);
@@ -41,9 +40,8 @@ pub(super) enum Ending {
         /// The last summary is wanted on the main screen.
         summary: bool,
     },
-    /// A signal, with the exit status it stands for.
+    /// A signal, or the terminal is gone: with the exit status that stands for.
     Signal(u8),
-    HungUp,
     /// The terminal cannot be used any more, though it is there.
     Broken(io::Error),
 }
@@ -57,14 +55,10 @@ pub(super) struct Shell {
     io_thread: IoThread,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
-    /// Runs submitted that have not ended.
-    running: HashSet<u64>,
-    /// The newest job of the scene on the screen.
-    newest: Option<u64>,
     /// Events that arrived while the process was being stopped.
     put_off: VecDeque<Incoming>,
-    last_look: Instant,
-    _watch: Watch,
+    /// Dropped when the loop has left.
+    _left: Sender<()>,
 }
 
 impl Shell {
@@ -85,10 +79,10 @@ impl Shell {
         log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
         let io_thread = IoThread::spawn(paths, known, sender.clone())?;
         let unsaved = io_thread.unsaved();
-        let watch = signals::spawn(sender.clone(), move || {
+        let left = signals::spawn(sender.clone(), move || {
             // The reader is gone.
             let _ = unsaved.save();
-            terminal::restore_without_waiting();
+            terminal::restore();
         })?;
         let now = Instant::now();
         // Dropped when anything below fails, which restores the terminal.
@@ -101,14 +95,11 @@ impl Shell {
             io_thread,
             pace: Pace::new(now),
             timers: Vec::new(),
-            running: HashSet::new(),
-            newest: None,
             put_off: VecDeque::new(),
-            last_look: now,
-            _watch: watch,
+            _left: left,
         };
         input::spawn(sender)?;
-        let (columns, rows) = shell.guard.size()?;
+        let (columns, rows) = terminal::size()?;
         let mut queue = VecDeque::from([Message::Resize(columns, rows)]);
         for effect in effects {
             // Starting requests runs and lists only.
@@ -127,7 +118,7 @@ impl Shell {
                 Ok(None) => {}
                 Ok(Some(ending)) => return ending,
                 // A terminal that is gone answers with several different errors.
-                Err(_) if terminal::is_hung_up() => return Ending::HungUp,
+                Err(_) if terminal::is_hung_up() => return Ending::Signal(HUNG_UP),
                 Err(error) => return Ending::Broken(error),
             }
         }
@@ -138,7 +129,7 @@ impl Shell {
     pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
-            Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
+            Ending::Signal(_) | Ending::Broken(_) => (FINISH_FORCED, false),
         };
         self.io_thread.session_changed(start::session(&self.app));
         // The person sees the prompt while the disk is still busy.
@@ -157,7 +148,7 @@ impl Shell {
             None => match self.inbox.recv_timeout(self.wait(Instant::now())) {
                 Ok(incoming) => Some(incoming),
                 Err(RecvTimeoutError::Timeout) => None,
-                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::HungUp)),
+                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::Signal(HUNG_UP))),
             },
         };
         let mut taken = 0;
@@ -174,15 +165,12 @@ impl Shell {
             return Ok(Some(ending));
         }
         let now = Instant::now();
-        if now.duration_since(self.last_look) >= LOOK {
-            self.last_look = now;
-            if terminal::is_hung_up() {
-                return Ok(Some(Ending::HungUp));
-            }
+        if terminal::is_hung_up() {
+            return Ok(Some(Ending::Signal(HUNG_UP)));
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let app = &self.app;
-            let changed = self.guard.draw(|frame| view::view(app, frame))?;
+            let changed = self.guard.draw(app.size, |buffer| view::view(app, buffer))?;
             self.pace.drawn(Instant::now(), changed);
         }
         Ok(None)
@@ -220,13 +208,12 @@ impl Shell {
             },
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
             // Where no shell could continue it, the system would ignore the signal.
-            Incoming::Signal(Signal::Stop) => self.suspend(Stopped::Process).map(|_stopped| None),
+            Incoming::Signal(Signal::Stop) => self.suspend().map(|_stopped| None),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
                 self.pace.change();
                 Ok(None)
             }
-            Incoming::InputLost => Ok(Some(Ending::HungUp)),
         }
     }
 
@@ -244,11 +231,14 @@ impl Shell {
     fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
-            if let Message::Report(report) = &message {
-                self.note(report);
-            }
             let effects = update::update(&mut self.app, message);
             self.pace.change();
+            let run = self.app.jobs.current.as_ref();
+            // One that takes a moment has reported.
+            self.pace.set_busy(run.is_some_and(|run| !run.elapsed.is_zero()));
+            if run.is_none() {
+                self.pace.result_came();
+            }
             for effect in effects {
                 if let Some(ending) = self.carry_out(effect, &mut queue)? {
                     return Ok(Some(ending));
@@ -256,25 +246,6 @@ impl Shell {
             }
         }
         Ok(None)
-    }
-
-    /// Keep count of the runs under way.
-    fn note(&mut self, report: &Report) {
-        if !self.running.contains(&report.id) {
-            return;
-        }
-        if !report.body.is_last() {
-            self.pace.set_busy(true);
-            return;
-        }
-        self.running.remove(&report.id);
-        if self.newest == Some(report.id) {
-            self.newest = None;
-            self.pace.result_came();
-        }
-        if self.running.is_empty() {
-            self.pace.set_busy(false);
-        }
     }
 
     fn carry_out(
@@ -285,12 +256,7 @@ impl Shell {
         match effect {
             Effect::Submit(task) => {
                 if task.study.slot() == Slot::Current {
-                    self.newest = Some(task.id);
                     self.pace.expect_result(Instant::now());
-                }
-                // A run is drawn less often while it takes a while.
-                if task.study.lane() == Lane::Runs {
-                    self.running.insert(task.id);
                 }
                 self.worker.submit(task);
             }
@@ -302,7 +268,7 @@ impl Shell {
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => self.guard.redraw_all()?,
             Effect::Suspend => {
-                if !self.suspend(Stopped::Group)? {
+                if !self.suspend()? {
                     queue.push_back(Message::Done(EffectReport::Said(
                         Severity::Error,
                         "cannot suspend: no shell is there to come back from".to_owned(),
@@ -330,12 +296,12 @@ impl Shell {
     }
 
     /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
-    fn suspend(&mut self, whom: Stopped) -> io::Result<bool> {
+    fn suspend(&mut self) -> io::Result<bool> {
         if !terminal::could_be_continued() {
             return Ok(false);
         }
         terminal::restore();
-        terminal::stop(whom)?;
+        terminal::stop()?;
         // The system stops the process a moment after the call; it goes on with a signal. The time runs out while stopped, too:
         // only the second wait in a row without a signal means that nothing happened.
         let mut stopped = false;

@@ -35,16 +35,15 @@ pub(super) enum Signal {
     Continued,
 }
 
-/// Tells the signal thread that the loop has left; it then no longer ends the process.
-pub(super) struct Watch {
-    _left: Sender<()>,
-}
+/// The exit status where the terminal is gone, whether a signal said so or not.
+pub(super) const HUNG_UP: u8 = 128 + 1;
 
-/// Start the thread. `last_resort` is called before it ends the process by itself.
+/// Start the thread. `last_resort` is called before it ends the process by itself, which it does not once what is returned has been
+/// dropped: the loop has left.
 pub(super) fn spawn(
     inbox: Sender<Incoming>,
     last_resort: impl Fn() + Send + 'static,
-) -> std::io::Result<Watch> {
+) -> std::io::Result<Sender<()>> {
     let mut signals = Signals::new(ENDING.into_iter().chain([SIGTSTP, SIGCONT]))?;
     let (left, loop_left) = mpsc::channel::<()>();
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
@@ -63,7 +62,7 @@ pub(super) fn spawn(
             return;
         }
     })?;
-    Ok(Watch { _left: left })
+    Ok(left)
 }
 
 /// Wait for the loop to leave. One that is stuck in a write to a terminal that takes no bytes is given room for what it writes.

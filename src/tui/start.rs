@@ -11,7 +11,7 @@ use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
 use crate::files::{atomic, config};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Base, Origin};
+use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::charts::Window;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
@@ -46,15 +46,12 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     if options.fresh {
         loaded.session = None;
     }
-    let mut opened = None;
+    let opened = options.scene.as_ref().and_then(|preset| match &preset.origin {
+        preset::Origin::File(path) => Some(path.clone()),
+        _ => None,
+    });
     let mut app = match (options.scene, loaded.session) {
-        (Some(preset), _) => {
-            opened = match &preset.origin {
-                preset::Origin::File(path) => Some(path.clone()),
-                _ => None,
-            };
-            App::new(base_of(preset), theme, directory)
-        }
+        (Some(preset), _) => App::new(base_of(preset), theme, directory),
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);
@@ -170,7 +167,7 @@ fn kept_name(app: &App) -> String {
     let name = &app.base.name;
     let is_path =
         name.contains('/') || Path::new(name).extension().is_some_and(|end| end == "toml");
-    if app.base.origin == Origin::Other && is_path {
+    if !app.base.is_mine && is_path {
         app.directory.join(name).to_str().unwrap_or(name).to_owned()
     } else {
         name.clone()
@@ -184,11 +181,7 @@ fn environment(name: &str) -> Option<String> {
 /// The reference for edits of a preset.
 fn base_of(preset: Preset) -> Base {
     Base {
-        origin: match preset.origin {
-            preset::Origin::Bundled => Origin::Bundled,
-            preset::Origin::Mine(_) => Origin::Mine,
-            preset::Origin::File(_) | preset::Origin::Text => Origin::Other,
-        },
+        is_mine: matches!(preset.origin, preset::Origin::Mine(_)),
         name: preset.name,
         scene: Arc::new(preset.scene),
     }
@@ -199,7 +192,7 @@ fn baseline() -> Base {
     preset::baseline().map_or_else(
         |_| Base {
             name: crate::files::bundled::BASELINE.to_owned(),
-            origin: Origin::Bundled,
+            is_mine: false,
             scene: Arc::default(),
         },
         base_of,
@@ -212,7 +205,7 @@ fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
     name.and_then(|name| preset::resolve_kept(name, paths).ok()).map_or_else(
         || Base {
             name: name.unwrap_or("session").to_owned(),
-            origin: Origin::Other,
+            is_mine: false,
             scene: Arc::new(last.scene.clone()),
         },
         base_of,
@@ -319,7 +312,6 @@ mod tests {
         app.directory = PathBuf::from("/somewhere");
         let named = |app: &App| session(app).preset.unwrap();
         assert_eq!(named(&app), "thesis-baseline");
-        app.base.origin = Origin::Other;
         for (name, kept) in [
             ("a.toml", "/somewhere/a.toml"),
             ("/b/a.toml", "/b/a.toml"),
@@ -376,7 +368,7 @@ mod tests {
         last.scene.plate.mass_ratio = 3.0;
         last.preset = Some("gone".to_owned());
         let base = base_of_session(&last, None);
-        assert_eq!((base.name.as_str(), base.origin), ("gone", Origin::Other));
+        assert_eq!((base.name.as_str(), base.is_mine), ("gone", false));
         assert_eq!(*base.scene, last.scene);
     }
 }

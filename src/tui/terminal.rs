@@ -10,8 +10,6 @@ pub(super) mod hook;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
@@ -19,16 +17,14 @@ use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
 use crossterm::queue;
 use crossterm::style::{Attribute, SetAttribute};
 use crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
-    disable_raw_mode, enable_raw_mode,
+    BeginSynchronizedUpdate, Clear, ClearType, EndSynchronizedUpdate, EnterAlternateScreen,
+    LeaveAlternateScreen, disable_raw_mode, enable_raw_mode,
 };
-use ratatui::Terminal;
-use ratatui::backend::{Backend, ClearType, WindowSize};
-use ratatui::buffer::Cell;
-use ratatui::layout::{Position, Size};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::Errno;
-use rustix::process::{Signal, getpid, kill_current_process_group, kill_process};
+use rustix::process::{Signal, getpgrp, getpid, kill_current_process_group, kill_process};
 use rustix::stdio::stdout;
 use rustix::termios::{QueueSelector, tcflush};
 
@@ -49,55 +45,77 @@ const STRING_END: &[u8] = b"\x1b\\";
 const SHORT: Duration = Duration::from_millis(200);
 
 /// Size assumed where the terminal does not know its own.
-const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
+const UNKNOWN_SIZE: (u16, u16) = (80, 24);
 
 /// The largest part of a window that is drawn on. Where someone has set an absurd size, every cell of it would take memory.
-const LARGEST: Size = Size { width: 1000, height: 500 };
-
-/// Columns and rows of a window of this size that are drawn on.
-pub(super) fn usable(columns: u16, rows: u16) -> (u16, u16) {
-    (columns.min(LARGEST.width), rows.min(LARGEST.height))
-}
+const LARGEST: (u16, u16) = (1000, 500);
 
 /// A terminal that restores itself when dropped.
 pub(super) struct Guard {
-    terminal: Terminal<Screen>,
+    /// What it shows.
+    shown: Buffer,
+    /// Where its cursor stands, as last sent; `None`: it is hidden.
+    cursor: Option<(u16, u16)>,
+    /// Bytes that go out with the next frame.
+    pending: Vec<u8>,
 }
 
 impl Guard {
     /// Take over the terminal: raw mode, alternate screen, bracketed paste, hidden cursor.
     pub(super) fn enter() -> io::Result<Self> {
-        let mut screen = Screen::new();
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
-        screen.queue_entry()?;
-        match Terminal::new(screen) {
-            Ok(terminal) => Ok(Self { terminal }),
-            Err(error) => {
-                restore();
-                Err(error)
-            }
+        // Dropped when anything below fails, which restores the terminal.
+        let mut guard = Self { shown: Buffer::default(), cursor: None, pending: Vec::new() };
+        guard.shown.resize(area(size()?));
+        guard.queue_entry()?;
+        Ok(guard)
+    }
+
+    /// The beginning of the first frame.
+    fn queue_entry(&mut self) -> io::Result<()> {
+        queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
+        if MOUSE.load(Ordering::SeqCst) {
+            self.pending.extend_from_slice(MOUSE_ON);
         }
+        self.cursor = None;
+        Ok(())
     }
 
-    pub(super) fn size(&self) -> io::Result<(u16, u16)> {
-        let size = self.terminal.size()?;
-        Ok((size.width, size.height))
-    }
-
-    /// Draw one frame in one write; returns whether anything had changed.
+    /// Draw one frame of a size in one write; `render` gives where the cursor is to stand. Returns whether anything had changed.
     pub(super) fn draw(
         &mut self,
-        render: impl FnOnce(&mut ratatui::Frame<'_>),
+        size: (u16, u16),
+        render: impl FnOnce(&mut Buffer) -> Option<(u16, u16)>,
     ) -> io::Result<bool> {
-        let before = self.terminal.backend().writes;
-        self.terminal.draw(render)?;
-        Ok(self.terminal.backend().writes != before)
+        let area = area(size);
+        if self.shown.area != area {
+            self.shown = Buffer::empty(area);
+            self.redraw_all()?;
+        }
+        let mut next = Buffer::empty(area);
+        let cursor = render(&mut next);
+        let before = self.pending.len();
+        encode::cells(&mut self.pending, self.shown.diff_iter(&next));
+        let any = self.pending.len() > before;
+        match cursor {
+            Some((x, y)) if any || cursor != self.cursor => {
+                queue!(self.pending, MoveTo(x, y))?;
+                if self.cursor.is_none() {
+                    queue!(self.pending, Show)?;
+                }
+            }
+            None if self.cursor.is_some() => queue!(self.pending, Hide)?,
+            Some(_) | None => {}
+        }
+        (self.shown, self.cursor) = (next, cursor);
+        self.commit()
     }
 
     /// The next frame clears the screen and draws every cell.
     pub(super) fn redraw_all(&mut self) -> io::Result<()> {
-        self.terminal.clear()
+        self.shown.reset();
+        queue!(self.pending, Clear(ClearType::All))
     }
 
     /// Take the terminal over again, after a suspension or after someone else may have changed its modes.
@@ -106,23 +124,47 @@ impl Guard {
         disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
-        self.terminal.backend_mut().queue_entry()?;
-        self.terminal.clear()
+        self.queue_entry()?;
+        self.redraw_all()
     }
 
     /// Capture the mouse, or leave it to the terminal's own selection.
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
-        let sequence = if on { MOUSE_ON } else { MOUSE_OFF };
-        self.terminal.backend_mut().pending.extend_from_slice(sequence);
-        self.terminal.backend_mut().commit()
+        self.pending.extend_from_slice(if on { MOUSE_ON } else { MOUSE_OFF });
+        self.commit().map(drop)
     }
 
     /// Send a sequence that draws nothing (the clipboard's).
     pub(super) fn send(&mut self, sequence: &impl crossterm::Command) -> io::Result<()> {
-        queue!(self.terminal.backend_mut().pending, sequence)?;
-        self.terminal.backend_mut().commit()
+        queue!(self.pending, sequence)?;
+        self.commit().map(drop)
     }
+
+    /// Write what has been collected; returns whether there was anything.
+    fn commit(&mut self) -> io::Result<bool> {
+        if self.pending.is_empty() {
+            return Ok(false);
+        }
+        let mut frame = Vec::with_capacity(self.pending.len() + 16);
+        queue!(frame, BeginSynchronizedUpdate)?;
+        frame.append(&mut self.pending);
+        queue!(frame, EndSynchronizedUpdate)?;
+        write_all(&frame).map(|()| true)
+    }
+}
+
+fn area((width, height): (u16, u16)) -> Rect {
+    Rect::new(0, 0, width, height)
+}
+
+/// Columns and rows of the terminal that are drawn on.
+pub(super) fn size() -> io::Result<(u16, u16)> {
+    let size = rustix::termios::tcgetwinsize(stdout())?;
+    if size.ws_col == 0 || size.ws_row == 0 {
+        return Ok(UNKNOWN_SIZE);
+    }
+    Ok((size.ws_col.min(LARGEST.0), size.ws_row.min(LARGEST.1)))
 }
 
 impl Drop for Guard {
@@ -135,23 +177,14 @@ impl Drop for Guard {
 /// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
     if ENTERED.swap(false, Ordering::SeqCst) {
-        if !matches!(poll_out(Some(SHORT)), Ok(true)) {
+        let takes =
+            || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
+        if !takes() {
             discard_output();
         }
-        // If the terminal is gone, the error cannot be shown.
-        let _ = write_all(&farewell());
-        let _ = disable_raw_mode();
-    }
-}
-
-/// The same while another thread may be stuck in a write to the terminal: what it writes comes first, and may never end.
-pub(super) fn restore_without_waiting() {
-    if ENTERED.swap(false, Ordering::SeqCst) {
-        discard_output();
-        let (done, wait) = mpsc::channel();
-        let write = move || drop(write_all(&farewell()).map(|()| done.send(())));
-        if thread::Builder::new().spawn(write).is_ok() {
-            let _ = wait.recv_timeout(SHORT);
+        if takes() {
+            // If the terminal is gone, the error cannot be shown.
+            let _ = write_all(&farewell());
         }
         let _ = disable_raw_mode();
     }
@@ -169,7 +202,7 @@ pub(super) fn make_room() {
     let _ = kill_process(getpid(), Signal::WINCH);
 }
 
-/// What undoes [`Screen::queue_entry`], and whatever a frame cut short has left.
+/// What undoes [`Guard::queue_entry`], and whatever a frame cut short has left.
 fn farewell() -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64);
     // Writing to a vector does not fail.
@@ -188,61 +221,30 @@ fn farewell() -> Vec<u8> {
     bytes
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stopped {
-    /// This process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does.
-    Group,
-    /// This process alone, as the signal asks.
-    Process,
+/// Stop this process and those started with it (`cargo run`, for one) until continued, as the shell's own Ctrl-Z does. The signal
+/// cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
+pub(super) fn stop() -> io::Result<()> {
+    Ok(kill_current_process_group(Signal::STOP)?)
 }
 
-/// Stop until continued. The signal cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
-pub(super) fn stop(whom: Stopped) -> io::Result<()> {
-    let stopped = match whom {
-        Stopped::Group => kill_current_process_group(Signal::STOP),
-        Stopped::Process => kill_process(getpid(), Signal::STOP),
-    };
-    stopped.map_err(io::Error::from)
-}
-
-/// Whether a shell could continue this process: one of the processes above it in its group has a parent outside of the group, but
-/// in the same session. Where none has, the system ignores a request to stop by a terminal, and so does this program.
+/// Whether a shell could continue this process: the leader of its group has a parent in the same session. Where it has none, the
+/// system ignores a request to stop by a terminal, and so does this program.
 pub(super) fn could_be_continued() -> bool {
-    let Some(own) = Relations::of("self") else {
-        // A system without `/proc` does not tell: a shell is the usual case.
-        return true;
-    };
-    let mut parent = own.parent;
-    while let Some(above) = Relations::of(&parent.to_string()) {
-        if above.session != own.session {
-            return false;
-        }
-        if above.group != own.group {
-            return true;
-        }
-        parent = above.parent;
-    }
-    false
+    let group = getpgrp().as_raw_nonzero().get();
+    // A system without `/proc` does not tell, nor does a leader that has ended: a shell is the usual case.
+    relations(group).is_none_or(|(parent, session)| {
+        relations(parent).is_some_and(|(_, other)| other == session)
+    })
 }
 
-/// The numbers that relate a process to others. Zero stands for a process outside of the container that this program runs in;
-/// `getsid` and `getpgid` of rustix refuse that zero, so the numbers come from `/proc`.
-struct Relations {
-    parent: u32,
-    group: u32,
-    session: u32,
-}
-
-impl Relations {
-    /// Reads the numbers of a process (its number, or `self`). None where the system does not tell.
-    fn of(process: &str) -> Option<Self> {
-        let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
-        // The name in parentheses may hold anything; state, parent, group and session follow it.
-        let (_, rest) = stat.rsplit_once(')')?;
-        let mut numbers = rest.split_whitespace().skip(1).map(str::parse);
-        let mut next = || numbers.next()?.ok();
-        Some(Self { parent: next()?, group: next()?, session: next()? })
-    }
+/// The parent and the session of a process; `None` where the system does not tell. Zero stands for a process outside of the container
+/// that this program runs in; `getsid` of rustix refuses that zero, so the numbers come from `/proc`.
+fn relations(process: i32) -> Option<(i32, i32)> {
+    let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+    // The name in parentheses may hold anything; state, parent, group and session follow it.
+    let (_, rest) = stat.rsplit_once(')')?;
+    let mut numbers = rest.split_whitespace().skip(1).map(str::parse);
+    Some((numbers.next()?.ok()?, numbers.nth(1)?.ok()?))
 }
 
 /// Whether the terminal is ours at present.
@@ -253,135 +255,7 @@ pub(super) fn is_entered() -> bool {
 /// Whether the other end of the terminal is gone.
 pub(super) fn is_hung_up() -> bool {
     // No event requested: only hang-ups and errors are reported.
-    let out = stdout();
-    let mut watched = [PollFd::new(&out, PollFlags::empty())];
-    let now = Timespec { tv_sec: 0, tv_nsec: 0 };
-    match poll(&mut watched, Some(&now)) {
-        Ok(_) => watched[0].revents().intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL),
-        Err(error) => error != Errno::INTR,
-    }
-}
-
-/// The backend: collects a frame and writes it at once.
-struct Screen {
-    /// Bytes of the frame in the making.
-    pending: Vec<u8>,
-    /// Whether the cursor is shown, as last sent to the terminal.
-    cursor_shown: bool,
-    /// Where the cursor was last put, for the frames that show it.
-    cursor_at: Option<Position>,
-    writes: u64,
-}
-
-impl Screen {
-    fn new() -> Self {
-        Self {
-            pending: Vec::with_capacity(16 * 1024),
-            cursor_shown: true,
-            cursor_at: None,
-            writes: 0,
-        }
-    }
-
-    /// The beginning of the first frame.
-    fn queue_entry(&mut self) -> io::Result<()> {
-        queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
-        if MOUSE.load(Ordering::SeqCst) {
-            self.pending.extend_from_slice(MOUSE_ON);
-        }
-        self.cursor_shown = false;
-        self.cursor_at = None;
-        Ok(())
-    }
-
-    /// Write what has been collected; nothing when there is nothing.
-    fn commit(&mut self) -> io::Result<()> {
-        if self.pending.is_empty() {
-            return Ok(());
-        }
-        let mut frame = Vec::with_capacity(self.pending.len() + 16);
-        queue!(frame, BeginSynchronizedUpdate)?;
-        frame.append(&mut self.pending);
-        queue!(frame, EndSynchronizedUpdate)?;
-        self.writes = self.writes.wrapping_add(1);
-        write_all(&frame)
-    }
-}
-
-impl Backend for Screen {
-    type Error = io::Error;
-
-    fn draw<'a, I>(&mut self, content: I) -> io::Result<()>
-    where
-        I: Iterator<Item = (u16, u16, &'a Cell)>,
-    {
-        if encode::cells(&mut self.pending, content) {
-            self.cursor_at = None;
-        }
-        Ok(())
-    }
-
-    fn hide_cursor(&mut self) -> io::Result<()> {
-        if self.cursor_shown {
-            queue!(self.pending, Hide)?;
-            self.cursor_shown = false;
-        }
-        Ok(())
-    }
-
-    fn show_cursor(&mut self) -> io::Result<()> {
-        if !self.cursor_shown {
-            queue!(self.pending, Show)?;
-            self.cursor_shown = true;
-        }
-        Ok(())
-    }
-
-    fn get_cursor_position(&mut self) -> io::Result<Position> {
-        // Asking the terminal would be a round trip; ratatui only wants to put it back.
-        Ok(self.cursor_at.unwrap_or_default())
-    }
-
-    fn set_cursor_position<P: Into<Position>>(&mut self, position: P) -> io::Result<()> {
-        let position = position.into();
-        if self.cursor_shown && self.cursor_at != Some(position) {
-            queue!(self.pending, MoveTo(position.x, position.y))?;
-            self.cursor_at = Some(position);
-        }
-        Ok(())
-    }
-
-    fn clear(&mut self) -> io::Result<()> {
-        self.clear_region(ClearType::All)
-    }
-
-    fn clear_region(&mut self, region: ClearType) -> io::Result<()> {
-        use crossterm::terminal::{Clear, ClearType as Part};
-        let part = match region {
-            ClearType::All => Part::All,
-            ClearType::AfterCursor => Part::FromCursorDown,
-            ClearType::BeforeCursor => Part::FromCursorUp,
-            ClearType::CurrentLine => Part::CurrentLine,
-            ClearType::UntilNewLine => Part::UntilNewLine,
-        };
-        queue!(self.pending, Clear(part))
-    }
-
-    fn size(&self) -> io::Result<Size> {
-        let size = rustix::termios::tcgetwinsize(stdout())?;
-        if size.ws_col == 0 || size.ws_row == 0 {
-            return Ok(UNKNOWN_SIZE);
-        }
-        Ok(usable(size.ws_col, size.ws_row).into())
-    }
-
-    fn window_size(&mut self) -> io::Result<WindowSize> {
-        Ok(WindowSize { columns_rows: self.size()?, pixels: Size::default() })
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.commit()
-    }
+    poll_stdout(PollFlags::empty(), Some(Duration::ZERO)).is_ok_and(|found| !found.is_empty())
 }
 
 /// Write everything to the terminal, whatever mode others have put the descriptor in.
@@ -393,7 +267,7 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
             Err(Errno::INTR) => {}
             // Someone who shares the terminal has made it non-blocking.
             Err(Errno::AGAIN) => {
-                poll_out(None)?;
+                poll_stdout(PollFlags::OUT, None)?;
             }
             Err(error) => return Err(error.into()),
         }
@@ -401,17 +275,13 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Wait until the terminal takes bytes, at most this long; whether it does.
-fn poll_out(patience: Option<Duration>) -> io::Result<bool> {
+/// Wait for events of the terminal, at most this long; gives those that have come, hang-ups and errors among them.
+fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlags, Errno> {
     let out = stdout();
-    let mut watched = [PollFd::new(&out, PollFlags::OUT)];
-    let patience = patience.map(|wait| Timespec {
-        tv_sec: wait.as_secs().try_into().unwrap_or(i64::MAX),
-        tv_nsec: wait.subsec_nanos().into(),
-    });
+    let mut watched = [PollFd::new(&out, wanted)];
+    let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
     match poll(&mut watched, patience.as_ref()) {
-        Ok(ready) => Ok(ready > 0),
-        Err(Errno::INTR) => Ok(false),
-        Err(error) => Err(error.into()),
+        Ok(_) | Err(Errno::INTR) => Ok(watched[0].revents()),
+        Err(error) => Err(error),
     }
 }

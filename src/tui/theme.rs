@@ -104,11 +104,6 @@ impl Theme {
         }
     }
 
-    /// The ink that can be read on a heat map's colour.
-    pub fn ink_on(self, colour: Color) -> Color {
-        colours::ink_on(colour)
-    }
-
     /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
     fn faint(self) -> Style {
         if self.is_plain() { Style::new() } else { Style::new().add_modifier(Modifier::DIM) }

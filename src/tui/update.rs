@@ -10,9 +10,9 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
-use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::{Dialog, Purpose, ask, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
@@ -348,7 +348,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Presets(list) => app.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
-            let base = Base { name, origin: Origin::Other, scene: Arc::new(*scene) };
+            let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
             edit::load(app, base);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),
@@ -376,7 +376,7 @@ fn saved(app: &mut App, name: String, path: &Path) {
         app.dialog = None;
     }
     app.tell(format!("saved `{name}` as {}", path.display()));
-    app.base = Base { name, origin: Origin::Mine, scene: Arc::clone(&app.scene) };
+    app.base = Base { name, is_mine: true, scene: Arc::clone(&app.scene) };
     app.list_presets();
     app.request(Effect::SaveSession);
 }

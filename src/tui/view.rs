@@ -1,6 +1,5 @@
 //! The screen: five regions, panes, and a dialog on top. Reads the state, changes nothing.
 
-use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
@@ -14,22 +13,16 @@ use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{self, columns, text_role};
 
-pub fn view(app: &App, frame: &mut Frame<'_>) {
-    let area = frame.area();
-    let mut canvas = Canvas::new(frame.buffer_mut(), app.theme);
-    if (area.width, area.height) == app.size {
-        draw(app, area, &mut canvas);
-    } else {
-        // The terminal has a new size, and the message that says so is under way.
-        draw(&App { size: (area.width, area.height), ..app.clone() }, area, &mut canvas);
-    }
+/// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, if it is shown.
+pub fn view(app: &App, buffer: &mut Buffer) -> Option<(u16, u16)> {
+    let area = buffer.area;
+    let mut canvas = Canvas::new(buffer, app.theme);
+    draw(app, area, &mut canvas);
     let cursor = canvas.cursor;
     if app.theme.glyphs == GlyphSet::Ascii {
-        ascii_pass(frame.buffer_mut());
+        ascii_pass(buffer);
     }
-    if let Some(cursor) = cursor {
-        frame.set_cursor_position(cursor);
-    }
+    cursor
 }
 
 /// The target at a column and a row of the screen; `None` where a click has no effect.
@@ -77,17 +70,12 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         lines.iter().all(|line| text::columns(line) <= area.width)
             && lines.len() <= usize::from(area.height)
     };
-    let tiny = format!("{columns}x{rows}");
-    let lines = if fits(&long) {
-        long.to_vec()
-    } else if fits(&short) {
-        short.to_vec()
-    } else {
-        vec![tiny.as_str()]
-    };
+    let tiny = [&*format!("{columns}x{rows}")];
+    let lines = [&long[..], &short[..]].into_iter().find(|lines| fits(lines));
+    let lines = lines.unwrap_or(&tiny);
     let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
     let top = area.height.saturating_sub(count) / 2;
-    for (row, line) in (top..area.height).zip(&lines) {
+    for (row, line) in (top..area.height).zip(lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
         canvas.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
@@ -202,12 +190,8 @@ fn in_list(list: List, typing: bool) -> Keys {
 fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     let map = &app.keymap;
     let key = |action| map.label(action);
-    let mut last: Vec<(String, String)> = Vec::new();
-    for (action, what) in
-        [(Action::Help, "keys"), (Action::Palette, "find"), (Action::Quit, "quit")]
-    {
-        last.push((key(action), what.to_owned()));
-    }
+    let last = [(Action::Help, "keys"), (Action::Palette, "find"), (Action::Quit, "quit")]
+        .map(|(action, what)| (key(action), what.to_owned()));
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + 3;
     let room = width.saturating_sub(last.iter().map(size).sum::<u16>());
     let page = pages::of(app.tab);
@@ -257,17 +241,14 @@ const ROOMY: u16 = 100;
 
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
 pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let (named, titles) = tabs(app, area.width);
-    let mut column = lead(area.width);
-    if named {
+    // No column is left free on the narrowest screen.
+    let mut column = u16::from(area.width > SMALLEST.0);
+    if area.width >= ROOMY {
         column = canvas.put(area, (1, 0), "cmra", Role::Title) + 2;
     }
-    for (tab, text) in Tab::ALL.into_iter().zip(&titles) {
-        let role = if tab == app.tab { Role::Selection } else { Role::Text };
-        let start = column;
-        column = canvas.put(area, (column, 0), text, role) + 1;
-        let title = Rect { x: area.x + start, width: columns(text), ..area };
-        canvas.hit(title, |_| Some(Target::Tab(tab)));
+    for tab in Tab::ALL {
+        let (title, target) = (tab.title(), Target::Tab(tab));
+        column = name(canvas, area, column, &title, tab == app.tab, target) + 1;
     }
     let room = usize::from(area.width.saturating_sub(column + 2));
     if room < 6 {
@@ -294,32 +275,32 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (start, 0), &text, Role::Text);
 }
 
-/// The first column of the tabs: none is left free on the narrowest screen.
-fn lead(width: u16) -> u16 {
-    u16::from(width > SMALLEST.0)
-}
-
-/// Whether the program's name is shown, and the titles of the tabs, the one shown in brackets.
-fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
-    let title = |tab: Tab| {
-        let title = tab.title();
-        if tab == app.tab { format!("[{title}]") } else { title }
+/// Write a name that can be clicked, in brackets where it is shown; gives the column after it.
+fn name(
+    canvas: &mut Canvas<'_>,
+    area: Rect,
+    column: u16,
+    name: &str,
+    is_shown: bool,
+    target: Target,
+) -> u16 {
+    let (text, role) = if is_shown {
+        (format!("[{name}]"), Role::Selection)
+    } else {
+        (name.to_owned(), Role::Text)
     };
-    (width >= ROOMY, Tab::ALL.into_iter().map(title).collect())
+    let end = canvas.put(area, (column, 0), &text, role);
+    canvas.hit(Rect { x: area.x + column, width: columns(&text), ..area }, |_| Some(target));
+    end
 }
 
 /// The names of the tab's pages, the one shown in brackets, and how to get to the next.
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, PageSpec { name, .. }) in page.about().pages.iter().enumerate() {
+    for (at, PageSpec { name: title, .. }) in page.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
-        let text = if is_shown { format!("[{name}]") } else { (*name).to_owned() };
-        let role = if is_shown { Role::Selection } else { Role::Text };
-        let start = area.x + column;
-        column = canvas.put(area, (column, 0), &text, role) + 2;
-        let name = Rect { x: start, width: columns(&text), ..area };
-        canvas.hit(name, |_| Some(Target::Page(at)));
+        column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;
     }
     let hint = format!("{}: next page", app.tab.key());
     let start = area.width.saturating_sub(columns(&hint) + 1);

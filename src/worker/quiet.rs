@@ -2,16 +2,17 @@
 //! measured, and the next point waits for them.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// How often one that waits looks whether it is still wanted.
 const LOOK: Duration = Duration::from_millis(10);
 
 /// Who is at work: a measurement alone, or others together.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Quiet {
-    shared: Arc<(Mutex<State>, Condvar)>,
+    state: Mutex<State>,
+    changed: Condvar,
 }
 
 #[derive(Debug, Default)]
@@ -23,7 +24,7 @@ struct State {
 
 impl Quiet {
     fn lock(&self) -> MutexGuard<'_, State> {
-        self.shared.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Waits until the state is as wanted; a stop ends the waiting. Whether it is.
@@ -37,7 +38,7 @@ impl Quiet {
             if stop.load(Ordering::Relaxed) {
                 return (state, false);
             }
-            let waited = self.shared.1.wait_timeout(state, LOOK);
+            let waited = self.changed.wait_timeout(state, LOOK);
             state = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
         (state, true)
@@ -54,7 +55,7 @@ impl Quiet {
         let done = work();
         if entered {
             self.lock().others -= 1;
-            self.shared.1.notify_all();
+            self.changed.notify_all();
         }
         done
     }
@@ -77,7 +78,7 @@ impl Quiet {
     /// A point is measured: a waiting task has a turn.
     pub(super) fn end(&self) {
         self.lock().measuring = false;
-        self.shared.1.notify_all();
+        self.changed.notify_all();
     }
 }
 

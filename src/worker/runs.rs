@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::error::Error;
 use std::ops::ControlFlow;
 use std::sync::{Arc, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::study::{BETWEEN, Lane, Reporter, Study};
 use super::{Finding, Progress, ReportBody, Slot};
@@ -62,14 +62,14 @@ pub(super) fn run(
         reporter.took.set(Some(took));
         return Ok(run.into());
     }
-    let (mut pulse, window) = (Pulse::start(), Window::default());
+    let (mut pulse, window) = (Pulse { pause: SLOW, ..Pulse::default() }, Window::default());
     let mut observer = |t_s: f64| {
         reporter.goes_on()?;
         if let Some(run) = window.take() {
-            pulse.part_came();
+            pulse.part_came(reporter.elapsed());
             reporter.report(ReportBody::Part(Finding::new(run)));
         }
-        if let Some(t_s) = pulse.beat(t_s) {
+        if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
             reporter.report(ReportBody::Progress { progress, elapsed });
         }
@@ -88,64 +88,50 @@ pub(super) fn run(
     Ok(run.into())
 }
 
-/// When a run reports.
+/// When a run reports; times count from its start.
+#[derive(Default)]
 struct Pulse {
     steps: u32,
-    started: Instant,
     /// The last look at the clock.
-    seen: Instant,
-    last_progress: Option<Instant>,
+    seen: Duration,
+    told: Option<Duration>,
     /// When the curve so far was requested last, and how long the next one has to wait from then on.
-    last_part: Instant,
-    part_pause: Duration,
+    asked: Duration,
+    pause: Duration,
 }
 
 impl Pulse {
-    fn start() -> Self {
-        let now = Instant::now();
-        Self {
-            steps: 0,
-            started: now,
-            seen: now,
-            last_progress: None,
-            last_part: now,
-            part_pause: SLOW,
-        }
-    }
-
     /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as requested.
     fn part_is_due(&mut self) -> bool {
-        let is_due = self.seen.duration_since(self.last_part) >= self.part_pause;
+        let is_due = self.seen >= self.asked + self.pause;
         if is_due {
-            (self.last_part, self.part_pause) = (self.seen, BETWEEN);
+            (self.asked, self.pause) = (self.seen, BETWEEN);
         }
         is_due
     }
 
     /// The curve that was requested has come: the run is not to spend more than a small part of its time on them.
-    fn part_came(&mut self) {
-        self.part_pause = BETWEEN.max(PART_SHARE * self.last_part.elapsed());
+    fn part_came(&mut self, elapsed: Duration) {
+        self.pause = BETWEEN.max(PART_SHARE * elapsed.saturating_sub(self.asked));
     }
 
     /// After a step that reached `t_s`: the time to report, if any; 0 says that the run takes a moment.
-    fn beat(&mut self, t_s: f64) -> Option<f64> {
+    fn beat(&mut self, t_s: f64, elapsed: impl Fn() -> Duration) -> Option<f64> {
         self.steps = self.steps.wrapping_add(1);
         if !self.steps.is_multiple_of(STEPS_PER_LOOK) {
             return None;
         }
-        let now = Instant::now();
-        self.seen = now;
-        match self.last_progress {
-            None if now.duration_since(self.started) < QUIET => None,
-            None => {
-                self.last_progress = Some(self.started);
+        self.seen = elapsed();
+        match self.told {
+            None if self.seen >= QUIET => {
+                self.told = Some(Duration::ZERO);
                 Some(0.0)
             }
-            Some(last) if now.duration_since(last) < BETWEEN => None,
-            Some(_) => {
-                self.last_progress = Some(now);
+            Some(told) if self.seen >= told + BETWEEN => {
+                self.told = Some(self.seen);
                 Some(t_s)
             }
+            _ => None,
         }
     }
 }

@@ -26,14 +26,9 @@ pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
 
 /// The ones that match, best first; those that match alike stay in their order.
 pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usize>) -> Vec<T> {
-    let mut found: Vec<Vec<T>> = Vec::new();
-    for item in items {
-        if let Some(rank) = rank(&item) {
-            found.resize_with(found.len().max(rank + 1), Vec::new);
-            found[rank].push(item);
-        }
-    }
-    found.into_iter().flatten().collect()
+    let mut found: Vec<(usize, T)> = items.filter_map(|item| Some((rank(&item)?, item))).collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    found.into_iter().map(|(_, item)| item).collect()
 }
 
 /// The quantity that is called so on the screen, or by its key.

@@ -1,6 +1,6 @@
 //! Where the rows and the body of the screen stand: a total function of the size.
 
-use ratatui::layout::Rect;
+use ratatui::layout::{self, Constraint, Rect};
 
 /// The smallest size that can be worked with: columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 16);
@@ -17,8 +17,7 @@ pub const ROOMY: u16 = 120;
 /// From this height on the names of the pages have a row.
 const WITH_PAGES: u16 = 18;
 
-/// Rows for messages: always the same number, so that the panes never move; two from this height on.
-const MESSAGE_ROWS: (u16, u16) = (1, 2);
+/// From this height on messages have two rows: always the same number, so that the panes never move.
 const TWO_MESSAGE_ROWS: u16 = 20;
 
 /// Where everything stands that every tab has.
@@ -37,29 +36,25 @@ pub struct Layout {
 
 /// Where everything stands at a size, for a tab with several pages or one.
 pub fn layout((width, height): (u16, u16), has_pages: bool) -> Layout {
-    let message_rows = if height < TWO_MESSAGE_ROWS { MESSAGE_ROWS.0 } else { MESSAGE_ROWS.1 };
-    let row =
-        |y: u16| Rect { x: 0, y: y.min(height.saturating_sub(1)), width, height: height.min(1) };
-    let all =
-        Rect { x: 0, y: height.min(1), width, height: height.saturating_sub(3 + message_rows) };
+    let messages = if height < TWO_MESSAGE_ROWS { 1 } else { 2 };
     // On the lowest screens the frame of the pane names the page.
     let with_pages = has_pages && height >= WITH_PAGES;
-    let (pages, body) = if with_pages {
-        (Some(Rect { height: 1, ..all }), Rect { y: all.y + 1, height: all.height - 1, ..all })
-    } else {
-        (None, all)
-    };
-    let fits = width >= SMALLEST.0 && height >= SMALLEST.1;
+    let rows = layout::Layout::vertical([
+        Constraint::Length(1),
+        Constraint::Length(u16::from(with_pages)),
+        Constraint::Fill(1),
+        Constraint::Length(messages),
+        Constraint::Length(1),
+        Constraint::Length(1),
+    ]);
+    let [title, pages, body, message, status, keys] = rows.areas(Rect::new(0, 0, width, height));
     Layout {
-        title: row(0),
-        pages,
-        body: fits.then_some(body),
-        message: Rect {
-            height: message_rows.min(height),
-            ..row(height.saturating_sub(2 + message_rows))
-        },
-        status: row(height.saturating_sub(2)),
-        keys: row(height.saturating_sub(1)),
+        title,
+        pages: with_pages.then_some(pages),
+        body: (width >= SMALLEST.0 && height >= SMALLEST.1).then_some(body),
+        message,
+        status,
+        keys,
     }
 }
 

@@ -63,12 +63,6 @@ pub(crate) fn demand(run: &Run) -> Option<String> {
         Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
         Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
         Warning::HorizonNotReached { .. } => Some("! horizon not reached".to_owned()),
-        Warning::InterfaceWithoutStrength
-        | Warning::EndedEarly(_)
-        | Warning::SeriesThinned { .. }
-        | Warning::Overruns { .. }
-        | Warning::NotModelled(_)
-        | Warning::StillMoving { .. }
-        | Warning::NoBaseline => None,
+        _ => None,
     })
 }

@@ -279,18 +279,7 @@ pub fn warning_text(warning: &Warning) -> String {
         Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
             format!("{warning} (interface law: key o)")
         }
-        Warning::InterfaceWithoutStrength
-        | Warning::PenetrationResumed { .. }
-        | Warning::EnergyDrift { .. }
-        | Warning::EndedEarly(_)
-        | Warning::HorizonNotReached { .. }
-        | Warning::SeriesThinned { .. }
-        | Warning::Overruns { .. }
-        | Warning::NotModelled(_)
-        | Warning::Limit(_)
-        | Warning::PlateMeetsNext { .. }
-        | Warning::StillMoving { .. }
-        | Warning::NoBaseline => warning.to_string(),
+        _ => warning.to_string(),
     }
 }
 

@@ -6,28 +6,23 @@ use super::{Curve, Mapping, Scale};
 use crate::report::chart::scale::whole_below;
 use crate::tui::theme::GlyphSet;
 
+/// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
+const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
+
 pub(super) struct Canvas {
     glyphs: GlyphSet,
     /// Cells across and down.
     cells: (usize, usize),
-    /// Dots of each cell, as bits: row of dots from the top times dots across, plus column of dots.
+    /// Dots of each cell, as bits: those of a braille character, or one for each row of dots from the top.
     dots: Vec<u8>,
     /// Who drew last in each cell; meaningless where there are no dots.
     owners: Vec<usize>,
-    /// Lowest and highest row of cells from the top that the present owner reached in each column.
-    reach: Vec<Option<(usize, usize)>>,
 }
 
 impl Canvas {
     pub(super) fn new(glyphs: GlyphSet, width: u16, height: u16) -> Self {
         let cells = (usize::from(width), usize::from(height));
-        Self {
-            glyphs,
-            cells,
-            dots: vec![0; cells.0 * cells.1],
-            owners: vec![0; cells.0 * cells.1],
-            reach: vec![None; cells.0],
-        }
+        Self { glyphs, cells, dots: vec![0; cells.0 * cells.1], owners: vec![0; cells.0 * cells.1] }
     }
 
     /// Dots across and upward.
@@ -42,15 +37,12 @@ impl Canvas {
         ((x + 0.5) * f64::from(across), (y + 0.5) * f64::from(down))
     }
 
-    /// Forgets which cells the last owner reached, for the next one.
-    pub(super) fn start_owner(&mut self) {
-        self.reach.fill(None);
-    }
-
-    /// For a column of cells, the middle of what the present owner drew there: a row of cells from the top.
-    pub(super) fn middle(&self, column: usize) -> Option<usize> {
-        let (top, bottom) = (*self.reach.get(column)?)?;
-        Some(usize::midpoint(top, bottom))
+    /// The middle of what the owner who drew last has in a column of cells: a row of cells from the top.
+    pub(super) fn middle(&self, column: usize, owner: usize) -> Option<usize> {
+        let is_own = |row: &usize| self.cell(column, *row).is_some_and(|cell| cell.0 == owner);
+        let mut rows = (0..self.cells.1).filter(is_own);
+        let top = rows.next()?;
+        Some(usize::midpoint(top, rows.last().unwrap_or(top)))
     }
 
     /// The owner of a cell (from the top) and its dots, if it has any.
@@ -68,7 +60,7 @@ impl Canvas {
                 0b10 => '▄',
                 _ => '█',
             },
-            GlyphSet::Braille => char::from_u32(0x2800 + u32::from(braille(dots))).unwrap_or(' '),
+            GlyphSet::Braille => char::from_u32(0x2800 + u32::from(dots)).unwrap_or(' '),
         }
     }
 
@@ -81,12 +73,11 @@ impl Canvas {
         let (across, down) = self.glyphs.dots();
         let (across, down) = (usize::from(across), usize::from(down));
         let from_top = height - 1 - y;
-        let (column, row) = (x / across, from_top / down);
-        let index = row * self.cells.0 + column;
-        self.dots[index] |= 1 << (from_top % down * across + x % across);
+        let index = from_top / down * self.cells.0 + x / across;
+        let place = from_top % down * across + x % across;
+        self.dots[index] |=
+            if self.glyphs == GlyphSet::Braille { BRAILLE[place] } else { 1 << place };
         self.owners[index] = owner;
-        let (top, bottom) = self.reach[column].unwrap_or((row, row));
-        self.reach[column] = Some((top.min(row), bottom.max(row)));
     }
 
     /// Fills a column of dots from one height to another, as far as it lies in the grid.
@@ -134,13 +125,6 @@ impl Canvas {
             self.dot(x, y, owner);
         }
     }
-}
-
-/// From rows of two dots to the order of bits in a braille character: 1 4 / 2 5 / 3 6 / 7 8.
-fn braille(dots: u8) -> u8 {
-    const BITS: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
-    let set = |(place, bit): (usize, &u8)| if dots >> place & 1 == 1 { *bit } else { 0 };
-    BITS.iter().enumerate().map(set).sum()
 }
 
 /// The part of a line inside `0..=size` (Liang and Barsky 1984), if any.

@@ -27,6 +27,7 @@ use ratatui::style::{Color, Modifier, Style};
 use super::{Chart, Draw, Layout};
 use crate::report::chart::levels::{BANDS_MAX, Levels};
 use crate::report::map::{Cell, LINE, Map, Tone};
+use crate::tui::theme::colours::ink_on;
 use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 
 /// The bands in characters, least first.
@@ -43,7 +44,7 @@ impl Draw for Map<'_> {
             return layout;
         }
         draw_bands(self, layout.plot, buffer, theme);
-        draw_contour(self, layout.plot, buffer, theme);
+        draw_contour(self, layout.plot, buffer);
         draw_line(self, layout.plot, buffer, theme);
         draw_cursor(self, layout.plot, buffer, theme);
         layout
@@ -67,7 +68,7 @@ fn draw_bands(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
 }
 
 /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
-fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer) {
     let Some(level) = map.contour.as_ref().map(|contour| contour.0) else { return };
     // Where all values are the same but for rounding there is no line between them.
     let noise = NOISE * level.abs();
@@ -95,7 +96,7 @@ fn draw_contour(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
                 (row + 1 < plot.height).then_some((column, row + 1)),
             ];
             if beside.into_iter().flatten().any(|(column, row)| crossed(value(column, row))) {
-                over(buffer, (plot.x + column, plot.y + row), 'O', theme);
+                over(buffer, (plot.x + column, plot.y + row), 'O');
             }
         }
     }
@@ -122,10 +123,10 @@ fn draw_cursor(map: &Map<'_>, plot: Rect, buffer: &mut Buffer, theme: Theme) {
     let (column, row) = place(plot, (x, y), map.counts);
     let lines = theme.lines();
     for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
-        over(buffer, (plot.x + other, plot.y + row), lines.horizontal, theme);
+        over(buffer, (plot.x + other, plot.y + row), lines.horizontal);
     }
     for other in (0..plot.height).filter(|other| *other != row) {
-        over(buffer, (plot.x + column, plot.y + other), lines.vertical, theme);
+        over(buffer, (plot.x + column, plot.y + other), lines.vertical);
     }
     let cross = (plot.x + column, plot.y + row);
     put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
@@ -253,12 +254,12 @@ fn put(buffer: &mut Buffer, at: (u16, u16), symbol: char, style: Style) {
 }
 
 /// A character over the map: the colour below stays, the ink is what can be read on it.
-fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char, theme: Theme) {
+fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char) {
     let Some(cell) = buffer.cell_mut(at) else { return };
     let below = cell.bg;
     let mut style = Style::new().add_modifier(Modifier::BOLD);
     if below != Color::Reset {
-        style = style.bg(below).fg(theme.ink_on(below));
+        style = style.bg(below).fg(ink_on(below));
     }
     cell.reset();
     cell.set_char(symbol).set_style(style);

@@ -233,7 +233,6 @@ impl Painter<'_> {
         let mut markers = Vec::new();
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
-            canvas.start_owner();
             trace(curve, owner, (self.layout.x, self.vertical(curve)), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
                 place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
@@ -302,8 +301,9 @@ impl Painter<'_> {
 
 /// Old curves first, the selected one last, the others as given.
 fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
-    let of = |emphasis| (0..curves.len()).filter(move |at| curves[*at].emphasis == emphasis);
-    [Emphasis::Stale, Emphasis::Normal, Emphasis::Selected].into_iter().flat_map(of).collect()
+    let mut order: Vec<usize> = (0..curves.len()).collect();
+    order.sort_by_key(|at| curves[*at].emphasis as u8);
+    order
 }
 
 /// Chooses the cells (column, row, owner) that show a curve's marker, so that colour is never the only difference.
@@ -313,18 +313,14 @@ fn place_markers(
     width: usize,
     markers: &mut Vec<(usize, usize, usize)>,
 ) {
+    let middle = |column| Some((column, canvas.middle(column, owner)?, owner));
     let first = (owner * MARKER_SHIFT + 3) % MARKER_EVERY;
     let before = markers.len();
     for column in (first..width).step_by(MARKER_EVERY) {
-        if let Some(row) = canvas.middle(column) {
-            markers.push((column, row, owner));
-        }
+        markers.extend(middle(column));
     }
     if markers.len() == before {
-        let drawn: Vec<usize> = (0..width).filter(|x| canvas.middle(*x).is_some()).collect();
-        let middle = drawn.get(drawn.len() / 2).copied();
-        if let Some((column, row)) = middle.and_then(|x| Some((x, canvas.middle(x)?))) {
-            markers.push((column, row, owner));
-        }
+        let drawn: Vec<_> = (0..width).filter_map(middle).collect();
+        markers.extend(drawn.get(drawn.len() / 2));
     }
 }

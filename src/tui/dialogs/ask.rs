@@ -9,7 +9,6 @@ use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
 use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
-use crate::tui::app::Origin;
 use crate::tui::dialogs::export::{self, Choices};
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
 use crate::tui::message::{Content, FileTask};
@@ -74,7 +73,7 @@ pub(crate) fn copy(app: &mut App) {
 
 /// The present name for one's own preset, else that name with the first number that is free.
 fn proposed_name(app: &App) -> String {
-    if app.base.origin == Origin::Mine {
+    if app.base.is_mine {
         return app.base.name.clone();
     }
     let taken =

@@ -10,7 +10,7 @@ use crate::tui::dialogs::{Ask, Purpose, ask, frame, wrap};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{TextLine, columns, window, wrapped};
+use crate::tui::widgets::text::{TextLine, columns, wrapped};
 
 /// Rows of a grid by default.
 const GRID_ROWS: usize = 1001;
@@ -276,13 +276,16 @@ fn one(state: &Ask, at: usize, line: Rect, canvas: &mut Canvas<'_>) {
     let room = line.width.saturating_sub(VALUE + 1);
     let role = if here { Role::Selection } else { Role::Text };
     let text = match &shown.value {
-        Value::Path | Value::Text(_) if here => {
+        Value::Path | Value::Text(_) => {
             let field = if let Value::Text(field) = &shown.value { field } else { &state.text };
-            let field = TextField { error: None, ..field.clone() };
-            return field.draw(canvas, Rect { x: line.x + VALUE, width: room, ..line });
+            let area = Rect { x: line.x + VALUE, width: room, ..line };
+            if here {
+                TextField { error: None, ..field.clone() }.draw(canvas, area);
+            } else {
+                field.put(canvas, area, role);
+            }
+            return;
         }
-        Value::Path => window(&state.text.input, room).0,
-        Value::Text(field) => window(&field.input, room).0,
         Value::Choice(at, words) => format!("< {} >", words[*at]),
         Value::Tick { name, about, on } => {
             let tick = if *on { "[x]" } else { "[ ]" };

@@ -1,9 +1,9 @@
 //! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
 
 use crate::model::variables::VARIABLES;
+use crate::tui::app::Base;
 use crate::tui::app::layout::{split_left, split_top};
 use crate::tui::app::status::clip;
-use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::dialogs::{Dialog, List, Picker, filter, frame, preset_rows};
 use crate::tui::message::{FileTask, PresetEntry};
@@ -178,12 +178,7 @@ fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
 
 /// The reference for edits of a preset.
 pub(crate) fn base_of(entry: PresetEntry) -> Base {
-    let origin = match entry.origin {
-        "bundled" => Origin::Bundled,
-        "mine" => Origin::Mine,
-        _ => Origin::Other,
-    };
-    Base { name: entry.name, origin, scene: entry.scene.into() }
+    Base { name: entry.name, is_mine: entry.origin == "mine", scene: entry.scene.into() }
 }
 
 pub(crate) fn pin(app: &mut App, picker: &Picker) {

@@ -7,9 +7,9 @@ use crate::study::principles;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::sweep::Sampling;
 use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
+use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::status::fitting;
-use crate::tui::app::{Base, Origin};
 use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::pages::explore::state::Picture;
@@ -249,7 +249,7 @@ fn open(app: &mut App) {
         Opens::Nothing => None,
         Opens::Scene(scene) => Some(Base {
             name: format!("claim {id}"),
-            origin: Origin::Other,
+            is_mine: false,
             scene: Arc::new(scene.clone()),
         }),
         Opens::Preset(name) => {

@@ -16,17 +16,12 @@ struct Style {
 
 const PLAIN: Style = Style { fg: Color::Reset, bg: Color::Reset, modifier: Modifier::empty() };
 
-/// Append the cells to `out`; the style is plain again afterwards. Returns whether there were any.
-pub(super) fn cells<'a>(
-    out: &mut Vec<u8>,
-    content: impl Iterator<Item = (u16, u16, &'a Cell)>,
-) -> bool {
+/// Append the cells to `out`; the style is plain again afterwards.
+pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u16, &'a Cell)>) {
     let mut style = PLAIN;
     // Where the next character would land, were nothing done about it.
     let mut next: Option<(u16, u16)> = None;
-    let mut any = false;
     for (x, y, cell) in content {
-        any = true;
         go_to(out, next, (x, y));
         let wanted = Style { fg: cell.fg, bg: cell.bg, modifier: cell.modifier };
         if wanted != style {
@@ -40,7 +35,6 @@ pub(super) fn cells<'a>(
     if style != PLAIN {
         out.extend_from_slice(b"\x1b[m");
     }
-    any
 }
 
 /// Whether a symbol surely takes one column: one character of those this program draws with.
@@ -68,84 +62,37 @@ fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
     }
 }
 
+/// The modifiers of the theme, with their codes.
+const MODIFIERS: [(Modifier, u8); 4] =
+    [(Modifier::BOLD, 1), (Modifier::DIM, 2), (Modifier::UNDERLINED, 4), (Modifier::REVERSED, 7)];
+
 /// One sequence from one style to another. Going back to less means starting over from plain.
-fn set_style(out: &mut Vec<u8>, from: Style, to: Style) {
-    if to == PLAIN {
-        out.extend_from_slice(b"\x1b[m");
-        return;
+fn set_style(out: &mut Vec<u8>, mut from: Style, to: Style) {
+    out.extend_from_slice(b"\x1b[");
+    let mut separator = "";
+    if to == PLAIN || !to.modifier.contains(from.modifier) {
+        // Nothing before the first separator stands for plain.
+        (from, separator) = (PLAIN, ";");
     }
-    let mut codes = Codes { out, first: true };
-    let lost = !(from.modifier - to.modifier).is_empty();
-    let from = if lost { PLAIN } else { from };
-    if lost {
-        codes.push(format_args!("0"));
+    let mut push = |code: std::fmt::Arguments<'_>| {
+        put(out, format_args!("{separator}{code}"));
+        separator = ";";
+    };
+    for (_, code) in MODIFIERS.iter().filter(|it| (to.modifier - from.modifier).contains(it.0)) {
+        push(format_args!("{code}"));
     }
-    for (modifier, code) in [
-        (Modifier::BOLD, 1),
-        (Modifier::DIM, 2),
-        (Modifier::ITALIC, 3),
-        (Modifier::UNDERLINED, 4),
-        (Modifier::SLOW_BLINK, 5),
-        (Modifier::RAPID_BLINK, 6),
-        (Modifier::REVERSED, 7),
-        (Modifier::HIDDEN, 8),
-        (Modifier::CROSSED_OUT, 9),
-    ] {
-        if (to.modifier - from.modifier).contains(modifier) {
-            codes.push(format_args!("{code}"));
+    for (old, new, base) in [(from.fg, to.fg, 30), (from.bg, to.bg, 40)] {
+        match new {
+            _ if old == new => {}
+            Color::Indexed(index @ 0..8) => push(format_args!("{}", base + index)),
+            Color::Indexed(index @ 8..16) => push(format_args!("{}", base + 52 + index)),
+            Color::Indexed(index) => push(format_args!("{};5;{index}", base + 8)),
+            Color::Rgb(r, g, b) => push(format_args!("{};2;{r};{g};{b}", base + 8)),
+            // The theme has no colours by name.
+            _ => push(format_args!("{}", base + 9)),
         }
     }
-    if to.fg != from.fg {
-        codes.colour(to.fg, 30);
-    }
-    if to.bg != from.bg {
-        codes.colour(to.bg, 40);
-    }
-    codes.out.push(b'm');
-}
-
-/// The numbers of one style sequence.
-struct Codes<'a> {
-    out: &'a mut Vec<u8>,
-    first: bool,
-}
-
-impl Codes<'_> {
-    fn push(&mut self, code: std::fmt::Arguments<'_>) {
-        self.out.extend_from_slice(if self.first { b"\x1b[" } else { b";" });
-        self.first = false;
-        put(self.out, code);
-    }
-
-    /// A colour; `base` is 30 for the foreground, 40 for the background.
-    fn colour(&mut self, colour: Color, base: u8) {
-        let code = match colour {
-            Color::Reset => base + 9,
-            Color::Black => base,
-            Color::Red => base + 1,
-            Color::Green => base + 2,
-            Color::Yellow => base + 3,
-            Color::Blue => base + 4,
-            Color::Magenta => base + 5,
-            Color::Cyan => base + 6,
-            Color::Gray => base + 7,
-            Color::DarkGray => base + 60,
-            Color::LightRed => base + 61,
-            Color::LightGreen => base + 62,
-            Color::LightYellow => base + 63,
-            Color::LightBlue => base + 64,
-            Color::LightMagenta => base + 65,
-            Color::LightCyan => base + 66,
-            Color::White => base + 67,
-            Color::Indexed(index) => {
-                return self.push(format_args!("{};5;{index}", base + 8));
-            }
-            Color::Rgb(r, g, b) => {
-                return self.push(format_args!("{};2;{r};{g};{b}", base + 8));
-            }
-        };
-        self.push(format_args!("{code}"));
-    }
+    out.push(b'm');
 }
 
 fn put(out: &mut Vec<u8>, text: std::fmt::Arguments<'_>) {
@@ -186,30 +133,22 @@ mod tests {
         match colour {
             Color::Rgb(r, g, b) => vt100::Color::Rgb(r, g, b),
             Color::Indexed(index) => vt100::Color::Idx(index),
-            Color::Red => vt100::Color::Idx(1),
-            Color::DarkGray => vt100::Color::Idx(8),
-            Color::White => vt100::Color::Idx(15),
-            other => {
-                assert_eq!(other, Color::Reset, "a colour this test uses");
-                vt100::Color::Default
-            }
+            _ => vt100::Color::Default,
         }
     }
 
     fn any_cell() -> impl Strategy<Value = (String, Wanted)> {
         let colour = prop_oneof![
             3 => Just(Color::Reset),
-            1 => Just(Color::Red),
-            1 => Just(Color::DarkGray),
-            1 => Just(Color::White),
+            3 => (0u8..16).prop_map(Color::Indexed),
             1 => (16u8..).prop_map(Color::Indexed),
             1 => Just(Color::Rgb(1, 2, 3)),
         ];
         let modifier = prop_oneof![
             3 => Just(Modifier::empty()),
             1 => Just(Modifier::BOLD),
-            1 => Just(Modifier::REVERSED | Modifier::UNDERLINED),
-            1 => Just(Modifier::BOLD | Modifier::ITALIC),
+            1 => Just(Modifier::REVERSED | Modifier::DIM),
+            1 => Just(Modifier::BOLD | Modifier::UNDERLINED),
         ];
         ("[ -~⣿─█é]", colour.clone(), colour, modifier).prop_map(|(text, fg, bg, modifier)| {
             (text, Wanted::new().fg(fg).bg(bg).add_modifier(modifier))
@@ -240,7 +179,7 @@ mod tests {
                     prop_assert_eq!(seen.fgcolor(), ours(drawn.fg));
                     prop_assert_eq!(seen.bgcolor(), ours(drawn.bg));
                     prop_assert_eq!(seen.bold(), drawn.modifier.contains(Modifier::BOLD));
-                    prop_assert_eq!(seen.italic(), drawn.modifier.contains(Modifier::ITALIC));
+                    prop_assert_eq!(seen.dim(), drawn.modifier.contains(Modifier::DIM));
                     prop_assert_eq!(seen.underline(), drawn.modifier.contains(Modifier::UNDERLINED));
                     prop_assert_eq!(seen.inverse(), drawn.modifier.contains(Modifier::REVERSED));
                 }
@@ -258,10 +197,10 @@ mod tests {
     #[test]
     fn a_style_is_one_sequence_and_plain_text_has_none() {
         let mut buffer = Buffer::with_lines(["xy z"]);
-        buffer[(0, 0)].set_style(Wanted::new().fg(Color::Red).add_modifier(Modifier::BOLD));
+        buffer[(0, 0)].set_style(Wanted::new().fg(Color::Indexed(1)).add_modifier(Modifier::BOLD));
         let mut bytes = Vec::new();
         let before = Buffer::empty(buffer.area);
-        assert!(cells(&mut bytes, before.diff(&buffer).into_iter()));
+        cells(&mut bytes, before.diff(&buffer).into_iter());
         // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves on; CUP without a column is column 1.
         assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
     }

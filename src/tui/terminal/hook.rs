@@ -10,7 +10,7 @@ use std::fs;
 use std::io::Write as _;
 use std::panic::{self, PanicHookInfo};
 use std::path::{Path, PathBuf};
-use std::thread::{self, ThreadId};
+use std::thread;
 
 /// Install the hook; the calling thread is the one that draws. Reports go to `directory`.
 pub(crate) fn install(directory: Option<PathBuf>) {
@@ -19,17 +19,13 @@ pub(crate) fn install(directory: Option<PathBuf>) {
     panic::set_hook(Box::new(move |info| {
         if !super::is_entered() {
             before(info);
-        } else if on(drawing) {
+        } else if thread::current().id() == drawing {
             super::restore();
             tell(&report(info), directory.as_deref());
         } else {
             log::error!("{}", report(info));
         }
     }));
-}
-
-fn on(thread: ThreadId) -> bool {
-    thread::current().id() == thread
 }
 
 /// Everything a person who mends this wants to know.
@@ -74,6 +70,7 @@ mod tests {
     use std::io::Read;
 
     use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+    use ratatui::style::Style;
 
     use super::*;
     use crate::tui::terminal::Guard;
@@ -159,7 +156,10 @@ mod tests {
     fn another_thread_panics() {
         let mut guard = take_over();
         assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
-        let drawn = guard.draw(|frame| frame.render_widget("still here", frame.area()));
+        let drawn = guard.draw((80, 24), |buffer| {
+            buffer.set_string(0, 0, "still here", Style::new());
+            None
+        });
         assert!(drawn.is_ok_and(|changed| changed));
     }
 }

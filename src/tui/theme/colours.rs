@@ -72,7 +72,7 @@ impl ColourDepth {
 /// One colour at the three depths that have colours: by the terminal's palette, of xterm's 256, and as red, green, blue.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade {
-    sixteen: Color,
+    sixteen: u8,
     ansi: u8,
     rgb: (u8, u8, u8),
 }
@@ -83,32 +83,32 @@ impl Shade {
         let (r, g, b) = self.rgb;
         match depth {
             ColourDepth::None => None,
-            ColourDepth::Sixteen => Some(self.sixteen),
+            ColourDepth::Sixteen => Some(Color::Indexed(self.sixteen)),
             ColourDepth::Ansi256 => Some(Color::Indexed(self.ansi)),
             ColourDepth::Rgb => Some(Color::Rgb(r, g, b)),
         }
     }
 }
 
-const fn shade(sixteen: Color, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
+const fn shade(sixteen: u8, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
     Shade { sixteen, ansi, rgb }
 }
 
 /// Border and title of the focused pane.
-pub(super) const FOCUS: Shade = shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6));
-pub(super) const ERROR: Shade = shade(Color::Red, 160, (0xD4, 0x2A, 0x2A));
-pub(super) const WARNING: Shade = shade(Color::Yellow, 130, (0xB8, 0x70, 0x00));
-pub(super) const NOTE: Shade = shade(Color::Cyan, 31, (0x1A, 0x85, 0x9C));
+pub(super) const FOCUS: Shade = shade(6, 32, (0x1F, 0x86, 0xD6));
+pub(super) const ERROR: Shade = shade(1, 160, (0xD4, 0x2A, 0x2A));
+pub(super) const WARNING: Shade = shade(3, 130, (0xB8, 0x70, 0x00));
+pub(super) const NOTE: Shade = shade(6, 31, (0x1A, 0x85, 0x9C));
 
 /// Blue, orange, reddish purple, foreground, ochre, teal: after Okabe and Ito (2008, "Color universal design"), darkened or
 /// lightened where white or black would swallow them.
 const CURVES: [Option<Shade>; 6] = [
-    Some(shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6))),
-    Some(shade(Color::Yellow, 166, (0xD5, 0x5E, 0x00))),
-    Some(shade(Color::Magenta, 169, (0xC8, 0x70, 0xA2))),
+    Some(shade(6, 32, (0x1F, 0x86, 0xD6))),
+    Some(shade(3, 166, (0xD5, 0x5E, 0x00))),
+    Some(shade(5, 169, (0xC8, 0x70, 0xA2))),
     None,
-    Some(shade(Color::LightYellow, 136, (0x98, 0x7E, 0x10))),
-    Some(shade(Color::LightMagenta, 30, (0x12, 0x8C, 0x8C))),
+    Some(shade(11, 136, (0x98, 0x7E, 0x10))),
+    Some(shade(13, 30, (0x12, 0x8C, 0x8C))),
 ];
 
 /// The colour of a curve at a depth, or `None` for the terminal's own foreground. It repeats after six, the markers later.
@@ -133,7 +133,7 @@ const BLACK: Color = Color::Indexed(16);
 const WHITE: Color = Color::Indexed(231);
 
 /// The ink that can be read on a step's colour.
-pub(super) fn ink_on(colour: Color) -> Color {
+pub(crate) fn ink_on(colour: Color) -> Color {
     let shade = (0..HEAT.len()).find(|shade| heat(*shade).0 == colour);
     shade.map_or(WHITE, |shade| heat(shade).1)
 }

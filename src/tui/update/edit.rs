@@ -175,9 +175,9 @@ fn go_to(app: &mut App, done: usize) {
     let before = (Arc::clone(&app.scene), app.base.clone());
     while app.history.done != done {
         let forward = app.history.done < done;
-        let edit = if forward { app.history.redo() } else { app.history.undo() };
-        let Some(made) = edit.map(|edit| edit.change.clone()) else { break };
-        match made {
+        let at = app.history.done - usize::from(!forward);
+        app.history.done = at + usize::from(forward);
+        match app.history.edits[at].change.clone() {
             Change::State(states) if forward => make(app, &states.0, states.1),
             Change::State(states) => make(app, &states.1, states.0),
             Change::Unpinned(pin) if forward => runs::take_away(app, &pin.scene),

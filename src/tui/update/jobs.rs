@@ -134,8 +134,8 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
         ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
             // The first report says that the run takes a while.
             let begins = t_s == 0.0;
-            if let Some(job) = app.jobs.current.as_mut().filter(|_| !begins) {
-                (job.reached_s, job.elapsed) = (Some(t_s), elapsed);
+            if let Some(job) = &mut app.jobs.current {
+                (job.reached_s, job.elapsed) = ((!begins).then_some(t_s), elapsed);
             }
             if begins {
                 app.request(Effect::After(LONG, Message::LongJob(id)));

@@ -1,11 +1,12 @@
 //! One-line fields: what is typed or pasted into them, what ends them, and how they are drawn.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use ratatui::text::Span;
+use ratatui::widgets::{Paragraph, Widget};
 use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
 
 use crate::tui::prelude::*;
-use crate::tui::widgets::text::window;
 
 /// No field of the workbench takes a longer text: characters that are not typed on purpose (a paste that came as keys, a book on
 /// the keyboard) are dropped.
@@ -65,14 +66,23 @@ impl TextField {
     }
 
     pub(crate) fn draw(&self, canvas: &mut Canvas<'_>, area: Rect) {
-        let (shown, at) = window(&self.input, area.width);
         let role = match (self.error.is_some(), self.all_selected) {
             (true, _) => Role::Error,
             (false, true) => Role::Selection,
             (false, false) => Role::Text,
         };
-        canvas.put(area, (0, 0), &shown, role);
+        let at = self.put(canvas, area, role);
         canvas.cursor = Some((area.x + at, area.y));
+    }
+
+    /// Write the part of the text around the cursor; gives the column of the cursor.
+    pub(crate) fn put(&self, canvas: &mut Canvas<'_>, area: Rect, role: Role) -> u16 {
+        let scroll = self.input.visual_scroll(usize::from(area.width.saturating_sub(1)));
+        let columns = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
+        let text = Span::styled(self.value(), canvas.theme.style(role));
+        let text = Paragraph::new(text).scroll((0, columns(scroll)));
+        text.render(area.intersection(canvas.area), canvas);
+        columns(self.input.visual_cursor().saturating_sub(scroll)).min(area.width)
     }
 }
 
@@ -99,5 +109,37 @@ impl Field {
         if self.text.error.is_some() {
             canvas.put(row, (0, 0), "x", Role::Error);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::buffer::Buffer;
+
+    use super::*;
+    use crate::tui::theme::Theme;
+
+    fn shown(field: &TextField, room: u16) -> (String, u16) {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, room, 1));
+        let area = buffer.area;
+        let mut canvas = Canvas::new(&mut buffer, Theme::PLAIN);
+        let at = field.put(&mut canvas, area, Role::Text);
+        (crate::tui::chart::buffer_lines(&buffer).concat(), at)
+    }
+
+    #[test]
+    fn the_end_of_a_long_text_and_the_cursor_are_in_sight() {
+        for (text, room, part, cursor) in [
+            ("abc", 10, "abc", 3),
+            ("abcdefghij", 5, "ghij", 4),
+            // Twelve columns in six characters: the cursor is behind the last one.
+            ("\u{65e5}\u{672c}\u{8a9e}\u{65e5}\u{672c}\u{8a9e}", 5, "\u{672c}\u{8a9e}", 4),
+            ("", 5, "", 0),
+            ("abc", 0, "", 0),
+        ] {
+            assert_eq!(shown(&TextField::new(text), room), (part.to_owned(), cursor), "{text}");
+        }
+        let input = Input::new("abcdefghij".to_owned()).with_cursor(0);
+        assert_eq!(shown(&TextField { input, ..TextField::default() }, 5), ("abcde".to_owned(), 0));
     }
 }

@@ -13,7 +13,7 @@ use cmra::model::run::{
 };
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
-use cmra::tui::app::{App, Base, Origin};
+use cmra::tui::app::{App, Base};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message, PresetEntry};
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -21,8 +21,8 @@ use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
 use cmra::worker::{Finding, Progress, Report, ReportBody, SceneRun, Task};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use ratatui::Terminal;
-use ratatui::backend::TestBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 
 /// A workbench on a desk.
 pub(crate) struct Bench {
@@ -62,7 +62,7 @@ impl Bench {
     pub(crate) fn closed(glyphs: GlyphSet, size: (u16, u16)) -> Self {
         let base = Base {
             name: "thesis-baseline".to_owned(),
-            origin: Origin::Bundled,
+            is_mine: false,
             scene: Arc::new(Scene::default()),
         };
         let theme = Theme { glyphs, depth: ColourDepth::None };
@@ -203,9 +203,9 @@ impl Bench {
     /// The whole screen as text.
     pub(crate) fn screen(&self) -> String {
         let (columns, rows) = self.app.size;
-        let mut terminal = Terminal::new(TestBackend::new(columns, rows)).unwrap();
-        terminal.draw(|frame| view(&self.app, frame)).unwrap();
-        cmra::tui::chart::buffer_lines(terminal.backend().buffer()).join("\n")
+        let mut buffer = Buffer::empty(Rect::new(0, 0, columns, rows));
+        view(&self.app, &mut buffer);
+        cmra::tui::chart::buffer_lines(&buffer).join("\n")
     }
 }
 

@@ -10,7 +10,7 @@ use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
-use cmra::tui::app::{Base, Origin};
+use cmra::tui::app::Base;
 use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::Tab;
@@ -20,8 +20,8 @@ use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::{Finding, Progress, ReportBody};
 use insta::assert_snapshot;
-use ratatui::Terminal;
-use ratatui::backend::TestBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 use ratatui::style::Color;
 
 /// A sweep that was requested.
@@ -61,7 +61,7 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
     }
     let scene = Arc::new(scene);
     bench.app.scene = Arc::clone(&scene);
-    bench.app.base = Base { name: figure.to_owned(), origin: Origin::Bundled, scene };
+    bench.app.base = Base { name: figure.to_owned(), is_mine: false, scene };
     bench
 }
 
@@ -125,9 +125,9 @@ fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() 
         let mut bench = open_map("figure-9.7", 21, glyphs, (80, 24));
         bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
         keys(&mut bench, "2");
-        let mut terminal = Terminal::new(TestBackend::new(80, 24)).unwrap();
-        terminal.draw(|frame| view(&bench.app, frame)).unwrap();
-        terminal.backend().buffer().clone()
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
+        view(&bench.app, &mut buffer);
+        buffer
     };
     let coloured = |cell: &&ratatui::buffer::Cell| matches!(cell.bg, Color::Indexed(_));
     let block = draw(GlyphSet::Block);
