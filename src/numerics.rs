@@ -3,13 +3,12 @@
 //! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; `taylor` chooses the step such an expansion is good for; `implicit` is an
 //! L-stable collocation method for what is too stiff for that; [`stepper`] are the Runge-Kutta methods everything is compared
-//! with; `graded` starts where non-integer powers are singular; `arc` is an accepted step of any of them but the Taylor steps, and
-//! `event` locates what happens on it; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
+//! with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
+//! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
 //! [`random`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
 //! standard library has for single ones alone; `exponential` has the functions of closed forms.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
-pub(crate) mod arc;
 pub(crate) mod crossing;
 pub mod double_double;
 pub(crate) mod event;

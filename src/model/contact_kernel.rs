@@ -202,7 +202,7 @@ impl Contact {
         let terms = self.terms(tolerance);
         if let Some(manifold) = self.damper_manifold(tolerance) {
             let end = self.run_on_damper_manifold(manifold, tolerance);
-            return end.map_or(InitialPhase::Left, InitialPhase::Ended);
+            return InitialPhase::without_steps(end);
         }
         if let Some(manifold) = self.spring_manifold()
             && let Some(manifold_run) = self.mounted(manifold, tolerance, terms)

@@ -13,12 +13,7 @@ const MOVED_MOST: f64 = 0.2;
 pub(crate) fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
     let mut c = *c;
     c[0] -= level;
-    crossing(&c, end)
-}
-
-/// Where a falling series reaches zero, between 0 and `end`.
-pub(crate) fn down_crossing<const N: usize>(c: &[f64; N], end: f64) -> f64 {
-    crossing(c, end)
+    zero(&c, end)
 }
 
 /// Whether a series that is positive at both ends may have touched zero between them.
@@ -34,7 +29,7 @@ pub(crate) fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
 
 /// The zero between 0 and `end`, where the series has opposite signs: Halley's method from a guess, kept inside the bracket by
 /// bisection.
-fn crossing<const N: usize>(c: &[f64; N], end: f64) -> f64 {
+pub(crate) fn zero<const N: usize>(c: &[f64; N], end: f64) -> f64 {
     let (mut low, mut high) = (0.0, end);
     let mut s = guess(c);
     if !(s > low && s < high) {
@@ -131,7 +126,7 @@ mod tests {
 
     #[test]
     fn a_fall_is_found_and_a_dip_suspected() {
-        assert!((down_crossing(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
+        assert!((zero(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
         assert!(dips(&[1.0, -4.0, 4.0, 0.0], 1.0));
         assert!(!dips(&[1.0, -0.5, 0.4, 0.0], 1.0) && !dips(&[1.0, 1.0, 1.0, 0.0], 1.0));
     }

@@ -3,7 +3,6 @@
 //! The sign change is located on the step's dense output and then landed on by new steps from the same start, so that the state
 //! there has the full order of the method. Knows no method and no system.
 
-use crate::numerics::arc::Arc;
 use crate::numerics::root::in_bracket;
 
 /// New steps after which the best so far has to do.
@@ -37,32 +36,31 @@ pub(crate) fn first_sign_change(
 
 /// A new step that ends at a sign change, with the part of the step; `None` where no step ends closer to it than `near` allows.
 /// Secants, the first with the slope of the dense output, kept in the bracket by bisection.
-pub(crate) fn land<A: Arc>(
-    arc: &A,
+///
+/// `dense` is the state at a part of the step by its dense output; `anew` takes a step from the same start to that part, and gives
+/// the state at its end, or nothing where the method finds no step.
+pub(crate) fn land<State, Step>(
     sign_change: &SignChange,
-    value: impl Fn(&A::State) -> f64,
-    near: impl Fn(&A::State) -> f64,
-) -> Option<(f64, A::Step)> {
+    dense: impl Fn(f64) -> State,
+    mut anew: impl FnMut(f64) -> Option<(State, Step)>,
+    value: impl Fn(&State) -> f64,
+    near: impl Fn(&State) -> f64,
+) -> Option<(f64, Step)> {
     let SignChange { part: mut s, between: (mut low, mut high) } = *sign_change;
-    let dense = |part: f64| value(&arc.dense(part));
-    let mut slope = (dense(s) - dense(s * (1.0 - SLOPE))) / (s * SLOPE);
-    let mut best: Option<Landing<A::Step>> = None;
+    let shown = |part: f64| value(&dense(part));
+    let mut slope = (shown(s) - shown(s * (1.0 - SLOPE))) / (s * SLOPE);
+    let mut best: Option<Landing<Step>> = None;
     let mut last = None;
     for _ in 0..STEPS_MAX {
-        let step = arc.anew(s);
-        let end = step.as_ref().map_or_else(|| arc.dense(s), |step| arc.end(s, step));
-        let distance = value(&end);
+        let step = anew(s);
+        let distance = step.as_ref().map_or_else(|| shown(s), |(end, _)| value(end));
         if let Some((part, at_part)) = last.replace((s, distance)) {
             slope = (distance - at_part) / (s - part);
         }
         let improves = best.as_ref().is_none_or(|best| distance.abs() < best.distance);
-        if let Some(step) = step.filter(|_| improves) {
-            best = Some(Landing {
-                part: s,
-                distance: distance.abs(),
-                is_near: distance.abs() <= near(&end),
-                step,
-            });
+        if let Some((end, step)) = step.filter(|_| improves) {
+            let is_near = distance.abs() <= near(&end);
+            best = Some(Landing { part: s, distance: distance.abs(), is_near, step });
         }
         if distance > 0.0 {
             low = s;
@@ -99,19 +97,12 @@ mod tests {
         exists: bool,
     }
 
-    impl Arc for Dip {
-        type State = f64;
-        type Step = f64;
-
+    impl Dip {
         fn dense(&self, part: f64) -> f64 {
-            self.end(part, &part) + self.error * part * (1.0 - part)
+            self.exact(part) + self.error * part * (1.0 - part)
         }
 
-        fn anew(&self, part: f64) -> Option<f64> {
-            self.exists.then_some(part)
-        }
-
-        fn end(&self, _: f64, part: &f64) -> f64 {
+        fn exact(&self, part: f64) -> f64 {
             (part - 0.5) * (part - 0.5) - self.depth
         }
     }
@@ -119,7 +110,9 @@ mod tests {
     fn found(dip: &Dip, parts: &[f64]) -> Option<f64> {
         let samples = parts.iter().map(|part| (*part, dip.dense(*part)));
         let found = first_sign_change(samples, |part| dip.dense(part))?;
-        land(dip, &found, |height| *height, |_| 1e-9).map(|(part, _)| part)
+        let anew = |part| dip.exists.then(|| (dip.exact(part), ()));
+        land(&found, |part| dip.dense(part), anew, |height| *height, |_| 1e-9)
+            .map(|(part, ())| part)
     }
 
     #[test]

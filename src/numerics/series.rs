@@ -97,12 +97,6 @@ impl<const N: usize> Powers<N> {
     }
 }
 
-impl<const N: usize> Default for Powers<N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// The polynomial's value at s (Horner).
 #[inline]
 pub(crate) fn evaluate(c: &[f64], s: f64) -> f64 {

@@ -29,10 +29,9 @@ pub fn ascending(values: &[f64]) -> Vec<usize> {
 }
 
 /// Items in the ascending order of a value of theirs, as by [`ascending`].
-pub fn sorted_by<T>(items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
-    let values: Vec<f64> = items.iter().map(value).collect();
-    let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();
-    ascending(&values).into_iter().filter_map(|place| items[place].take()).collect()
+pub fn sorted_by<T>(mut items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
+    items.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    items
 }
 
 /// Quantile of sorted values, interpolated.

@@ -33,7 +33,6 @@ const FADED: f64 = 1e-6;
 
 struct Work<'a> {
     scene: &'a Scene,
-    listing: Listing,
     scheme: Scheme,
     state: State,
     run: Run,
@@ -77,7 +76,6 @@ fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>
     let state = scheme.start();
     let mut work = Work {
         scene,
-        listing,
         scheme,
         state,
         run: Run { scene: Arc::clone(scene), ..Run::default() },
@@ -164,9 +162,9 @@ impl Work<'_> {
                 let broke_off = refusal == Refusal::Separated;
                 return Err(if broke_off { EndReason::BreaksOff } else { EndReason::NonFinite });
             }
-            self.t_s = step as f64 * self.listing.step_s;
+            self.t_s = step as f64 * self.scheme.listing.step_s;
             let ending = self.scheme.ended(&self.state);
-            if ending.is_some() && self.listing.stopping == Reading::Corrected {
+            if ending.is_some() && self.scheme.listing.stopping == Reading::Corrected {
                 self.locate(&before, step);
             }
             self.deepest_m = larger(self.state.depth_m, self.deepest_m);
@@ -196,7 +194,7 @@ impl Work<'_> {
         let part = part.clamp(0.0, 1.0);
         let between = |a: f64, b: f64| a + part * (b - a);
         let pair = |a: [f64; 2], b: [f64; 2]| [between(a[0], b[0]), between(a[1], b[1])];
-        self.t_s = ((step - 1) as f64 + part) * self.listing.step_s;
+        self.t_s = ((step - 1) as f64 + part) * self.scheme.listing.step_s;
         self.state = State {
             pen_m: between(before.pen_m, after.pen_m),
             travel_m: between(before.travel_m, after.travel_m),
@@ -241,7 +239,7 @@ impl Work<'_> {
             return EndReason::Decided;
         };
         let perforated = ending == Ending::Perforation;
-        let parted = perforated && self.listing.afterwards == Reading::Corrected;
+        let parted = perforated && self.scheme.listing.afterwards == Reading::Corrected;
         let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
         let body = plate.joined(projectile_kg);
         let mode = if parted { Mode::Perforated } else { Mode::Fused };
@@ -250,7 +248,7 @@ impl Work<'_> {
         let contact_s = self.t_s;
         let asked_s = self.scene.run.horizon_s;
         let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
-        let dt_s = self.listing.step_s;
+        let dt_s = self.scheme.listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
         for step in 1..=AFTER_STEPS_MAX {
@@ -320,7 +318,7 @@ impl Work<'_> {
         }
         let plastic = self.scene.interface.law == InterfaceLaw::Plastic;
         let stopped = sprung && self.scene.mechanism.stop.position_m.is_some();
-        let parts = self.listing.afterwards != Reading::Printed;
+        let parts = self.scheme.listing.afterwards != Reading::Printed;
         let joined = sprung && self.run.outcome == Outcome::Perforated && !parts;
         let notes = [
             plastic.then_some(Warning::NotModelled(NotModelled::PlasticLaw)),

@@ -2,13 +2,14 @@
 //! and of a kind of expansion.
 
 use std::borrow::Borrow;
+use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::expansion::{Area, Clock, Series, trusted};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::slow_manifold_series::tolerance_factor;
 use crate::model::contact_kernel::{Contact, ContactEnd};
-use crate::numerics::crossing::{dips, down_crossing, rise};
+use crate::numerics::crossing::{dips, rise, zero};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 
@@ -49,22 +50,10 @@ pub(super) enum InitialPhase {
     Left,
 }
 
-/// How the steps of one expansion end.
-#[derive(Clone, Copy)]
-pub(super) enum Next {
-    Ended(ContactEnd),
-    /// Where another expansion must take over.
-    Handed(Progress),
-    /// To where the simulation must.
-    Left,
-}
-
-impl Next {
-    pub(super) fn ended(self) -> Option<ContactEnd> {
-        match self {
-            Self::Ended(end) => Some(end),
-            Self::Handed(_) | Self::Left => None,
-        }
+impl InitialPhase {
+    /// Without plain steps: to the end of the contact, or to where the simulation must take over.
+    pub(super) fn without_steps(end: Option<ContactEnd>) -> Self {
+        end.map_or(Self::Left, Self::Ended)
     }
 }
 
@@ -129,8 +118,9 @@ impl Contact {
             let plate_scale_m = plate_scale_m(progress.state[2], reach_m);
             let last_terms = self.constants.last_terms(&series, plate_scale_m);
             let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
-            if let Some(next) = self.advance(&mut progress, sides, &end_of_step, || &series) {
-                return next.ended();
+            let stepped = self.advance(&mut progress, sides, &end_of_step, || &series);
+            if let ControlFlow::Break(end) = stepped {
+                return end;
             }
         }
         None
@@ -144,28 +134,29 @@ impl Contact {
         }
     }
 
-    /// Take a step as far as it is trusted, or to what ends it before; `Some` where that ends this expansion.
+    /// Take a step as far as it is trusted, or to what ends it before. Breaks with the end of the contact, or with nothing where the
+    /// simulation must take over.
     pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
         &self,
         progress: &mut Progress,
         sides: Sides,
         end_of_step: &StepEnd,
         series: impl Fn() -> S,
-    ) -> Option<Next> {
+    ) -> ControlFlow<Option<ContactEnd>> {
         if end_of_step.trusted < SHORT {
             // The unit is far too long for what happens now.
             progress.clock = progress.clock.shorter(larger(2.0 * end_of_step.trusted, 1e-3));
-            return None;
+            return ControlFlow::Continue(());
         }
         let to_m = self.geometry.pieces()[progress.piece].to_m;
         let (mut span, mut state) = (end_of_step.trusted, end_of_step.state);
         let stops = state[1] <= 0.0;
         if !stops && end_of_step.rises && dips(&series().borrow().slip, span) {
-            return Some(Next::Left);
+            return ControlFlow::Break(None);
         }
         if stops {
             let series = series();
-            span = down_crossing(&series.borrow().slip, span);
+            span = zero(&series.borrow().slip, span);
             state = series.borrow().state(span);
         }
         // Travel only grows up to the arrest: the piece's end may lie before it.
@@ -181,26 +172,26 @@ impl Contact {
         let turns = end_of_step.speed_m_s > 0.0 && state[3] < 0.0;
         if turns {
             let series = series();
-            let top = down_crossing(&series.borrow().speed, span);
+            let top = zero(&series.borrow().speed, span);
             progress.max_displacement_m =
                 larger(progress.max_displacement_m, evaluate(&series.borrow().plate, top));
         }
         progress.max_displacement_m = larger(progress.max_displacement_m, state[2]);
         if !self.passes(sides, &state) {
-            return Some(Next::Left);
+            return ControlFlow::Break(None);
         }
         if stops && !at_end {
-            return Some(Next::Ended(self.end(true, progress)));
+            return ControlFlow::Break(Some(self.end(true, progress)));
         }
         if at_end {
             progress.state[0] = to_m;
             progress.piece += 1;
             if progress.piece == self.geometry.pieces().len() {
-                return Some(Next::Ended(self.end(false, progress)));
+                return ControlFlow::Break(Some(self.end(false, progress)));
             }
         }
         progress.clock = progress.clock.next(span, end_of_step.trusted);
-        None
+        ControlFlow::Continue(())
     }
 
     /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward.

@@ -6,6 +6,8 @@
 //! by their powers of time there. A damper with m = 1/2 needs no such thing: the root of a velocity that starts like t² is as
 //! smooth as the rest, and belongs into the expansion (`law.rs`).
 
+use std::ops::ControlFlow;
+
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
     InitialPhase, Plan, Progress, Sides, StepEnd, plate_scale_m,
@@ -101,18 +103,18 @@ impl Contact {
         let last_terms = self.constants.last_terms(&series, plate_scale_m(0.0, None));
         let span = trusted::<N>(last_terms, tolerance);
         progress.steps = 1;
-        if left_out.iter().all(Option::is_none) {
+        let progress = if left_out.iter().all(Option::is_none) {
             let end_of_step = StepEnd::of(&series, span);
             let sides = Sides { spring: true, damper: false };
-            return Some(match self.advance(&mut progress, sides, &end_of_step, || &series) {
-                Some(next) => next.ended().map_or(InitialPhase::Left, InitialPhase::Ended),
-                None if progress.t_s == 0.0 => return None,
-                None => InitialPhase::Steps(Plan { progress, tolerance, reach_m: None, terms: N }),
-            });
-        }
-        self.put_in(&series, &left_out, smaller(span, until), tolerance, progress).map(|progress| {
-            InitialPhase::Steps(Plan { progress, tolerance, reach_m: None, terms: N })
-        })
+            match self.advance(&mut progress, sides, &end_of_step, || &series) {
+                ControlFlow::Break(end) => return Some(InitialPhase::without_steps(end)),
+                ControlFlow::Continue(()) => Some(progress).filter(|it| it.t_s > 0.0),
+            }
+        } else {
+            self.put_in(&series, &left_out, smaller(span, until), tolerance, progress)
+        };
+        let plan = Plan { progress: progress?, tolerance, reach_m: None, terms: N };
+        Some(InitialPhase::Steps(plan))
     }
 
     fn first<const N: usize>(

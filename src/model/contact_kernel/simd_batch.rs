@@ -11,7 +11,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Area, Clock, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Plan, STEPS_MAX, Sides, StepEnd, plate_scale_m,
+    InitialPhase, Plan, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
@@ -63,8 +63,8 @@ pub fn run_batch(
         }
     }
     run_manifold_batch(&jobs, &mut go_on);
-    for (Class { terms, spring }, jobs) in &queues {
-        by_terms!(*terms, N => run_class::<N>(*spring, jobs, &mut ends));
+    for (class, jobs) in &queues {
+        by_terms!(class.terms, N => run_class::<N>(*class, jobs, &mut ends));
     }
     ends
 }
@@ -73,28 +73,18 @@ pub fn run_batch(
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Class {
     terms: usize,
-    spring: SpringClass,
+    /// The spring is not linear.
+    power: bool,
+    /// The clock is graded: such a spring from a singular start on.
+    graded: bool,
 }
 
-/// The spring of a class, and the clock of its steps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum SpringClass {
-    Linear,
-    Power,
-    /// From a singular start on.
-    GradedPower,
-}
-
-fn run_class<const N: usize>(
-    spring: SpringClass,
-    jobs: &[Job<'_>],
-    ends: &mut [Option<ContactEnd>],
-) {
+fn run_class<const N: usize>(class: Class, jobs: &[Job<'_>], ends: &mut [Option<ContactEnd>]) {
     let arch = Arch::new();
-    match spring {
-        SpringClass::Linear => arch.dispatch(Batch::<N, false, false> { jobs, ends }),
-        SpringClass::Power => arch.dispatch(Batch::<N, true, false> { jobs, ends }),
-        SpringClass::GradedPower => arch.dispatch(Batch::<N, true, true> { jobs, ends }),
+    match (class.power, class.graded) {
+        (false, _) => arch.dispatch(Batch::<N, false, false> { jobs, ends }),
+        (true, false) => arch.dispatch(Batch::<N, true, false> { jobs, ends }),
+        (true, true) => arch.dispatch(Batch::<N, true, true> { jobs, ends }),
     }
 }
 
@@ -109,12 +99,9 @@ struct Job<'c> {
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
     fn class(&self, plan: &Plan) -> Option<Class> {
-        let spring = match (is_linear(self.spring), plan.progress.clock) {
-            (true, _) => SpringClass::Linear,
-            (false, Clock::Graded { .. }) => SpringClass::GradedPower,
-            (false, Clock::Even { .. }) => SpringClass::Power,
-        };
-        is_linear(self.damper).then_some(Class { terms: plan.terms, spring })
+        let power = !is_linear(self.spring);
+        let graded = power && matches!(plan.progress.clock, Clock::Graded { .. });
+        is_linear(self.damper).then_some(Class { terms: plan.terms, power, graded })
     }
 }
 
@@ -209,11 +196,12 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
             job.plan.progress.steps += 1;
             let sides = Sides { spring: K::TWO_SIDED, damper: true };
             let progress = &mut job.plan.progress;
-            let ending = job.contact.advance(progress, sides, &end_of_step, || series.lane(lane));
-            let goes_on =
-                ending.is_none() && progress.steps < STEPS_MAX && buffer.place(lane, job).is_some();
+            let stepped = job.contact.advance(progress, sides, &end_of_step, || series.lane(lane));
+            let goes_on = stepped.is_continue()
+                && progress.steps < STEPS_MAX
+                && buffer.place(lane, job).is_some();
             if !goes_on {
-                ends[job.place] = ending.and_then(Next::ended);
+                ends[job.place] = stepped.break_value().flatten();
                 *lane_job = next(&mut waiting, &mut buffer, lane);
             }
         }

@@ -3,12 +3,14 @@
 //! Each lane is at a pass of its own. After a pass it takes another about the new balance, or has settled and takes a step, or
 //! fails and tries a shorter one; and where even that fails it hands over to plain steps. A single contact is one lane.
 
+use std::ops::ControlFlow;
+
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_kernel::expansion::{Area, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Progress, STEPS_MAX, Sides, StepEnd, plate_scale_m,
+    InitialPhase, Progress, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::slow_manifold_series::{
@@ -71,6 +73,9 @@ struct Attempt {
     change: f64,
 }
 
+/// The next attempt, or what follows the manifold.
+type Continued = ControlFlow<InitialPhase, Attempt>;
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PassResult {
     Again,
@@ -96,41 +101,34 @@ impl ManifoldRun {
         }
     }
 
-    fn step(&mut self, contact: &Contact) -> Result<Attempt, Next> {
+    fn step(&mut self, contact: &Contact) -> Continued {
         if self.progress.steps >= STEPS_MAX {
-            return Err(Next::Left);
+            return ControlFlow::Break(self.left(contact));
         }
-        let area = contact.area_law(self.progress.piece).ok_or(Next::Left)?;
+        let Some(area) = contact.area_law(self.progress.piece) else {
+            return ControlFlow::Break(self.left(contact));
+        };
         self.progress.steps += 1;
         self.attempt(contact, area, false)
     }
 
-    fn attempt(
-        &mut self,
-        contact: &Contact,
-        area: Area,
-        by_piece_before: bool,
-    ) -> Result<Attempt, Next> {
+    fn attempt(&mut self, contact: &Contact, area: Area, by_piece_before: bool) -> Continued {
         let Progress { state, .. } = self.progress;
         let guess = Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
         let found = self.manifold.balance(&contact.constants, state, area, &guess);
-        let change = f64::INFINITY;
-        match found {
-            Some(balance) => {
-                let moved = (balance.plate_m - state[2]).abs() / balance.plate_m;
-                Ok(Attempt { area, by_piece_before, passes: 0, balance, moved, change })
-            }
-            None => self.failed(contact, by_piece_before),
-        }
+        let Some(balance) = found else { return self.failed(contact, by_piece_before) };
+        let (moved, change) = ((balance.plate_m - state[2]).abs() / balance.plate_m, f64::INFINITY);
+        let attempt = Attempt { area, by_piece_before, passes: 0, balance, moved, change };
+        ControlFlow::Continue(attempt)
     }
 
     /// The next attempt after a failure.
-    fn failed(&mut self, contact: &Contact, by_piece_before: bool) -> Result<Attempt, Next> {
+    fn failed(&mut self, contact: &Contact, by_piece_before: bool) -> Continued {
         if let (Some(area), false) = (self.joint, by_piece_before) {
             return self.attempt(contact, area, true);
         }
         if self.progress.piece != self.before.piece || self.reach_factor < RETRY_STEP_MIN {
-            return Err(Next::Handed(self.before));
+            return ControlFlow::Break(self.handed(contact, self.before));
         }
         // The step there may have been too long, and so may be those to come.
         self.reach_factor *= 0.5;
@@ -176,16 +174,18 @@ impl ManifoldRun {
         attempt: &Attempt,
         end_of_step: &StepEnd,
         series: impl Fn() -> Series<N>,
-    ) -> Result<Attempt, Next> {
+    ) -> Continued {
         if attempt.by_piece_before {
             // Fine up to the joint; the next piece sets the plate swinging.
-            return Err(Next::Handed(self.progress));
+            return ControlFlow::Break(self.handed(contact, self.progress));
         }
         self.joint = None;
         let here = self.progress;
         let sides = Sides { spring: false, damper: true };
-        if let Some(next) = contact.advance(&mut self.progress, sides, end_of_step, series) {
-            return Err(next);
+        if let ControlFlow::Break(end) =
+            contact.advance(&mut self.progress, sides, end_of_step, series)
+        {
+            return ControlFlow::Break(end.map_or_else(|| self.left(contact), InitialPhase::Ended));
         }
         if self.progress.t_s > here.t_s {
             self.before = here;
@@ -196,15 +196,17 @@ impl ManifoldRun {
         self.step(contact)
     }
 
-    /// The phase after the manifold.
-    fn end(&self, contact: &Contact, next: Next) -> InitialPhase {
-        match next {
-            Next::Ended(end) => InitialPhase::Ended(end),
-            Next::Handed(progress) if progress.steps > 0 => {
-                InitialPhase::Steps(self.manifold.plan(progress, self.tolerance, self.terms))
-            }
-            Next::Handed(_) | Next::Left => contact.start(self.tolerance, self.terms),
+    /// Plain steps go on from where the manifold was followed to.
+    fn handed(&self, contact: &Contact, progress: Progress) -> InitialPhase {
+        if progress.steps == 0 {
+            return self.left(contact);
         }
+        InitialPhase::Steps(self.manifold.plan(progress, self.tolerance, self.terms))
+    }
+
+    /// The contact starts anew, without the manifold.
+    fn left(&self, contact: &Contact) -> InitialPhase {
+        contact.start(self.tolerance, self.terms)
     }
 }
 
@@ -285,7 +287,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
         loop {
             let mut job = *self.waiting.next()?;
             match job.manifold_run.step(job.contact) {
-                Ok(attempt) => {
+                ControlFlow::Continue(attempt) => {
                     self.buffer.put_constants(lane, FIXED, &job.contact.constants);
                     let SpringManifold { spring, damper_n_s_m, plate_kg, .. } =
                         job.manifold_run.manifold;
@@ -295,7 +297,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
                     self.begin(lane, &lane_job);
                     return Some(lane_job);
                 }
-                Err(next) => (self.report)(job.place, job.manifold_run.end(job.contact, next)),
+                ControlFlow::Break(phase) => (self.report)(job.place, phase),
             }
         }
     }
@@ -321,21 +323,15 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
     }
 
     /// Go on with the next attempt, or with the next job.
-    fn go_on(
-        &mut self,
-        lane: usize,
-        mut lane_job: Lane<'c>,
-        next: Result<Attempt, Next>,
-    ) -> Option<Lane<'c>> {
+    fn go_on(&mut self, lane: usize, mut lane_job: Lane<'c>, next: Continued) -> Option<Lane<'c>> {
         match next {
-            Ok(attempt) => {
+            ControlFlow::Continue(attempt) => {
                 lane_job.attempt = attempt;
                 self.begin(lane, &lane_job);
                 Some(lane_job)
             }
-            Err(next) => {
-                let ManifoldJob { contact, manifold_run, place } = lane_job.job;
-                (self.report)(place, manifold_run.end(contact, next));
+            ControlFlow::Break(phase) => {
+                (self.report)(lane_job.job.place, phase);
                 self.next(lane)
             }
         }

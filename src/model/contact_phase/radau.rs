@@ -275,6 +275,13 @@ mod tests {
     }
 
     #[test]
+    fn a_plate_between_a_singular_spring_and_a_singular_damper_is_followed() {
+        let pairs = "n=0.188 m=0.216 k=835039 b=1.3593 gamma=0.0413 v_i=718 h=0.00573 S_y=8.03e8 C_d=0.0236";
+        let solved = Phase::of(&scene(pairs)).solve(&Radau { tolerance: 1e-9 }, 20_000);
+        assert_eq!(solved.unwrap().ending, Ending::Perforation);
+    }
+
+    #[test]
     fn a_budget_is_kept() {
         let phase = Phase::of(&scene("k=1e9"));
         assert_eq!(phase.solve(&Radau { tolerance: 1e-12 }, 50), Err(Refusal::StepBudget));

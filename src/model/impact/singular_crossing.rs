@@ -13,7 +13,6 @@ use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
 use crate::model::run::Mode;
-use crate::numerics::arc::Arc;
 use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
 use crate::numerics::{larger, maximum, smaller};
@@ -259,25 +258,24 @@ struct Taken<'a, 'b> {
     whole: &'a Stretch,
 }
 
-impl Arc for Taken<'_, '_> {
-    type State = State;
-    type Step = Stretch;
-
+impl Taken<'_, '_> {
     fn dense(&self, part: f64) -> State {
         let (z, y) = self.whole.graded.between(part);
         self.variable.state(z, &y)
     }
 
-    fn anew(&self, part: f64) -> Option<Stretch> {
-        self.simulation.unbroken(self.variable, self.whole.graded.between(part).0)
+    /// The stretch from the same start to this part, with the state there.
+    fn anew(&self, part: f64) -> Option<(State, Stretch)> {
+        let to = self.whole.graded.between(part).0;
+        let stretch = self.simulation.unbroken(self.variable, to)?;
+        Some((stretch.end, stretch))
     }
 
-    fn end(&self, _: f64, step: &Stretch) -> State {
-        step.end
+    /// The state at a part of the stretch, as exact as the method is.
+    fn exact(&self, part: f64) -> State {
+        self.anew(part).map_or_else(|| self.dense(part), |(state, _)| state)
     }
-}
 
-impl Taken<'_, '_> {
     /// The stretch to where an event function falls.
     fn landed(&self, form: &EventFunction, sign_change: &SignChange) -> Option<Stretch> {
         let (simulation, variable) = (self.simulation, self.variable);
@@ -294,7 +292,8 @@ impl Taken<'_, '_> {
         let start = value(&simulation.body.state).abs();
         let near =
             |state: &State| larger(EVENT_TOLERANCE * start, form.rounding(variable.motion, state));
-        land(self, sign_change, value, near).map(|(_, stretch)| stretch)
+        let (dense, anew) = (|part| self.dense(part), |part| self.anew(part));
+        land(sign_change, dense, anew, value, near).map(|(_, stretch)| stretch)
     }
 }
 

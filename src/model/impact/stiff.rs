@@ -12,7 +12,6 @@ use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
-use crate::numerics::arc::Arc;
 use crate::numerics::event::{first_sign_change, land};
 use crate::numerics::implicit::{
     ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
@@ -239,8 +238,9 @@ impl Simulation<'_> {
             };
             let variation = form.at(motion, &start) - form.at(motion, &end);
             let near = |state: &State| EVENT_TOLERANCE * variation + form.rounding(motion, state);
-            let landed =
-                land(&taken, &sign_change, |state| form.value_beyond_rounding(motion, state), near);
+            let value = |state: &State| form.value_beyond_rounding(motion, state);
+            let (dense, anew) = (|part| taken.dense(part), |part| taken.anew(part));
+            let landed = land(&sign_change, dense, anew, value, near);
             if let Some((part, step)) = landed {
                 (h, solved, detected) = (part * h, step, Some(event));
             } else if h <= EVENT_STEP_MIN * start.t_s {
@@ -317,20 +317,20 @@ struct Taken<'a> {
     solved: &'a Step<4>,
 }
 
-impl Arc for Taken<'_> {
-    type State = State;
-    type Step = Step<4>;
-
+impl Taken<'_> {
     fn dense(&self, part: f64) -> State {
         self.system.state(&interpolate(self.y, self.solved, part), part * self.h)
     }
 
-    fn anew(&self, part: f64) -> Option<Step<4>> {
+    /// A step from the same start that ends at this part, with the state there.
+    fn anew(&self, part: f64) -> Option<(State, Step<4>)> {
         let h = part * self.h;
-        newton(self.control, self.system, self.y, h, self.system.guess(self.y, h))
+        let step = newton(self.control, self.system, self.y, h, self.system.guess(self.y, h))?;
+        Some((self.system.state(&step.stages[2], h), step))
     }
 
-    fn end(&self, part: f64, step: &Step<4>) -> State {
-        self.system.state(&step.stages[2], part * self.h)
+    /// The state at a part of the step, as exact as the method is.
+    fn exact(&self, part: f64) -> State {
+        self.anew(part).map_or_else(|| self.dense(part), |(state, _)| state)
     }
 }

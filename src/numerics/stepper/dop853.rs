@@ -67,10 +67,11 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Dop853 {
             let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
             if ends.may_cross(system.boundaries()) {
                 let dense = Dense::of(system, h, &ends, &trial, count);
-                let anew = |s: f64| Some(step(system, from, s * h, count).y);
-                if let Some(landed) = ends.land(system.boundaries(), |s| dense.at(s), anew) {
-                    let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
-                    return Reached { t, y: landed.y, stop, step: h };
+                let anew = |s: f64| step(system, from, s * h, count).y;
+                if let Some((index, part, y)) =
+                    ends.land(system.boundaries(), |s| dense.at(s), anew)
+                {
+                    return Reached { t: t + part * h, y, stop: Stop::Boundary(index), step: h };
                 }
             }
             t += h;

@@ -2,10 +2,7 @@
 //!
 //! Works on any method: dense output and the new step come in as functions. Knows no method and no system.
 
-use std::cell::RefCell;
-
 use super::Boundary;
-use crate::numerics::arc::Arc;
 use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::{larger, minimum};
 
@@ -18,13 +15,6 @@ pub(super) struct Ends<'a, const N: usize> {
     pub(super) f0: &'a [f64; N],
     pub(super) y1: &'a [f64; N],
     pub(super) f1: &'a [f64; N],
-}
-
-/// The end of a step that was shortened to a boundary.
-pub(super) struct Landed<const N: usize> {
-    pub(super) index: usize,
-    pub(super) part: f64,
-    pub(super) y: [f64; N],
 }
 
 impl<const N: usize> Ends<'_, N> {
@@ -63,44 +53,23 @@ impl<const N: usize> Ends<'_, N> {
         crossed.min_by(|a, b| a.1.part.total_cmp(&b.1.part))
     }
 
-    /// Lands on the boundary that is crossed first; `None` where none is, or where steps only come near the one that the dense
-    /// output seems to cross. `anew` gives the state at the end of a step of a part of the length.
+    /// Lands on the boundary that is crossed first: its index, the part of the step, and the state there; `None` where none is, or
+    /// where steps only come near the one that the dense output seems to cross. `anew` gives the state at the end of a step of a
+    /// part of the length.
     pub(super) fn land(
         &self,
         boundaries: &[Boundary<N>],
         dense: impl Fn(f64) -> [f64; N],
-        anew: impl FnMut(f64) -> Option<[f64; N]>,
-    ) -> Option<Landed<N>> {
+        mut anew: impl FnMut(f64) -> [f64; N],
+    ) -> Option<(usize, f64, [f64; N])> {
         let (index, sign_change) = self.first(boundaries, &dense)?;
         let boundary = &boundaries[index];
         let near = larger(NEAR * boundary.at(self.y0), boundary.noise(self.y0));
-        let taken = Taken { dense, anew: RefCell::new(anew) };
-        let (part, y) = land(&taken, &sign_change, |y| boundary.at(y), |_| near)?;
-        Some(Landed { index, part, y })
-    }
-}
-
-/// A step by its dense output and its new steps.
-struct Taken<D, A> {
-    dense: D,
-    anew: RefCell<A>,
-}
-
-impl<const N: usize, D: Fn(f64) -> [f64; N], A: FnMut(f64) -> Option<[f64; N]>> Arc
-    for Taken<D, A>
-{
-    type State = [f64; N];
-    type Step = [f64; N];
-
-    fn dense(&self, part: f64) -> [f64; N] {
-        (self.dense)(part)
-    }
-
-    fn anew(&self, part: f64) -> Option<[f64; N]> {
-        (self.anew.borrow_mut())(part)
-    }
-
-    fn end(&self, _: f64, step: &[f64; N]) -> [f64; N] {
-        *step
+        let anew = |part: f64| {
+            let end = anew(part);
+            Some((end, end))
+        };
+        let (part, y) = land(&sign_change, dense, anew, |y| boundary.at(y), |_| near)?;
+        Some((index, part, y))
     }
 }

@@ -59,10 +59,9 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Rk4 {
                     }
                 }
                 Crossing::Locate => {
-                    let anew = |s: f64| Some(step(system, from, s * h, count));
-                    if let Some(landed) = ends.land(system.boundaries(), dense, anew) {
-                        let stop = Stop::Boundary(landed.index);
-                        return ended(t + landed.part * h, landed.y, stop);
+                    let anew = |s: f64| step(system, from, s * h, count);
+                    if let Some((index, part, y)) = ends.land(system.boundaries(), dense, anew) {
+                        return ended(t + part * h, y, Stop::Boundary(index));
                     }
                 }
             }
