@@ -168,7 +168,7 @@ fn warnings_are_those_of_the_shot_just_below_the_limit() {
     let thin = ["--material", "aa6061-t6511", "--set", "h=3mm", "--scatter", "0"];
     let (page, _) = says("limit", &thin, 0);
     let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
-    for fragment in ["the spring's end moves at", "the fused interface must carry 1.35"] {
+    for fragment in ["the spring's end moves at", "the fused interface must carry"] {
         assert!(flat.contains(fragment), "{page}");
     }
 }

@@ -41,7 +41,7 @@ fn the_outcome_and_the_areal_mass_of_a_stack_are_those_of_all_its_plates() {
     assert_eq!(found["outcome"], "arrested");
     assert!(found["residual_velocity_m_s"].is_null());
     // Behind the first element; from an independent computation: classical Runge-Kutta at 5 ns.
-    let behind = found["stack"]["elements"][0]["residual_velocity_m_s"].as_f64().unwrap();
+    let behind = found["stack"]["plates"][0]["residual_velocity_m_s"].as_f64().unwrap();
     assert_near(behind, 220.961_130_452_846_33, 1e-6);
     let compared = json(&["compare", "array-stacked", "--json"]);
     let whole = compared["candidates"]["scene"]["areal_mass_kg_m2"].as_f64().unwrap();
