@@ -197,13 +197,9 @@ fn steps_max(knob: Knob, end_s: f64) -> usize {
         Knob::Step(dt_s) => {
             let (times, more) = STEPS_BEYOND;
             let steps = times * end_s / dt_s + more;
-            // Ladders end well below this.
-            if steps < 1e7 {
-                (0..64).map(|bit| 1usize << bit).find(|s| *s as f64 > steps)
-            } else {
-                None
-            }
-            .unwrap_or(STEPS_MAX)
+            // Ladders end well below the last of these.
+            let mut powers = (0..24).map(|bit| 1usize << bit);
+            powers.find(|power| *power as f64 > steps).unwrap_or(STEPS_MAX)
         }
         Knob::None | Knob::Tolerance(_) => STEPS_MAX,
     }

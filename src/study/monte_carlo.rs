@@ -157,7 +157,7 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
         summaries: Vec::new(),
         is_complete: true,
     };
-    let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
+    let own = space.design_of(scene);
     context.expect(task.samples);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];

@@ -128,8 +128,7 @@ pub fn study(
     let axes = space.axes().to_vec();
     let output = space.outputs()[0];
     let inputs = axes.len();
-    let here = |axis: &Axis| axis.get(scene).unwrap_or(f64::NAN);
-    let own: Vec<f64> = axes.iter().map(here).collect();
+    let own = space.design_of(scene);
     context.expect(effort.runs(inputs));
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {

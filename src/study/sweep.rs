@@ -272,6 +272,11 @@ impl Plan {
         axis::scene_with(&self.base, &self.axes, design)
     }
 
+    /// The design that a scene is: its own value for every axis, NaN where the variable is absent.
+    pub fn design_of(&self, scene: &Scene) -> Vec<f64> {
+        self.axes.iter().map(|axis| axis.get(scene).unwrap_or(f64::NAN)).collect()
+    }
+
     /// Rules between variables are linear: what holds at every corner of the box holds within.
     fn check_corners(&self) -> Result<(), SweepError> {
         // More axes have only listed points, each of which is checked by itself.

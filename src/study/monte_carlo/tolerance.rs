@@ -246,11 +246,6 @@ impl Tolerance {
         self.number
     }
 
-    /// The scene's own value; NaN where the variable is absent.
-    pub(super) fn nominal(&self, scene: &Scene) -> f64 {
-        (self.number.get)(scene).unwrap_or(f64::NAN)
-    }
-
     /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are
     /// listed and each is checked by itself.
     pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, SweepError> {

@@ -313,15 +313,12 @@ impl Search<'_> {
 
     /// Where a scene lies, if within the bounds and like the scene in everything else.
     fn shares_of(&self, scene: &Scene) -> Option<Vec<f64>> {
-        let mut held = scene.clone();
-        for axis in self.space.axes() {
-            axis.set(&mut held, axis.get(self.scene).unwrap_or(f64::NAN));
-        }
-        if held != *self.scene {
+        let axes = self.space.axes();
+        if scene_with(scene, axes, &self.space.design_of(self.scene)) != *self.scene {
             return None;
         }
         let share = |axis: &Axis| axis.share(axis.get(scene)?);
-        self.space.axes().iter().map(share).collect()
+        axes.iter().map(share).collect()
     }
 
     fn designs(&self, best: Vec<Individual<Found>>) -> Vec<Design> {
@@ -422,11 +419,13 @@ impl Search<'_> {
         let axis = self.space.axes().first()?;
         let names: Vec<&str> = self.space.outputs().iter().map(|column| column.name).collect();
         let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?;
-        let value = axis.get(scene).unwrap_or(f64::NAN);
         let mut watch = |_, _: Option<&()>| {
             if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
-        space.evaluate(&[vec![value]], &mut Context::new(1, &mut watch)).into_iter().next()
+        space
+            .evaluate(&[space.design_of(scene)], &mut Context::new(1, &mut watch))
+            .into_iter()
+            .next()
     }
 }
 
