@@ -4,6 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Command, Error};
 
+use crate::files::clean;
 use crate::files::error::did_you_mean;
 
 /// The line of an error; `None` for help and version, which are results.
@@ -20,7 +21,10 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     {
         return Some(format!("`{first}` is not a subcommand: {hint} `cmra --help` lists them"));
     }
-    let text = error.to_string();
+    // A line end within an argument is none of the text.
+    let words = written.iter().filter_map(|word| word.to_str());
+    let broken = words.filter(|word| word.contains(char::is_control));
+    let text = broken.fold(error.to_string(), |it, word| it.replace(word, &clean::line(word)));
     // A value that looks like an option is seldom what was meant.
     let parts = text.lines().map(str::trim).filter(|it| !it.is_empty() && !it.contains("'-- -"));
     let is_problem = |part: &&str| !part.starts_with("Usage:") && !part.starts_with("For more ");

@@ -115,10 +115,10 @@ fn candidates_are_rows_and_bad_options_are_refused() {
     assert!(lines[2].contains(",,\"outside validity"), "{}", lines[2]);
     for (option, value, told) in [
         ("--mount-mass", "-1g", "0 kg or more"),
-        ("--spring-mass", "2mm", "--spring-mass 2mm"),
+        ("--spring-mass", "2mm", "'2mm' for '--spring-mass"),
         ("--design-velocity", "0", "greater than 0"),
-        ("--stroke", "2kg", "--stroke 2kg"),
-        ("--spring-energy", "5mm", "--spring-energy 5mm"),
+        ("--stroke", "2kg", "'2kg' for '--stroke"),
+        ("--spring-energy", "5mm", "'5mm' for '--spring-energy"),
         ("--map", "v_i", "two variables"),
         ("--map", "v_i,nonsense", "nonsense"),
     ] {

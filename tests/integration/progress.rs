@@ -37,13 +37,25 @@ fn every_long_computation_reports_its_progress() {
         // On a busy machine the page itself tells of points.
         ("accuracy --set interface=plastic", " of 89 points"),
         ("scatter --samples 1000000 --set n=0.7", " runs"),
-        // A part of the points, of which 64 are done at once.
-        ("sweep --over gamma=1..3:4000 --set n=0.7 --set interface=plastic", "2 %: "),
     ] {
         let arguments: Vec<&str> = words.split(' ').collect();
         let (page, _) = interrupted(&arguments, said);
         assert!(page.contains("interrupted: "), "{words}: {page}");
     }
+}
+
+/// Of a sweep the points that are done are counted.
+#[test]
+fn a_sweep_counts_its_points() {
+    let words = "sweep --over gamma=1..3:100000 --set n=0.7 --set interface=plastic";
+    let arguments: Vec<&str> = words.split(' ').collect();
+    let mut terminal = Terminal::start_with(Start { arguments: &arguments, ..Start::default() });
+    terminal.wait_until("some points are done", |screen| {
+        let text = screen.contents();
+        text.contains(" of 100000 points, ") && !text.contains(" %: 0 of")
+    });
+    terminal.signal(Signal::INT);
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 1);
 }
 
 /// One run of these takes minutes: the word to stop does not wait for its end.
