@@ -131,9 +131,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         let _ =
             write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
     } else {
-        inputs.push_str(
-            "; the model's own error is not included (--model-bias, --model-spread, from cmra validate)",
-        );
+        inputs.push_str("; model error excluded");
     }
     [("V50", v50), ("perforation", through), ("scatter", inputs)]
         .map(|(about, text)| Remark::new(about, text))

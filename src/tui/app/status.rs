@@ -409,8 +409,13 @@ pub(crate) fn outside(
     more: &str,
 ) -> Option<StatusPart> {
     let labels: Vec<&str> = checks.map(Check::label).collect();
-    let long = format!("! outside validity{place}: {}{more}", labels.join(", "));
-    let short = format!("! validity{place} {}", labels.len());
+    let list = labels.join(", ");
+    let long = format!("! outside validity{place}: {list}{more}");
+    let short = if place.is_empty() {
+        format!("! validity {}", labels.len())
+    } else {
+        format!("!{place}: {list}")
+    };
     (!labels.is_empty()).then_some((Severity::Warning, long, short))
 }
 
