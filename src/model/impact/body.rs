@@ -15,6 +15,7 @@ mod omission;
 mod outcome;
 
 pub(super) use active_events::Noted;
+pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 
 /// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
@@ -60,6 +61,8 @@ pub(super) struct Body<'a> {
     /// Greatest travel so far: the bottom of the hole, m.
     pub(super) deepest_m: f64,
     pub(super) rests_on_stop: bool,
+    /// The rigid stop has released the plate at this moment: no rounding of the forces brings it back.
+    pub(super) released: bool,
     /// The mechanism cannot move the plate noticeably: it stays where it is.
     pub(super) fixed: bool,
     /// The plate, on which only its mechanism acts, has come to rest.
@@ -68,6 +71,8 @@ pub(super) struct Body<'a> {
     /// The spring near x = 0, and the damper near w = 0.
     pub(super) x_zero: NearZero,
     pub(super) w_zero: NearZero,
+    /// Rounding of the displacement by the last step, m.
+    pub(super) compensation_m: f64,
     /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
     pub(super) region: usize,
     /// Greatest |x| and |w| so far, m and m/s.
@@ -99,12 +104,14 @@ impl<'a> Body<'a> {
             rests_on_stop: problem.mechanism.rigid_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m
                 && pull >= 0.0,
+            released: false,
             fixed: false,
             at_rest: false,
             stop_touches: problem.mechanism.elastic_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m,
             x_zero: NearZero::on_side_of(problem.start_m),
             w_zero: NearZero::on_side_of(pull),
+            compensation_m: 0.0,
             region: first_region(problem, pull),
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,

@@ -15,7 +15,7 @@ use crate::model::impact::report;
 use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::termination::Termination;
-use crate::model::mechanism::PowerKind;
+use crate::model::mechanism::{PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::model::run::Observer;
 use crate::model::run::{EndReason, Mode};
@@ -23,6 +23,13 @@ use crate::numerics::larger;
 
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
+/// A passage through zero within this many ulps of the time takes no time.
+const PASSED_TICKS: f64 = 16.0;
+
+/// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero oscillate: Taylor
+/// steps then follow the oscillations, with fewer steps than the implicit method.
+const OSCILLATES_BELOW: f64 = 3.0;
+
 /// A run in progress.
 #[derive(Clone)]
 pub(super) struct Simulation<'a> {
@@ -80,6 +87,7 @@ impl<'a> Simulation<'a> {
                 continue;
             }
             self.keep_off_singularities();
+            self.pass_zero_under_implicit_steps();
             if self.control.stretch_steps > TAYLOR_STEPS_PER_STRETCH {
                 self.control.stiff = true;
             }
@@ -149,6 +157,44 @@ impl<'a> Simulation<'a> {
         }
     }
 
+    /// The implicit method follows a spring that is infinitely steep at zero, but cannot follow a plate that comes
+    /// through zero with speed to spare: its unknown, the spring's force, changes sign there at once.
+    fn pass_zero_under_implicit_steps(&mut self) {
+        let (x, w) = (self.body.state.plate_m, self.body.state.plate_m_s);
+        if !(self.control.stiff && self.body.spring().is_steep_at_zero())
+            || self.body.is_still()
+            || self.body.x_zero.omitted
+        {
+            return;
+        }
+        let (spring, damper) = (self.body.spring(), self.body.problem.mechanism.damper);
+        // The velocity of a plate that only follows the contact's force may be what a step has left of it.
+        let unresolved = self.body.plate_is_unresolved();
+        let on_manifold =
+            unresolved && 0.5 * self.body.problem.plate_kg * w * w < spring.integral(x);
+        if x * w < 0.0 && x.abs() <= self.body.near_zero_m() && !on_manifold {
+            if !unresolved
+                && damper.exponent * damper.force(w).abs()
+                    <= OSCILLATES_BELOW * spring.force(x).abs()
+            {
+                self.control.stiff = false;
+                self.control.stretch_steps = 0;
+                self.body.x_zero.side = sign(x);
+                self.body.w_zero.side = sign(w);
+            }
+            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.body.state.t_s * w.abs() {
+                // The time does not resolve it.
+                self.body.state.plate_m = -x;
+                self.body.x_zero.side = sign(-x);
+                return;
+            }
+            // As far on the other side as on this one: what the spring takes it also gives.
+            self.body.x_zero.clear = x.abs();
+            self.body.x_zero.omitted = true;
+            self.control.shorten_unit(self.body.x_zero.clear / w.abs());
+        }
+    }
+
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
         self.record.point(&self.body.setting(&motion), &self.body.state, true);
@@ -164,6 +210,8 @@ impl<'a> Simulation<'a> {
     pub(super) fn reach(&mut self, state: State, detected: Option<EventId>) {
         let before = self.body.state;
         self.body.state = state;
+        self.body.compensation_m = 0.0;
+        self.body.released = false;
         if let Some(event) = detected {
             self.body.project_onto_event(event, &before);
         }

@@ -15,7 +15,7 @@ use crate::model::motion::State;
 use crate::model::run::Mode;
 use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
-use crate::numerics::{larger, maximum};
+use crate::numerics::{larger, maximum, smaller};
 
 mod independent_variable;
 
@@ -29,6 +29,10 @@ const EXCHANGED_POWER: f64 = 0.025;
 /// How often a crossing step out of the zero is shortened, and by what part, until it is accurate.
 const TRIALS: usize = 6;
 const SHORTENING: f64 = 0.4;
+/// Part of the distance at which a crossing step inwards was refused from which on it is tried again.
+const RETRY_PART: f64 = 0.4;
+/// Mark of a zero from which no crossing step outwards was good.
+const REFUSED: f64 = 0.0;
 /// A crossing step outwards begins no further from zero than this part of where it ends.
 const START_PART: f64 = 0.3;
 /// How many times more accurate the finer of the two rules is than their difference says, at least and usually, and what
@@ -36,8 +40,15 @@ const START_PART: f64 = 0.3;
 const ACCURACY_GAIN_MIN: f64 = 100.0;
 const ACCURACY_GAIN: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
+/// The least path of a crossing step on an elastic stop, relative to the displacement: the stop's force is known to the
+/// displacement's rounding.
+const STOP_PATH_MIN: f64 = 1e-3;
+/// Part of its greatest value on a stretch from which on an event function that starts from zero shows its sign.
+const SIGN_THRESHOLD: f64 = 1e-9;
 /// How far from zero an event function may be where it has fallen, relative to its value at the start.
 const EVENT_TOLERANCE: f64 = 1e-9;
+/// Ulps of the time that a fall keeps from the zero.
+const ZERO_DISTANCE_TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
 const COLLOCATION_WORK: usize = 10;
 /// Every this many of a crossing step's points are drawn.
@@ -78,6 +89,10 @@ impl Simulation<'_> {
         if variable.heading == 0.0 || !room.is_finite() {
             return None;
         }
+        let crossed_to = &mut self.control.crossed_to[law as usize];
+        if *crossed_to * variable.heading < 0.0 {
+            *crossed_to = 0.0;
+        }
         if variable.now() * variable.heading < 0.0 {
             self.cross_in(&variable, room)
         } else {
@@ -86,10 +101,18 @@ impl Simulation<'_> {
     }
 
     fn cross_in(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
-        if variable.now().abs() > room {
+        let from = variable.now().abs();
+        let refused = &mut self.control.crossing_refused[variable.law as usize];
+        if *refused == REFUSED {
+            *refused = f64::INFINITY;
+        }
+        if from > smaller(*refused, room) {
             return None;
         }
-        let stretch = self.stretch(variable, 0.0)?;
+        let Some(stretch) = self.stretch(variable, 0.0) else {
+            self.control.crossing_refused[variable.law as usize] = RETRY_PART * from;
+            return None;
+        };
         self.go(variable, &stretch);
         if variable.law == Law::Damper && stretch.end.plate_m_s == 0.0 {
             self.turned_round();
@@ -99,17 +122,28 @@ impl Simulation<'_> {
 
     /// From the zero, or from close to it, as far as there is room.
     fn cross_out(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
+        // Ordinary steps follow a velocity only as far as it matters: it may seem to have come back towards the zero it has left.
+        let now = variable.now() * variable.heading;
+        let has_left = now > 0.0 && now < self.control.crossed_to[variable.law as usize].abs();
+        if has_left || self.control.crossing_refused[variable.law as usize] == REFUSED {
+            return None;
+        }
         let mut far = room;
-        for _ in 0..TRIALS {
+        for trial in 0..TRIALS {
             if variable.now().abs() > START_PART * far {
-                return None;
+                if trial == 0 {
+                    return None;
+                }
+                break;
             }
             if let Some(stretch) = self.stretch(variable, variable.heading * far) {
                 self.go(variable, &stretch);
+                self.control.crossed_to[variable.law as usize] = variable.shown(&self.body.state);
                 return Some(Crossed(stretch.detected));
             }
             far *= SHORTENING;
         }
+        self.control.crossing_refused[variable.law as usize] = REFUSED;
         None
     }
 
@@ -123,9 +157,17 @@ impl Simulation<'_> {
             let value = |state: &State| form.value_beyond_rounding(variable.motion, state);
             let start = value(&self.body.state);
             let values = whole.states.each_ref().map(value);
+            // One that rises from zero is of either sign until it is seen.
+            let sign_threshold = if start == 0.0 { sign_threshold(&values) } else { 0.0 };
+            if start == 0.0
+                && values.iter().find(|it| it.abs() > sign_threshold).is_some_and(|it| *it < 0.0)
+            {
+                // It may have risen and fallen in between, or have fallen from the start.
+                return None;
+            }
             let samples = values.into_iter().enumerate().map(|(i, value)| (part_at(i), value));
             let samples = samples.chain([(1.0, value(&whole.end))]);
-            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= 0.0);
+            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= sign_threshold);
             let found = first_sign_change(samples, |part| value(&taken.dense(part)));
             if let Some(sign_change) = found
                 && first.as_ref().is_none_or(|first| sign_change.part < first.2.part)
@@ -142,6 +184,10 @@ impl Simulation<'_> {
     fn unbroken(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let from = variable.now();
         let scale = self.crossing_scale(variable, to - from);
+        let on_stop = variable.law == Law::Damper && variable.motion.stop.stiffness_n_m > 0.0;
+        if on_stop && scale[3] < STOP_PATH_MIN * self.body.state.plate_m.abs() {
+            return None;
+        }
         let rate = |z: f64, y: &Unknowns| variable.rate(&variable.state(z, y));
         self.control.worked(COLLOCATION_WORK);
         let graded = solve(from, to, &[0.0; 4], &scale, rate)?;
@@ -233,6 +279,15 @@ impl Taken<'_, '_> {
     /// The stretch to where an event function falls.
     fn landed(&self, form: &EventFunction, sign_change: &SignChange) -> Option<Stretch> {
         let (simulation, variable) = (self.simulation, self.variable);
+        let aim = self.whole.graded.between(sign_change.part).0;
+        let seen =
+            ZERO_DISTANCE_TICKS * f64::EPSILON * simulation.body.state.t_s * variable.speed().abs();
+        if aim.abs() < seen {
+            // The time does not resolve the fall from the zero.
+            let inwards = variable.now() * variable.heading < 0.0;
+            return simulation
+                .unbroken(variable, if inwards { 0.0 } else { variable.heading * seen });
+        }
         let value = |state: &State| form.value_beyond_rounding(variable.motion, state);
         let start = value(&simulation.body.state).abs();
         let near =
@@ -240,4 +295,9 @@ impl Taken<'_, '_> {
         let (dense, anew) = (|part| self.dense(part), |part| self.anew(part));
         land(sign_change, dense, anew, value, near).map(|(_, stretch)| stretch)
     }
+}
+
+/// The bound that an event function from zero must exceed on a stretch to have a sign.
+fn sign_threshold(values: &[f64; POINTS]) -> f64 {
+    SIGN_THRESHOLD * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }

@@ -40,6 +40,10 @@ pub(super) struct StepControl {
     pub(super) work: Cell<usize>,
     /// Events that changed what the bodies do.
     pub(super) event_count: usize,
+    /// Where a crossing step through the zero of the spring, and of the damper, was refused last on the approach, m and m/s.
+    pub(super) crossing_refused: [f64; 2],
+    /// Where the last crossing step out of each zero ended, m and m/s; 0 once the direction has changed.
+    pub(super) crossed_to: [f64; 2],
     /// What crossing steps that the depth depends on may be off by, relative.
     pub(super) crossing_error: f64,
     /// The second computation, which the first is compared with.
@@ -48,7 +52,7 @@ pub(super) struct StepControl {
 
 impl StepControl {
     pub(super) fn new(unit_s: f64) -> Self {
-        Self { unit_s, ..Self::default() }
+        Self { unit_s, crossing_refused: [f64::INFINITY; 2], ..Self::default() }
     }
 
     /// Count how often the force on the plate changes its sign, by its acceleration at every step.

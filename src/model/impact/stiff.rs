@@ -10,7 +10,7 @@ use crate::model::event_function::EventId;
 use crate::model::impact::record::Times;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
-use crate::model::motion::State;
+use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::event::{first_sign_change, land};
 use crate::numerics::implicit::{
@@ -43,20 +43,32 @@ const DECOUPLED: f64 = 1e-7;
 const ESTIMATE_FLOOR: f64 = 1e-9;
 const ESTIMATE_POWER: f64 = 0.05;
 
+/// Energy a step may be off by, relative to all there is, per tolerance, and how often it is halved for that.
+const ENERGY_TOLERANCE: f64 = 1e-2;
+const HALVINGS_MAX: usize = 8;
+
 /// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept
 /// oscillates again, and for how many steps it must.
 const OSCILLATION_STEP_RAD: f64 = 0.5;
 const OSCILLATION_INERTIA: f64 = 0.2;
 const OSCILLATION_STEPS: usize = 20;
+/// How far the rounding of the plate's velocity is to lie below what the estimate of a step may be: Newton's method, and the
+/// estimate itself, see nothing below it.
+const ROUNDING_MARGIN: f64 = 100.0;
+/// The least scale of the slip relative to its own value.
+const SLIP_SCALE_MIN: f64 = 1e-2;
+
 impl Simulation<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.body.motion();
         let tolerance = self.estimate_allowed();
-        let system = Unknowns::of(&motion, &self.body.state, self.stiff_scale());
-        let y = system.fold(&self.body.state);
+        let scale = self.stiff_scale(&motion, tolerance);
+        let system = Unknowns::of(&motion, &self.body.state, scale);
+        let y = system.fold(&self.body.state, self.body.compensation_m);
         let mut h = self.control.unit_s;
         let left = self.until_s() - self.body.state.t_s;
+        let mut halvings = 0;
         for _ in 0..200 {
             h = if left < h { left } else { h };
             let tick = TICK * self.body.state.t_s;
@@ -77,6 +89,16 @@ impl Simulation<'_> {
             // Within one ulp of the time a stiff force settles, whatever its way: the method is L-stable.
             if solved.error > tolerance && !at_tick {
                 h *= smaller(factor, 0.9);
+                self.control.rejected += 1;
+                continue;
+            }
+            if !at_tick
+                && halvings < HALVINGS_MAX
+                && self.imbalance_j(&system, &solved, h).abs()
+                    > ENERGY_TOLERANCE * self.body.tolerance * self.body.problem.energy_j
+            {
+                halvings += 1;
+                h *= 0.5;
                 self.control.rejected += 1;
                 continue;
             }
@@ -126,8 +148,28 @@ impl Simulation<'_> {
         }
     }
 
-    /// The sizes against which errors are measured.
-    fn stiff_scale(&self) -> [f64; 4] {
+    /// The error of the plate's energy over a step, J: where its spring holds nearly all energy, errors of the displacement that do
+    /// not matter to the contact show in it.
+    fn imbalance_j(&self, system: &Unknowns<'_>, solved: &Step<4>, h: f64) -> f64 {
+        let motion = system.motion;
+        let spring = &self.body.problem.mechanism.spring;
+        let energy = |state: &State| {
+            0.5 * state.plate_m_s * state.plate_m_s / motion.plate_mobility
+                + spring.energy(state.plate_m)
+        };
+        let mut gained = energy(&system.state(&solved.stages[2], h)) - energy(&self.body.state);
+        for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
+            let state = system.state(stage, node * h);
+            let push_n = motion.coupling * motion.contact_force(&state)
+                - motion.damper.force(state.plate_m_s)
+                - motion.stop.force(&state);
+            gained -= h * weight * push_n * state.plate_m_s;
+        }
+        gained
+    }
+
+    /// The sizes against which errors are measured where a step's estimate may be so much of them.
+    fn stiff_scale(&self, motion: &Motion<'_>, tolerance: f64) -> [f64; 4] {
         let speed = self.body.problem.velocity_m_s;
         let travel = self.body.state.travel_m.abs()
             + self.body.state.slip_m_s.abs() * self.control.unit_s
@@ -142,7 +184,24 @@ impl Simulation<'_> {
             let state = &self.body.state;
             (part * travel + state.plate_m.abs(), part * speed + state.plate_m_s.abs())
         };
-        [travel, speed, x, w]
+        let known_w = self.rounding_of_speed_m_s(motion) * ROUNDING_MARGIN / tolerance;
+        [
+            travel,
+            // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
+            larger(speed, SLIP_SCALE_MIN * self.body.state.slip_m_s.abs()),
+            x,
+            larger(known_w, w),
+        ]
+    }
+
+    /// The uncertainty of the plate's velocity over the next step from the rounding of its forces, m/s.
+    fn rounding_of_speed_m_s(&self, motion: &Motion<'_>) -> f64 {
+        let state = &self.body.state;
+        let force_n =
+            larger(motion.spring.force(state.plate_m).abs(), motion.stop.force(state).abs());
+        let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
+        let mobility = motion.plate_mobility * self.control.unit_s;
+        f64::EPSILON * force_n * mobility / (1.0 + damping * mobility)
     }
 
     fn accept(
@@ -206,6 +265,10 @@ impl Simulation<'_> {
         self.control.count_turns(system.rate(0.0, y)[3]);
         self.notice_oscillations(system, y, h);
         self.arrive(state, motion, detected);
+        let is_moved = self.body.state.plate_m.to_bits() != state.plate_m.to_bits();
+        if !is_moved {
+            self.body.compensation_m = system.compensation_m(&solved.stages[2]);
+        }
         ControlFlow::Continue(detected)
     }
 

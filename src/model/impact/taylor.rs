@@ -11,8 +11,9 @@ use crate::numerics::series::evaluate_slope;
 use crate::numerics::taylor::trusted_step;
 use crate::numerics::{larger, smaller};
 
-/// Defect at the end of a step, per local tolerance, above which the step is shortened.
+/// Defect at the end of a step, per local tolerance, above which the step is shortened, and what rounding alone may cause.
 const DEFECT: f64 = 100.0;
+const DEFECT_ROUNDING: f64 = 1e-12;
 /// Roundings in the sum of the forces on the plate, with some reserve.
 const ROUNDINGS: f64 = 4.0;
 /// Part of the interface's strength below which errors of the force it carries do not matter, per tolerance.
@@ -26,10 +27,14 @@ const USED_PART_MIN: f64 = 0.02;
 /// Decays of the damper within a step, and part of the damper's force that is left for inertia, from which on the plate creeps.
 const CREEP_STEP_DECAYS: f64 = 0.5;
 const CREEP_INERTIA: f64 = 0.02;
+/// Errors that a step may make of the plate's velocity from which on it is followed.
+const UNRESOLVED: f64 = 100.0;
 /// Radians of the spring within a step, and part of its force that is left for inertia, from which on the plate follows the slow
 /// manifold: an oscillation that small has 1e-12 of the energy in the spring.
 const MANIFOLD_STEP_RAD: f64 = 0.5;
 const MANIFOLD_INERTIA: f64 = 1e-6;
+/// Ulps of the time up to which a step counts as one that gets nowhere.
+const STALLED_TICKS: f64 = 4096.0;
 /// Such steps in a row after which the implicit method takes over.
 const STIFF_SIGNS: usize = 50;
 /// First step, relative to the time reached, of the implicit method when it takes over.
@@ -58,8 +63,16 @@ impl Simulation<'_> {
             return ControlFlow::Continue(None);
         }
         let left = (self.until_s() - self.body.state.t_s) / h;
-        let reach = self.checked(&motion, &e, smaller(left, trusted));
-        let (span, detected) = self.first_event(&motion, &e, reach);
+        let mut reach = self.checked(&motion, &e, smaller(left, trusted));
+        let (span, detected) = loop {
+            let (span, detected) = self.first_event(&motion, &e, reach);
+            // An expansion that solves the equations again at its end, back on another piece, need not have done so on the way.
+            let checked = if detected.is_some() { self.checked(&motion, &e, span) } else { span };
+            if checked >= span {
+                break (span, detected);
+            }
+            reach = checked;
+        };
         let state = e.state(span);
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
@@ -111,15 +124,24 @@ impl Simulation<'_> {
         let noise_n = ROUNDINGS * plate_noise(motion, e) / mobility;
         let net_n = larger((motion.coupling * e.contact[0] - e.mechanism[0]).abs() - noise_n, 0.0);
         let damping_n = e.damper[0] + stop.damping_n_s_m * e.plate_speed[0];
-        let damping = motion.damper.tangent(e.plate_speed[0]) + stop.damping_n_s_m;
-        let creeps = net_n <= CREEP_INERTIA * damping_n.abs()
-            && damping * mobility * step_s >= CREEP_STEP_DECAYS;
         let spring_n = e.mechanism[0] - damping_n;
-        let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
-        let on_manifold = net_n <= MANIFOLD_INERTIA * spring_n.abs()
-            && stiffness * mobility * step_s * step_s >= MANIFOLD_STEP_RAD * MANIFOLD_STEP_RAD;
+        // A velocity that a step may be wrong by says nothing of what is left for inertia.
+        let unresolved = e.plate_speed[0].abs()
+            <= UNRESOLVED
+                * self.body.local_tolerance()
+                * self.body.resolved_part()
+                * self.body.problem.velocity_m_s;
+        let creeps = (unresolved || net_n <= CREEP_INERTIA * damping_n.abs()) && {
+            let damper = motion.damper.tangent(e.plate_speed[0]) + stop.damping_n_s_m;
+            damper * mobility * step_s >= CREEP_STEP_DECAYS
+        };
+        let on_manifold = net_n <= MANIFOLD_INERTIA * spring_n.abs() && {
+            let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
+            stiffness * mobility * step_s * step_s >= MANIFOLD_STEP_RAD * MANIFOLD_STEP_RAD
+        };
+        let is_short = step_s <= STALLED_TICKS * f64::EPSILON * self.body.state.t_s;
         self.control.stiffness_signs =
-            if creeps || on_manifold { self.control.stiffness_signs + 1 } else { 0 };
+            if creeps || on_manifold || is_short { self.control.stiffness_signs + 1 } else { 0 };
         if self.control.stiffness_signs > STIFF_SIGNS {
             self.control.stiffness_signs = 0;
             self.control.stiff = true;
@@ -153,7 +175,7 @@ impl Simulation<'_> {
     ///
     /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
     fn checked<const N: usize>(&mut self, motion: &Motion<'_>, e: &Expansion<N>, span: f64) -> f64 {
-        let allowed = DEFECT * self.body.local_tolerance();
+        let allowed = larger(DEFECT * self.body.local_tolerance(), DEFECT_ROUNDING);
         let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
         // Forces that hold each other are known to their own rounding only: no shorter step makes their difference better.
         let noise = ROUNDINGS * plate_noise(motion, e);

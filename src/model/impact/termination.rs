@@ -3,7 +3,7 @@
 //! Bounds come from energy: the remaining energy, all of it in the spring, bounds the displacement of the plate and the force
 //! that the interface may have to carry.
 
-use crate::model::impact::body::MaximumDisplacement;
+use crate::model::impact::body::{MaximumDisplacement, NO_ENERGY};
 use crate::model::impact::simulation::Simulation;
 use crate::model::motion::ContactForce;
 use crate::model::run::{EndReason, Mode, Outcome};
@@ -23,6 +23,9 @@ const ENERGY_CHANGE: f64 = 1e-9;
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of the interface's load by which it may still grow without being followed.
 const DEMAND_GROWTH: f64 = 1e-9;
+/// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
+const NEGLIGIBLE_ENERGY: f64 = 1e-18;
+
 /// The known part of the run's outcome.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Termination {
@@ -223,18 +226,27 @@ impl Simulation<'_> {
     }
 
     /// Puts a plate at rest that oscillates about zero without contact, with less energy than rounding leaves, until it is struck
-    /// again.
+    /// again. A plate that nothing can strike any more, on a spring whose oscillations grow ever faster, rests a little earlier:
+    /// they never end.
     pub(super) fn come_to_rest(&mut self) {
-        let apart = matches!(self.body.mode, Mode::FreeFlight | Mode::Withdrawing | Mode::Closing);
-        let law = self.body.problem.mechanism.spring.power();
-        if apart
-            && law.is_some_and(|law| !law.is_absent())
-            && self.body.motion().contact == ContactForce::None
-            && !self.body.is_still()
-            && !self.body.stop_touches
-            && self.body.has_no_energy()
-        {
-            self.body.state.slip_m_s += self.body.state.plate_m_s * self.body.problem.cos;
+        let Some(law) = self.body.problem.mechanism.spring.power().filter(|law| !law.is_absent())
+        else {
+            return;
+        };
+        let for_good = self.termination.decided.is_some() && law.exponent < 1.0;
+        let least = match self.body.mode {
+            Mode::FreeFlight | Mode::Withdrawing | Mode::Closing
+                if self.body.motion().contact == ContactForce::None =>
+            {
+                NO_ENERGY
+            }
+            Mode::Perforated | Mode::Fused if for_good => NEGLIGIBLE_ENERGY,
+            _ => return,
+        };
+        if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
+            if self.body.mode != Mode::Fused {
+                self.body.state.slip_m_s += self.body.state.plate_m_s * self.body.problem.cos;
+            }
             (self.body.state.plate_m, self.body.state.plate_m_s) = (0.0, 0.0);
             self.body.at_rest = true;
             self.control.stiff = false;

@@ -6,7 +6,7 @@ use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
 /// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
-const NO_ENERGY: f64 = 1e-24;
+pub(in crate::model::impact) const NO_ENERGY: f64 = 1e-24;
 /// How far a stop that yields to a spring driving the plate away is followed, m.
 const STOP_TRAVEL_MAX_M: f64 = 1e3;
 /// How many times the path that the energy above the holding oscillation pays for is left to slips: the last one may take some
@@ -45,13 +45,18 @@ impl Body<'_> {
         self.energy_j() + apart_j
     }
 
-    /// Whether what still moves has less energy than rounding leaves of the projectile's at first contact, squared.
+    /// Whether what still moves has less energy than rounding leaves of that at the start, squared.
     pub(in crate::model::impact) fn has_no_energy(&self) -> bool {
+        self.has_less_than(NO_ENERGY)
+    }
+
+    /// Whether what still moves has no more than this part of the projectile's energy at first contact.
+    pub(in crate::model::impact) fn has_less_than(&self, part: f64) -> bool {
         let problem = self.problem;
         let v = problem.velocity_m_s;
         let at_start = 0.5 * problem.projectile_kg * v * v;
         // Where the spring drives the plate away, its energy is less than nothing.
-        self.energy_j() <= NO_ENERGY * at_start
+        self.energy_j() <= part * at_start
             && problem.mechanism.spring.drives_away(self.state.plate_m).is_none()
     }
 

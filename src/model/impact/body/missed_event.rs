@@ -4,6 +4,7 @@
 use super::Body;
 use crate::model::event_function::{EventId, Forces};
 use crate::model::mechanism::sign;
+use crate::model::mechanism::stop::HEIGHT_ROUNDING;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 
@@ -18,7 +19,10 @@ impl Body<'_> {
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
-        if rigid_stop && x >= problem.mechanism.stop_at_m && w > 0.0 {
+        // So close that neither the time nor the displacement resolves the distance.
+        let presses =
+            || w == 0.0 && !self.released && self.motion().accelerations(&self.state).1 > 0.0;
+        if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(EventId::StopReached);
         }
         if self.is_beyond_stop() && self.stop_presses() {
@@ -75,7 +79,7 @@ impl Body<'_> {
             return Some(EventId::StopCleared);
         }
         let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
-        let reaches = x >= mechanism.stop_at_m && w > 0.0;
+        let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_within_resolution());
         if untouched && reaches && !self.stop_lets_go() {
             return Some(EventId::StopReached);
         }
@@ -105,6 +109,15 @@ impl Body<'_> {
             || sign(w),
             |curve| sign(curve.force(x + sign(w) * NEARBY * curve.scale_m())),
         )
+    }
+
+    /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not resolve it.
+    fn turns_within_resolution(&self) -> bool {
+        let (_, rate) = self.motion().accelerations(&self.state);
+        let State { plate_m: x, plate_m_s: w, .. } = self.state;
+        let (on_stop, rounding_m) =
+            (self.problem.mechanism.stop_at_m, HEIGHT_ROUNDING * self.stop_scale_m());
+        x - on_stop <= rounding_m && w <= 0.0 && rate > 0.0 && 0.5 * w * w <= rounding_m * rate
     }
 
     /// Whether an elastic stop's force is zero and about to pull.

@@ -1,9 +1,13 @@
 //! The motion with displacement, or velocity, of the plate as the independent variable.
 
 use crate::model::event_function::EventId;
-use crate::model::mechanism::{Elastic, sign};
+use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
+
+/// Part of the displacement that a plate may come back from its greatest displacement within a crossing step, where its spring is
+/// non-integer, too.
+const OF_DISPLACEMENT: f64 = 0.3;
 
 /// The law whose zero is passed, and with it what the variable is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,7 +129,10 @@ impl<'a> IndependentVariable<'a> {
                 let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
                 let by_damper = motion.damper.at_force(part * others / mobility);
                 let by_spring = (part * others * others / (mobility * stiffness)).sqrt();
-                smaller(by_damper, by_spring)
+                let broken =
+                    matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
+                let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
+                smaller(by_damper, smaller(by_spring, (2.0 * others * back_m).sqrt()))
             }
         }
     }

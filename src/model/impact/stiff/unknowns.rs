@@ -1,9 +1,16 @@
-//! The motion in the implicit method's unknowns: where a law's exponent is below one its force is the unknown (`Carrier`).
+//! The motion in the implicit method's unknowns.
+//!
+//! Where a law's exponent is below one its force is the unknown (`Carrier`). Where the plate touches an elastic stop that is far
+//! from the spring's zero, its displacement is measured from the stop: the stop's force is the stiffness times a small difference
+//! that is lost in the rounding of the displacement itself.
 
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
-use crate::model::motion::{Motion, State};
+use crate::model::motion::{Motion, State, StopForce};
 use crate::numerics::implicit::{ImplicitSystem, NODES};
 use crate::numerics::{larger, smaller};
+
+/// Part of the displacement up to which the stop's deflection is measured by itself.
+const ON_STOP: f64 = 0.5;
 
 /// The present motion in the implicit method's unknowns.
 pub(super) struct Unknowns<'a> {
@@ -11,14 +18,16 @@ pub(super) struct Unknowns<'a> {
     from_s: f64,
     spring: Carrier<'a>,
     damper: Carrier<'a>,
+    /// From where the plate's displacement is measured, m.
+    datum_m: f64,
     scale: [f64; 4],
 }
 
 /// Whether a law's unknown is its argument or its force.
 #[derive(Clone, Copy)]
 enum Carrier<'a> {
-    /// x itself; the force follows.
-    Argument(Elastic<'a>),
+    /// x itself, from a datum on; the force follows.
+    Argument(Elastic<'a>, f64),
     /// The force; x = sgn (|force|/k)^(1/n) follows.
     Force(PowerLaw),
 }
@@ -27,21 +36,25 @@ impl<'a> Carrier<'a> {
     fn of(law: Elastic<'a>) -> Self {
         match law {
             Elastic::Power(law) if law.is_steep_at_zero() => Self::Force(law),
-            Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law),
+            Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law, 0.0),
         }
     }
 
-    fn unknown(self, z: f64) -> f64 {
+    /// The unknown of an argument, and what rounding has omitted from that.
+    fn unknown(self, z: f64, left_out: f64) -> f64 {
         match self {
-            Self::Argument(_) => z,
+            Self::Argument(_, datum) => (z - datum) + left_out,
             Self::Force(law) => law.force(z),
         }
     }
 
-    /// (argument, its derivative, force, its derivative) by the unknown.
+    /// (argument from the datum, its derivative, force, its derivative) by the unknown.
     fn unfold(self, y: f64) -> (f64, f64, f64, f64) {
         match self {
-            Self::Argument(law) => (y, 1.0, law.force(y), law.tangent(y)),
+            Self::Argument(law, datum) => {
+                let z = datum + y;
+                (y, 1.0, law.force(z), law.tangent(z))
+            }
             Self::Force(law) => {
                 let z = law.at_force(y) * sign(y);
                 let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
@@ -53,9 +66,17 @@ impl<'a> Carrier<'a> {
 
 impl<'a> Unknowns<'a> {
     pub(super) fn of(motion: &'a Motion<'a>, from: &State, scale: [f64; 4]) -> Self {
-        let spring = Carrier::of(motion.spring);
+        let (stop, plate_m) = (motion.stop, from.plate_m);
+        let on_stop =
+            stop.stiffness_n_m > 0.0 && (plate_m - stop.position_m).abs() < ON_STOP * plate_m.abs();
+        let datum_m = if on_stop { stop.position_m } else { 0.0 };
+        let spring = if on_stop {
+            Carrier::Argument(motion.spring, datum_m)
+        } else {
+            Carrier::of(motion.spring)
+        };
         let damper = Carrier::of(Elastic::Power(motion.damper));
-        Self { motion, from_s: from.t_s, spring, damper, scale }
+        Self { motion, from_s: from.t_s, spring, damper, datum_m, scale }
     }
 
     /// The state of these unknowns, so long after the start of the step, s.
@@ -64,19 +85,30 @@ impl<'a> Unknowns<'a> {
             t_s: self.from_s + after_s,
             travel_m: y[0],
             slip_m_s: y[1],
-            plate_m: self.spring.unfold(y[2]).0,
+            plate_m: self.datum_m + self.spring.unfold(y[2]).0,
             plate_m_s: self.damper.unfold(y[3]).0,
         }
     }
 
-    /// The unknowns of a state.
-    pub(super) fn fold(&self, state: &State) -> [f64; 4] {
+    /// The unknowns of a state whose displacement rounding has left so much out of, m.
+    pub(super) fn fold(&self, state: &State, compensation_m: f64) -> [f64; 4] {
         [
             state.travel_m,
             state.slip_m_s,
-            self.spring.unknown(state.plate_m),
-            self.damper.unknown(state.plate_m_s),
+            self.spring.unknown(state.plate_m, compensation_m),
+            self.damper.unknown(state.plate_m_s, 0.0),
         ]
+    }
+
+    /// The part of the displacement that rounding omits from the state with these unknowns, m.
+    pub(super) fn compensation_m(&self, y: &[f64; 4]) -> f64 {
+        let z = self.spring.unfold(y[2]).0;
+        z - ((self.datum_m + z) - self.datum_m)
+    }
+
+    fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
+        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.motion.stop;
+        stiffness_n_m * (x_from_datum - (position_m - self.datum_m)) + damping_n_s_m * w
     }
 
     /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
@@ -118,8 +150,8 @@ impl ImplicitSystem<4> for Unknowns<'_> {
 
     fn rate(&self, after: f64, y: &[f64; 4]) -> [f64; 4] {
         let (motion, state) = (self.motion, self.state(y, after));
-        let (_, _, spring_n, _) = self.spring.unfold(y[2]);
-        let g = spring_n + self.damper.unfold(y[3]).2 + motion.stop.force(&state);
+        let (x, _, spring_n, _) = self.spring.unfold(y[2]);
+        let g = spring_n + self.damper.unfold(y[3]).2 + self.stop_n(x, state.plate_m_s);
         let (slip, plate) = motion.response(motion.contact_force(&state), g);
         [state.slip_m_s, slip, state.plate_m_s, plate]
     }
