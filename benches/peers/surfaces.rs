@@ -39,8 +39,7 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
     let machine = cores();
     writeln!(
         out,
-        "\nsurfaces of 101 x 101 runs, ms, {} threads: least of {ROUNDS}; plain and peer: the same points one by one",
-        machine
+        "\nsurfaces of 101 x 101 runs, ms, {machine} threads: least of {ROUNDS}; plain and peer: the same points one by one"
     )?;
     writeln!(
         out,

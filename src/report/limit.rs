@@ -126,12 +126,12 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         asked.samples,
         asked.seed
     );
-    if asked.model != ModelError::default() {
+    if asked.model == ModelError::default() {
+        inputs.push_str("; model error excluded");
+    } else {
         let (bias, spread) = (100.0 * asked.model.bias, percent(asked.model.spread));
         let _ =
             write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
-    } else {
-        inputs.push_str("; model error excluded");
     }
     [("V50", v50), ("perforation", through), ("scatter", inputs)]
         .map(|(about, text)| Remark::new(about, text))

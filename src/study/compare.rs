@@ -289,15 +289,12 @@ pub(in crate::study) fn elements(scene: &Scene) -> Vec<Scene> {
 
 /// The parts of a scene that take up energy and whose mass is not counted, unless the mass of the mount is given.
 fn uncounted(elements: &[Scene], hardware: &Hardware) -> Vec<&'static str> {
-    let mechanisms: Vec<Mechanism> = elements
-        .iter()
-        .filter(|element| element.plate.mount == Mount::Sprung && hardware.mount_kg == 0.0)
-        .map(Mechanism::of)
-        .collect();
-    let parts: [(&str, fn(&Mechanism) -> bool); 2] =
-        [("damper", |it| !it.damper.is_absent()), ("stop", |it| it.stop.is_some())];
-    let has = |part: &(&str, fn(&Mechanism) -> bool)| mechanisms.iter().any(part.1);
-    parts.into_iter().filter(has).map(|(name, _)| name).collect()
+    let is_open =
+        |element: &&Scene| element.plate.mount == Mount::Sprung && hardware.mount_kg == 0.0;
+    let mechanisms: Vec<Mechanism> = elements.iter().filter(is_open).map(Mechanism::of).collect();
+    let damper = mechanisms.iter().any(|it| !it.damper.is_absent()).then_some("damper");
+    let stop = mechanisms.iter().any(|it| it.stop.is_some()).then_some("stop");
+    damper.into_iter().chain(stop).collect()
 }
 
 /// The area of a plate, m²: its mass over rho h.

@@ -138,7 +138,7 @@ impl App {
 
     /// Threads of sweeps and studies.
     pub fn crew(&self) -> usize {
-        self.threads.unwrap_or_else(|| cores())
+        self.threads.unwrap_or_else(cores)
     }
 
     pub fn layout(&self) -> Layout {

@@ -29,9 +29,9 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
         // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
         let waits = || event::poll(Duration::from_millis(1)).unwrap_or(false);
         // A panic is in the log.
-        match panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, event::read, waits))) {
-            Ok(Err(error)) => log::warn!("reading from the terminal failed: {error}"),
-            Ok(Ok(())) | Err(_) => {}
+        let ended = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, event::read, waits)));
+        if let Ok(Err(error)) = ended {
+            log::warn!("reading from the terminal failed: {error}");
         }
         // The loop may be over already.
         let _ = inbox.send(Incoming::Signal(Signal::End(HUNG_UP)));

@@ -18,7 +18,7 @@ fn a_stack_of_one_element_is_the_single_run() {
         // What goes through the first plate of a stack meets the next: no warning says that it goes through a rigid one, too.
         stacked
             .warnings
-            .extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).cloned());
+            .extend(single.warnings.iter().filter(|it| **it == Warning::NoBaseline).copied());
         stacked.scene = Arc::clone(&single.scene);
         assert_eq!(stacked, single, "{pairs}");
         let reached_base = single.outcome == Outcome::Perforated;

@@ -134,8 +134,8 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     found.into_iter().flatten().collect()
 }
 
-fn breach(check: Check, direction: Direction, text: String) -> Option<Breach> {
-    Some(Breach { check, direction, text })
+fn breach(check: Check, direction: Direction, text: String) -> Breach {
+    Breach { check, direction, text }
 }
 
 fn thickness(scene: &Scene) -> Option<Breach> {
@@ -151,7 +151,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         };
         let text =
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
-        return breach(Check::Thickness, Direction::Conservative, text);
+        return Some(breach(Check::Thickness, Direction::Conservative, text));
     }
     if scene.target.dishing || ratio >= THICKNESS - ABOUT {
         return None;
@@ -160,7 +160,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; set \
          dishing=on"
     );
-    breach(Check::Thickness, Direction::Unconservative, text)
+    Some(breach(Check::Thickness, Direction::Unconservative, text))
 }
 
 fn nose(scene: &Scene) -> Option<Breach> {
@@ -175,7 +175,7 @@ fn nose(scene: &Scene) -> Option<Breach> {
             (Direction::Unknown, "nose = pointed: the law is for a hemispherical nose")
         }
     };
-    breach(Check::Nose, direction, text.to_owned())
+    Some(breach(Check::Nose, direction, text.to_owned()))
 }
 
 fn nose_pressure(scene: &Scene) -> Option<Breach> {
@@ -185,7 +185,7 @@ fn nose_pressure(scene: &Scene) -> Option<Breach> {
          deform or break",
         significant(pressure, 3)
     );
-    breach(Check::NosePressure, Direction::Conservative, text)
+    Some(breach(Check::NosePressure, Direction::Conservative, text))
 }
 
 fn nose_mass(scene: &Scene) -> Option<Breach> {
@@ -198,7 +198,7 @@ fn nose_mass(scene: &Scene) -> Option<Breach> {
         significant(1e3 * sphere, 3),
         significant(1e3 * projectile.mass_kg, 3)
     );
-    breach(Check::NoseMass, Direction::Unknown, text)
+    Some(breach(Check::NoseMass, Direction::Unknown, text))
 }
 
 fn face(scene: &Scene) -> Option<Breach> {
@@ -209,7 +209,7 @@ fn face(scene: &Scene) -> Option<Breach> {
         significant(1e3 * scene.plate_face_m(), 3),
         significant(face, 3)
     );
-    breach(Check::Face, Direction::Unconservative, text)
+    Some(breach(Check::Face, Direction::Unconservative, text))
 }
 
 fn velocity(scene: &Scene) -> Option<Breach> {
@@ -222,7 +222,7 @@ fn velocity(scene: &Scene) -> Option<Breach> {
         return None;
     };
     let text = format!("v_i = {} m/s is {fault}", significant(v, 4));
-    breach(Check::Velocity, Direction::Unknown, text)
+    Some(breach(Check::Velocity, Direction::Unknown, text))
 }
 
 fn obliquity(scene: &Scene) -> Option<Breach> {
@@ -240,7 +240,7 @@ fn obliquity(scene: &Scene) -> Option<Breach> {
         "theta = {} deg: limits at 30 deg come out about {OBLIQUE_LOW} % low against ten measured pairs, more for some{glances}",
         significant(theta, 4)
     );
-    breach(Check::Obliquity, Direction::Conservative, text)
+    Some(breach(Check::Obliquity, Direction::Conservative, text))
 }
 
 fn stop(scene: &Scene) -> Option<Breach> {
@@ -253,7 +253,7 @@ fn stop(scene: &Scene) -> Option<Breach> {
     let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
                 interface=plastic"
         .to_owned();
-    breach(Check::Stop, Direction::Unconservative, text)
+    Some(breach(Check::Stop, Direction::Unconservative, text))
 }
 
 /// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface.
@@ -272,11 +272,11 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
              one, and its coils may close",
             significant(speed, 3)
         );
-        found.extend(breach(Check::Spring, Direction::Unconservative, text));
+        found.push(breach(Check::Spring, Direction::Unconservative, text));
     }
     for warning in &run.warnings {
         if let Some(check) = check_of(warning) {
-            found.extend(breach(check, Direction::Unconservative, warning.to_string()));
+            found.push(breach(check, Direction::Unconservative, warning.to_string()));
         }
     }
     found.sort_by_key(|breach| breach.check);

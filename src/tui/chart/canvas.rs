@@ -42,7 +42,7 @@ impl Canvas {
         let is_own = |row: &usize| self.cell(column, *row).is_some_and(|cell| cell.0 == owner);
         let mut rows = (0..self.cells.1).filter(is_own);
         let top = rows.next()?;
-        Some(usize::midpoint(top, rows.last().unwrap_or(top)))
+        Some(usize::midpoint(top, rows.next_back().unwrap_or(top)))
     }
 
     /// The owner of a cell (from the top) and its dots, if it has any.
