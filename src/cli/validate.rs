@@ -104,7 +104,7 @@ fn page(report: &[Row]) -> String {
 /// Bias and scatter by class, and what was done.
 fn summary(report: &[Row]) -> String {
     let mut table = format!(
-        "{:<38}{:>7}{:>9}{:>9}   {}\n",
+        "{:<36}{:>7}{:>8}{:>8}  {}\n",
         "computed over measured, minus 1", "points", "bias", "scatter", "least to greatest"
     );
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
@@ -114,7 +114,7 @@ fn summary(report: &[Row]) -> String {
         let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
         let _ = writeln!(
             table,
-            "{:<38}{:>7}{:>9}{scatter:>9}   {}",
+            "{:<36}{:>7}{:>8}{scatter:>8}  {}",
             it.class.unwrap_or("all points"),
             it.points,
             percent(it.mean),

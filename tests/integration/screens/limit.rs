@@ -1,11 +1,13 @@
 //! The Limit tab: keys and whole screens, on a made-up limit whose digits never change a picture.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
+use cmra::study::context::Context;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::monte_carlo::SampledLimit;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
@@ -92,6 +94,21 @@ fn the_limit_tab_at_every_size() {
             assert_snapshot!(format!("limit_v50_{columns}x{rows}_{glyphs}"), bench.screen());
         }
     }
+}
+
+/// The plate of 3 mm overloads its fused interface just below its limit, and its spring's end moves too fast.
+#[test]
+fn the_status_names_what_is_outside_validity_at_the_limit() {
+    let mut scene = Scene::default();
+    scene.target.thickness_m = 0.003;
+    let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
+    let real = cmra::study::limit::find(&Arc::new(scene), plain(), &mut Context::new(1, watch));
+    let at_limit = real.unwrap().at_limit;
+    let mut bench = Bench::ascii(120, 36);
+    bench.keys("3");
+    end(&mut bench, |report| report.at_limit.clone_from(&at_limit));
+    let screen = bench.screen();
+    assert!(screen.contains("done | ! at the limit: spring, interface |"), "{screen}");
 }
 
 #[test]
