@@ -13,31 +13,33 @@ use crate::study::sweep::Axis;
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
+/// The same of a run at the end of an axis: it must cost little beside the sweep itself, and usual runs take some tens of steps.
+const END_STEPS_MAX: usize = 30;
 
 /// Warnings about a scene's results, from one run.
 pub fn of_scene(scene: &Scene) -> Vec<String> {
-    run(scene).map_or_else(
+    run(scene, STEPS_MAX).map_or_else(
         || envelope::of_scene(scene).iter().map(ToString::to_string).collect(),
         |run| envelope::warnings(&run),
     )
 }
 
 /// The run of a check; `None` where it takes too long or makes no sense.
-fn run(scene: &Scene) -> Option<Run> {
+fn run(scene: &Scene, steps_max: usize) -> Option<Run> {
     let mut own = scene.clone();
     own.sweep = None;
     let settings = Settings { series: false, estimate: false };
     let mut steps = 0;
     let run = simulate(&Arc::new(own), &settings, &mut |_| {
         steps += 1;
-        if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if steps > steps_max { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     run.ok().filter(|run| run.end != EndReason::Cancelled)
 }
 
-/// The breaches of a scene, from one run where that can be made.
-fn breaches(scene: &Scene) -> Vec<Breach> {
-    run(scene).map_or_else(|| envelope::of_scene(scene), |run| envelope::of_run(&run))
+/// The breaches of a scene, from one run of at most so many steps where that can be made.
+fn breaches(scene: &Scene, steps_max: usize) -> Vec<Breach> {
+    run(scene, steps_max).map_or_else(|| envelope::of_scene(scene), |run| envelope::of_run(&run))
 }
 
 /// What a careful reader of results over these axes should know: of the scene, and what comes up at the ends of each axis that the
@@ -54,7 +56,8 @@ pub fn checks_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<Check> {
 
 /// What comes up at the ends of each axis that the scene itself does not have, and where.
 fn at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(String, Breach)> {
-    let mut known: Vec<Check> = breaches(scene).iter().map(|breach| breach.check).collect();
+    let mut known: Vec<Check> =
+        breaches(scene, END_STEPS_MAX).iter().map(|breach| breach.check).collect();
     let mut list = Vec::new();
     for axis in axes {
         for end in [axis.ends().0, axis.ends().1] {
@@ -63,7 +66,7 @@ fn at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(String, Breach)> {
             if variables::validate(&far).is_err() {
                 continue;
             }
-            for breach in breaches(&far) {
+            for breach in breaches(&far, END_STEPS_MAX) {
                 if !known.contains(&breach.check) {
                     known.push(breach.check);
                     let place = format!("at {} = {}", axis.symbol(), shortest(end));
@@ -94,7 +97,7 @@ pub fn of_designs(
         if count == 1 {
             return of_design(&format!("best design, {name}"), &scene, axes, &[]);
         }
-        let found = breaches(&scene);
+        let found = breaches(&scene, STEPS_MAX);
         for (at, check) in Check::ALL.iter().enumerate() {
             breached[at] += usize::from(found.iter().any(|breach| breach.check == *check));
         }
