@@ -3,9 +3,9 @@
 //! A thread that is free takes the next piece. A few pieces a thread are out at most, so memory stays constant. The result of a
 //! piece depends on the piece only.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
@@ -51,59 +51,127 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     worker: impl Fn() -> W + Sync,
     mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    let pieces = work.pieces();
-    let threads = u64::try_from(threads.max(1)).unwrap_or(1).min(pieces);
-    let (orders, open) = mpsc::channel();
-    let open = Mutex::new(open);
-    let (done, results) = mpsc::channel();
-    let on_thread = |done: mpsc::Sender<(u64, T)>| {
-        let mut worker = worker();
+    let threads = u64::try_from(threads.max(1)).unwrap_or(1).min(work.pieces());
+    // Each result waits in a slot of its own until those before it are taken.
+    let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
+    let slot = |number: u64| {
+        let place = usize::try_from(number).unwrap_or(0) % slots.len();
+        slots[place].lock().unwrap_or_else(PoisonError::into_inner)
+    };
+    let worker = || -> Box<dyn FnMut(u64) + '_> {
+        let mut make = worker();
+        Box::new(move |number| *slot(number) = Some(make(work.piece(number))))
+    };
+    let queue =
+        Queue { count: work.pieces(), threads, state: Mutex::default(), changed: Condvar::new() };
+    queue.run(&worker, &mut |number| {
+        take(number.and_then(|number| Some((work.piece(number), slot(number).take()?))))
+    })
+}
+
+/// The numbers of the pieces, on their way to the threads and back.
+struct Queue {
+    count: u64,
+    threads: u64,
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    /// The piece that is worked on next, and the first that must wait.
+    next: u64,
+    end: u64,
+    /// Pieces that are done and not taken yet.
+    done: BTreeSet<u64>,
+    is_closed: bool,
+}
+
+/// Ends the threads when it goes, also when a panic takes it.
+struct Closing<'q>(&'q Queue);
+
+impl Drop for Closing<'_> {
+    fn drop(&mut self) {
+        self.0.state().is_closed = true;
+        self.0.changed.notify_all();
+    }
+}
+
+impl Queue {
+    /// Call `take` with every number in order, once a worker has done it, and with `None` regularly in between.
+    fn run<'w>(
+        &self,
+        worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
+        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        thread::scope(|scope| {
+            let _closing = Closing(self);
+            // As many threads as the system has.
+            let start = |_| thread::Builder::new().spawn_scoped(scope, || self.work(worker())).ok();
+            let started: Vec<_> = (0..self.threads).filter_map(start).collect();
+            let mut own = started.is_empty().then(worker);
+            for number in 0..self.count {
+                if let Some(own) = &mut own {
+                    own(number);
+                } else {
+                    let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
+                    self.wait_for(number, &has_panicked, take)?;
+                }
+                take(Some(number))?;
+            }
+            ControlFlow::Continue(())
+        })
+    }
+
+    /// Take one piece after another until the queue is closed.
+    fn work(&self, mut worker: Box<dyn FnMut(u64) + '_>) {
         loop {
-            let next = open.lock().unwrap_or_else(PoisonError::into_inner).recv();
-            let Ok(number) = next else { return };
-            // Nobody takes it once the work has been broken off.
-            if done.send((number, worker(work.piece(number)))).is_err() {
+            let must_wait = |state: &mut State| state.next >= state.end && !state.is_closed;
+            let waiting = self.changed.wait_while(self.state(), must_wait);
+            let mut state = waiting.unwrap_or_else(PoisonError::into_inner);
+            if state.is_closed {
                 return;
             }
+            let number = state.next;
+            state.next += 1;
+            drop(state);
+            worker(number);
+            self.state().done.insert(number);
+            self.changed.notify_all();
         }
-    };
-    let (worker, on_thread) = (&worker, &on_thread);
-    // Its ends of the channels belong to the scope: whatever ends it, also a panic, ends the threads.
-    thread::scope(move |scope| {
-        // As many threads as the system has.
-        let start = |_| {
-            let done = done.clone();
-            thread::Builder::new().spawn_scoped(scope, move || on_thread(done)).ok()
-        };
-        let started: Vec<_> = (0..threads).filter_map(start).collect();
-        let mut own = started.is_empty().then(worker);
-        let (mut ordered, mut early) = (0, BTreeMap::new());
-        for number in 0..pieces {
-            if let Some(own) = &mut own {
-                early.insert(number, own(work.piece(number)));
+    }
+
+    /// Wait until a piece is done. Leaving the scope passes a worker's panic on.
+    fn wait_for(
+        &self,
+        number: u64,
+        has_panicked: &dyn Fn() -> bool,
+        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let mut state = self.state();
+        state.end = self.count.min(number + OUT * self.threads);
+        self.changed.notify_all();
+        loop {
+            let is_missing = |state: &mut State| !state.done.contains(&number);
+            let waiting = self.changed.wait_timeout_while(state, ASKED_EVERY, is_missing);
+            let (mut now, waited) = waiting.unwrap_or_else(PoisonError::into_inner);
+            if !waited.timed_out() {
+                now.done.remove(&number);
+                return ControlFlow::Continue(());
             }
-            while ordered < pieces.min(number + OUT * threads) {
-                let _ = orders.send(ordered);
-                ordered += 1;
+            drop(now);
+            if has_panicked() {
+                return ControlFlow::Break(());
             }
-            let result = loop {
-                if let Some(result) = early.remove(&number) {
-                    break result;
-                }
-                match results.recv_timeout(ASKED_EVERY) {
-                    Ok((number, result)) => drop(early.insert(number, result)),
-                    // Leaving the scope passes a worker's panic on.
-                    Err(_) if started.iter().any(ScopedJoinHandle::is_finished) => {
-                        return ControlFlow::Break(());
-                    }
-                    // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
-                    Err(_) => drop(take(None)),
-                }
-            };
-            take(Some((work.piece(number), result)))?;
+            // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
+            let _ = take(None);
+            state = self.state();
         }
-        ControlFlow::Continue(())
-    })
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 #[cfg(test)]

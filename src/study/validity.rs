@@ -18,9 +18,13 @@ const END_STEPS_MAX: usize = 30;
 
 /// Warnings about a scene's results, from one run.
 pub fn of_scene(scene: &Scene) -> Vec<String> {
-    run(scene, STEPS_MAX).map_or_else(
+    warnings(scene, run(scene, STEPS_MAX).as_ref())
+}
+
+fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<String> {
+    run.map_or_else(
         || envelope::of_scene(scene).iter().map(ToString::to_string).collect(),
-        |run| envelope::warnings(&run),
+        envelope::warnings,
     )
 }
 
@@ -37,27 +41,29 @@ fn run(scene: &Scene, steps_max: usize) -> Option<Run> {
     run.ok().filter(|run| run.end != EndReason::Cancelled)
 }
 
-/// The breaches of a scene, from one run of at most so many steps where that can be made.
-fn breaches(scene: &Scene, steps_max: usize) -> Vec<Breach> {
-    run(scene, steps_max).map_or_else(|| envelope::of_scene(scene), |run| envelope::of_run(&run))
+/// The breaches of a scene, from its run where that could be made.
+fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
+    run.map_or_else(|| envelope::of_scene(scene), envelope::of_run)
 }
 
 /// What a careful reader of results over these axes should know: of the scene, and what comes up at the ends of each axis that the
 /// scene itself does not have, the loads of spring, stop and interface among it.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    let far = at_ends(scene, axes).into_iter().map(|(place, breach)| format!("{place}: {breach}"));
-    of_scene(scene).into_iter().chain(far).collect()
+    let own = run(scene, STEPS_MAX);
+    let far = at_ends(scene, own.as_ref(), axes);
+    let far = far.into_iter().map(|(place, breach)| format!("{place}: {breach}"));
+    warnings(scene, own.as_ref()).into_iter().chain(far).collect()
 }
 
 /// The checks that fail at an end of an axis, and not for the scene itself.
 pub fn checks_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<Check> {
-    at_ends(scene, axes).into_iter().map(|(_, breach)| breach.check).collect()
+    let own = run(scene, STEPS_MAX);
+    at_ends(scene, own.as_ref(), axes).into_iter().map(|(_, breach)| breach.check).collect()
 }
 
 /// What comes up at the ends of each axis that the scene itself does not have, and where.
-fn at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(String, Breach)> {
-    let mut known: Vec<Check> =
-        breaches(scene, END_STEPS_MAX).iter().map(|breach| breach.check).collect();
+fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Breach)> {
+    let mut known: Vec<Check> = breaches(scene, own).iter().map(|breach| breach.check).collect();
     let mut list = Vec::new();
     for axis in axes {
         for end in [axis.ends().0, axis.ends().1] {
@@ -66,7 +72,7 @@ fn at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(String, Breach)> {
             if variables::validate(&far).is_err() {
                 continue;
             }
-            for breach in breaches(&far, END_STEPS_MAX) {
+            for breach in breaches(&far, run(&far, END_STEPS_MAX).as_ref()) {
                 if !known.contains(&breach.check) {
                     known.push(breach.check);
                     let place = format!("at {} = {}", axis.symbol(), shortest(end));
@@ -97,7 +103,7 @@ pub fn of_designs(
         if count == 1 {
             return of_design(&format!("best design, {name}"), &scene, axes, &[]);
         }
-        let found = breaches(&scene, STEPS_MAX);
+        let found = breaches(&scene, run(&scene, STEPS_MAX).as_ref());
         for (at, check) in Check::ALL.iter().enumerate() {
             breached[at] += usize::from(found.iter().any(|breach| breach.check == *check));
         }
