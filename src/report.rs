@@ -10,6 +10,7 @@ pub mod document;
 pub mod figures;
 pub mod fit;
 pub mod front;
+pub mod law;
 pub mod limit;
 pub mod map;
 pub mod models;

@@ -57,7 +57,8 @@ impl PictureArguments {
             output::note("there is nothing to draw: no picture was written");
             return Ok(());
         }
-        let text = svg::file(&pictures);
+        let drawn: Vec<String> = pictures.iter().map(Picture::drawn).collect();
+        let text = svg::file(&drawn);
         if self.is_stdout() {
             return output::print(&text);
         }

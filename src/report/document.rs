@@ -71,7 +71,7 @@ impl Document {
                 }
                 Block::Code(text) => writeln!(out, "<pre><code>{}</code></pre>", escaped(text)),
                 Block::Picture(picture) => {
-                    let picture = svg::element(std::slice::from_ref(picture));
+                    let picture = svg::element(&[picture.drawn()]);
                     writeln!(out, "<figure>\n{picture}</figure>")
                 }
             };

@@ -1,11 +1,25 @@
 //! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{Run, Sample};
+use crate::model::scene::{Mount, Scene};
+use crate::report::law::Law;
 
 /// More points than these are thinned before they are drawn.
 const POINTS_MANY: usize = 16_384;
 /// Into how many equal times thinned points are put: more than the widest screen has columns of dots.
 const TIMES: f64 = 4_096.0;
+
+/// Where the values of a quantity come from, and what they are drawn over.
+#[derive(Clone, Copy)]
+pub enum Source {
+    /// Samples, over time.
+    Time(fn(&Sample) -> f64),
+    /// Samples, over the plate's displacement.
+    Displacement(fn(&Sample) -> f64),
+    /// The law of the mechanism, over the plate's displacement.
+    Law(fn(&Law, f64) -> f64),
+}
 
 enumeration! {
     /// A quantity of the series, in the order `v` goes through them.
@@ -16,52 +30,77 @@ enumeration! {
         symbol: &'static str,
         /// The SI unit.
         unit: &'static str,
-        /// Where it is found in a sample.
-        get: fn(&Sample) -> f64,
+        /// Where it is found.
+        source: Source,
     }
     /// Depth of the nose in the plate.
-    Penetration { title: "Penetration", symbol: "p", unit: "m", get: |it| it.penetration_m }
+    Penetration { title: "Penetration", symbol: "p", unit: "m", source: Source::Time(|it| it.penetration_m) }
     /// Plate displacement from neutral.
-    PlateDisplacement { title: "Plate displacement", symbol: "x", unit: "m", get: |it| it.plate_displacement_m }
+    PlateDisplacement { title: "Plate displacement", symbol: "x", unit: "m", source: Source::Time(|it| it.plate_displacement_m) }
     /// Force between projectile and plate.
-    ContactForce { title: "Contact force", symbol: "F", unit: "N", get: |it| it.contact_force_n }
+    ContactForce { title: "Contact force", symbol: "F", unit: "N", source: Source::Time(|it| it.contact_force_n) }
     /// Projectile velocity.
-    ProjectileVelocity { title: "Projectile velocity", symbol: "v", unit: "m/s", get: |it| it.projectile_velocity_m_s }
+    ProjectileVelocity { title: "Projectile velocity", symbol: "v", unit: "m/s", source: Source::Time(|it| it.projectile_velocity_m_s) }
     /// Plate velocity.
-    PlateVelocity { title: "Plate velocity", symbol: "w", unit: "m/s", get: |it| it.plate_velocity_m_s }
+    PlateVelocity { title: "Plate velocity", symbol: "w", unit: "m/s", source: Source::Time(|it| it.plate_velocity_m_s) }
     /// Spring force on the mount.
-    SpringForce { title: "Spring force", symbol: "F_spring", unit: "N", get: |it| it.spring_force_n }
+    SpringForce { title: "Spring force", symbol: "F_spring", unit: "N", source: Source::Time(|it| it.spring_force_n) }
     /// Damper force on the mount.
-    DamperForce { title: "Damper force", symbol: "F_damper", unit: "N", get: |it| it.damper_force_n }
+    DamperForce { title: "Damper force", symbol: "F_damper", unit: "N", source: Source::Time(|it| it.damper_force_n) }
     /// Projectile displacement since first contact.
-    ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", get: |it| it.projectile_displacement_m }
-    /// Force on the mount, over the plate's displacement in place of time.
+    ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", source: Source::Time(|it| it.projectile_displacement_m) }
+    /// Force on the mount.
     MountForce {
         title: "Mount force over displacement", symbol: "F(x)", unit: "N",
-        get: |it| it.spring_force_n + it.damper_force_n + it.stop_force_n
+        source: Source::Displacement(|it| it.spring_force_n + it.damper_force_n + it.stop_force_n)
     }
+    /// Stiffness of springs and elastic stop.
+    Stiffness { title: "Stiffness over displacement", symbol: "dF/dx", unit: "N/m", source: Source::Law(Law::stiffness) }
+    /// The greatest stress of the springs over their yield strength.
+    Stress { title: "Stress over yield strength", symbol: "stress/yield", unit: "", source: Source::Law(Law::stress) }
 }
 
 impl Quantity {
-    /// What to draw of samples, over time or, for the force on the mount, over the plate's displacement, SI. There is a gap
-    /// while the projectile is out of the plate and has no depth in it.
+    /// Whether it is drawn over time, not over the plate's displacement.
     #[must_use]
-    pub fn points(self, samples: &[Sample]) -> Vec<(f64, f64)> {
-        let point = |sample: &Sample| match (self, self.of(sample)) {
-            (Self::MountForce, value) => (sample.plate_displacement_m, value),
-            (Self::Penetration, value) if value < 0.0 => (sample.t_s, f64::NAN),
-            (_, value) => (sample.t_s, value),
-        };
-        samples.iter().map(point).collect()
+    pub fn is_over_time(self) -> bool {
+        matches!(self.source(), Source::Time(_))
     }
 
-    /// The value in a sample, SI.
+    /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate and has no depth in it. The
+    /// law of the mechanism is drawn over all displacements.
+    #[must_use]
+    pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
+        let samples = samples.iter();
+        match self.source() {
+            Source::Time(get) => {
+                let depth = |sample: &Sample, value: f64| {
+                    let is_out = self == Self::Penetration && value < 0.0;
+                    (sample.t_s, if is_out { f64::NAN } else { value })
+                };
+                samples.map(|sample| depth(sample, get(sample))).collect()
+            }
+            Source::Displacement(get) => {
+                samples.map(|sample| (sample.plate_displacement_m, get(sample))).collect()
+            }
+            Source::Law(get) => Law::of(run).map_or_else(Vec::new, |law| law.points(get)),
+        }
+    }
+
+    /// The value in a sample, SI; NaN of a quantity that samples do not have.
     pub fn of(self, sample: &Sample) -> f64 {
-        self.get()(sample)
+        match self.source() {
+            Source::Time(get) | Source::Displacement(get) => get(sample),
+            Source::Law(_) => f64::NAN,
+        }
     }
 
     /// The value in a run at a time, linear between samples; `None` outside the series. At a jump the value after it.
     pub fn at(self, run: &Run, t_s: f64) -> Option<f64> {
+        if let Source::Law(get) = self.source() {
+            let x_m = Self::PlateDisplacement.at(run, t_s)?;
+            return Some(get(&Law::of(run)?, x_m)).filter(|value| value.is_finite());
+        }
         let after = run.series.partition_point(|sample| sample.t_s <= t_s);
         let before = run.series.get(after.checked_sub(1)?)?;
         let Some(next) = run.series.get(after) else {
@@ -71,6 +110,25 @@ impl Quantity {
         let width = next.t_s - before.t_s;
         let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
         Some(low + share * (high - low))
+    }
+
+    /// Why a run of a scene has nothing of it to draw; `None` where it has.
+    #[must_use]
+    pub fn absence(self, scene: &Scene) -> Option<&'static str> {
+        let mechanism = &scene.mechanism;
+        let held = scene.plate.mount == Mount::Sprung;
+        let is_sprung = held && !Mechanism::of(scene).spring.is_absent();
+        let is_damped = held && !mechanism.damper.is_absent();
+        let is_stopped = held && mechanism.stop.position_m.is_some();
+        let has_strength = mechanism.acting().any(|spring| spring.yields_at_m().is_some());
+        match self {
+            Self::SpringForce if !is_sprung => Some("no spring"),
+            Self::DamperForce if !is_damped => Some("no damper"),
+            Self::MountForce if !(is_sprung || is_damped || is_stopped) => Some("no mechanism"),
+            Self::Stiffness if !(is_sprung || is_stopped) => Some("no spring"),
+            Self::Stress if !(is_sprung && has_strength) => Some("no spring with a yield strength"),
+            _ => None,
+        }
     }
 
     /// The next quantity, round and round.

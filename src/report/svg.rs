@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::numerics::statistics::sorted_by;
 use crate::report::chart::ticks::Along;
-use crate::report::chart::{Axis, Chart, Curve, Mark};
+use crate::report::chart::{Axis, Chart, Curve, Mark, Side};
 use crate::report::map::Map;
 
 mod bands;
@@ -17,6 +17,9 @@ const LEFT: f64 = 72.0;
 const RIGHT: f64 = 24.0;
 const BOTTOM: f64 = 52.0;
 const TOP: f64 = 34.0;
+/// Room for the labels of a second vertical axis, and beyond a plot for the width of a line along its edge.
+const SECOND_AXIS: f64 = 48.0;
+const EDGE: f64 = 2.0;
 /// Height of a line of the legend, and about how wide a letter is.
 const LEGEND_LINE: f64 = 18.0;
 const LETTER: f64 = 7.0;
@@ -37,25 +40,45 @@ pub enum Picture {
     Map(Map<'static>),
 }
 
-/// A whole SVG file of some pictures, each under the other.
-pub fn file(pictures: &[Picture]) -> String {
-    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}", element(pictures))
+impl Picture {
+    /// It as SVG, without the element around it.
+    pub fn drawn(&self) -> String {
+        match self {
+            Self::Chart(chart) => chart_drawn(chart),
+            Self::Map(map) => map_drawn(map),
+        }
+    }
+}
+
+/// A chart as SVG, without the element around it.
+pub fn chart_drawn(chart: &Chart<'_>) -> String {
+    let mut out = String::new();
+    draw_chart(&mut out, chart);
+    out
+}
+
+/// A map as SVG, without the element around it.
+pub fn map_drawn(map: &Map<'_>) -> String {
+    let mut out = String::new();
+    bands::draw_map(&mut out, map);
+    out
+}
+
+/// A whole SVG file of some drawn pictures, each under the other.
+pub fn file(drawn: &[String]) -> String {
+    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}", element(drawn))
 }
 
 /// The same as an element of a page.
-pub fn element(pictures: &[Picture]) -> String {
-    let height = HEIGHT * pictures.len().max(1) as f64;
+pub fn element(drawn: &[String]) -> String {
+    let height = HEIGHT * drawn.len().max(1) as f64;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
          font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
     );
-    for (number, picture) in pictures.iter().enumerate() {
-        let _ = writeln!(out, "<g transform=\"translate(0 {})\">", HEIGHT * number as f64);
-        match picture {
-            Picture::Chart(chart) => draw_chart(&mut out, chart),
-            Picture::Map(map) => bands::draw_map(&mut out, map),
-        }
-        out.push_str("</g>\n");
+    for (number, picture) in drawn.iter().enumerate() {
+        let top = HEIGHT * number as f64;
+        let _ = writeln!(out, "<g transform=\"translate(0 {top})\">\n{picture}</g>");
     }
     out + "</svg>\n"
 }
@@ -173,10 +196,25 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
     }
     let below = Text { x: middle, y: plot.bottom + 38.0, anchor: "middle", rest: "" };
     text(out, &below, &x.text(across.exponent));
-    let centre = f64::midpoint(plot.top, plot.bottom);
-    let turned = format!(" transform=\"rotate(-90 16 {})\"", at(centre));
-    let beside = Text { x: 16.0, y: centre, anchor: "middle", rest: &turned };
-    text(out, &beside, &y.text(up.exponent));
+    draw_upright(out, plot, 16.0, &y.text(up.exponent));
+}
+
+/// The title of a vertical axis.
+fn draw_upright(out: &mut String, plot: Plot<'_>, x: f64, title: &str) {
+    let y = f64::midpoint(plot.top, plot.bottom);
+    let turned = format!(" transform=\"rotate(-90 {} {})\"", at(x), at(y));
+    text(out, &Text { x, y, anchor: "middle", rest: &turned }, title);
+}
+
+/// The numbers and the title of an axis at the right of a plot.
+fn draw_second_axis(out: &mut String, plot: Plot<'_>) {
+    let rows = format!("{:.0}", (plot.bottom - plot.top) / CELL.1).parse().unwrap_or(0);
+    let ticks = plot.y.ticks(rows, Along::Column(HALF_ROWS));
+    for tick in &ticks.labelled {
+        let y = plot.up(tick.value / plot.y.unit.factor) + 4.5;
+        text(out, &Text { x: plot.right + 6.0, y, anchor: "start", rest: "" }, &tick.label);
+    }
+    draw_upright(out, plot, plot.right + SECOND_AXIS, &plot.y.text(ticks.exponent));
 }
 
 fn frame(out: &mut String, plot: Plot<'_>) {
@@ -217,13 +255,17 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
     let top = TOP + LEGEND_LINE * rows.len() as f64;
     let plot = Plot {
         left: LEFT,
-        right: WIDTH - RIGHT,
+        right: WIDTH - RIGHT - if chart.right.is_some() { SECOND_AXIS } else { 0.0 },
         top,
         bottom: HEIGHT - BOTTOM,
         x: &chart.x,
         y: &chart.y,
     };
+    let second = chart.right.as_ref().map(|axis| Plot { y: axis, ..plot });
     draw_frame(out, plot, &chart.title);
+    if let Some(second) = second {
+        draw_second_axis(out, second);
+    }
     for (row, numbers) in rows.iter().enumerate() {
         let y = TOP + LEGEND_LINE * row as f64 + 4.0;
         let mut x = LEFT;
@@ -242,9 +284,19 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
         }
     }
     draw_lines(out, plot, chart);
+    // What lies outside the plot is cut off.
+    let (x, y) = (at(plot.left - EDGE), at(plot.top - EDGE));
+    let width = at(plot.right - plot.left + 2.0 * EDGE);
+    let height = at(plot.bottom - plot.top + 2.0 * EDGE);
+    let _ = writeln!(
+        out,
+        "<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" viewBox=\"{x} {y} {width} {height}\">"
+    );
     for curve in &chart.curves {
+        let plot = second.filter(|_| curve.side == Side::Right).unwrap_or(plot);
         draw_curve(out, plot, curve, colour(curve.colour));
     }
+    out.push_str("</svg>\n");
     frame(out, plot);
 }
 
@@ -357,7 +409,7 @@ mod tests {
                 vec![Curve::new('*', "", points)],
             )
         };
-        let text = file(&[Picture::Chart(chart)]);
+        let text = file(&[chart_drawn(&chart)]);
         let read = roxmltree::Document::parse(&text).unwrap();
         let texts: Vec<&str> = read.descendants().filter_map(|node| node.text()).collect();
         assert!(texts.contains(&"<b>title</b> & more") && texts.contains(&"a < b & \"c\"[2J"));

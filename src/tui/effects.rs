@@ -269,8 +269,8 @@ fn save_preset(
 fn export(to: Destination, content: &Content) -> ExportOutcome {
     let to = to.placed(content.is_complete());
     let written = atomic::ordinary(&to.path)
-        .and_then(|()| content.table(to.meta))
-        .and_then(|table| to.write(table.as_bytes(), &content.scenes()));
+        .and_then(|()| content.text(to.meta))
+        .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
     match written {
         Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),

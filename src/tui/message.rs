@@ -176,11 +176,13 @@ pub enum FileTask {
     KeepCopy(String, String),
 }
 
-/// The content of a table to write.
+/// The content of a file to write.
 #[derive(Clone, Debug)]
 pub enum Content {
     Runs(RunTable),
     Page(PageTable),
+    /// The charts on the screen, as an SVG file.
+    Pictures(String),
 }
 
 /// The table of a page, made where it is written or copied: a long one takes a moment.
@@ -222,16 +224,17 @@ impl fmt::Debug for PageTable {
 impl Content {
     pub(crate) fn is_complete(&self) -> bool {
         match self {
-            Self::Runs(_) => true,
+            Self::Runs(_) | Self::Pictures(_) => true,
             Self::Page(table) => table.is_complete,
         }
     }
 
-    /// The table.
-    pub fn table(&self, meta: Meta) -> Result<String, FileError> {
+    /// The text of the file.
+    pub fn text(&self, meta: Meta) -> Result<String, FileError> {
         match self {
             Self::Runs(runs) => runs.text(meta),
             Self::Page(table) => Ok((table.csv)(table.scene.as_ref().map_or("", |(_, name)| name))),
+            Self::Pictures(svg) => Ok(svg.clone()),
         }
     }
 
@@ -239,6 +242,7 @@ impl Content {
         match self {
             Self::Runs(runs) => runs.scenes(),
             Self::Page(table) => table.scene.iter().map(|(scene, _)| Beside::of(scene)).collect(),
+            Self::Pictures(_) => Vec::new(),
         }
     }
 }

@@ -38,13 +38,24 @@ const FEW_COLUMNS: u16 = 40;
 
 /// The columns of the plot that the crosshair walks through, as it is drawn.
 pub fn plot_columns(app: &App) -> u16 {
-    let screen = Rect::new(0, 0, app.size.0, app.size.1);
-    let mut buffer = Buffer::empty(screen);
+    let columns = drawn_page(app, None).0;
+    columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
+}
+
+/// The charts and maps on the screen, as SVG; none where the page shows none.
+pub fn pictures(app: &App) -> Vec<String> {
+    drawn_page(app, Some(Vec::new())).1.unwrap_or_default()
+}
+
+/// What the drawing of the page says beside its cells: the columns of its plot, and its pictures where they are collected.
+fn drawn_page(app: &App, pictures: Option<Vec<String>>) -> (Option<u16>, Option<Vec<String>>) {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.theme);
+    canvas.pictures = pictures;
     if let Some(body) = app.layout().body {
         pages::of(app.tab).draw(app, body, &mut canvas);
     }
-    canvas.plot_columns.filter(|columns| *columns > 1).unwrap_or(FEW_COLUMNS)
+    (canvas.plot_columns, canvas.pictures)
 }
 
 fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -25,6 +25,8 @@ pub(crate) struct Canvas<'a> {
     pub(crate) cursor: Option<(u16, u16)>,
     /// Columns of the plot that the crosshair walks through, where one is drawn.
     pub(crate) plot_columns: Option<u16>,
+    /// The charts and maps drawn, as SVG, where they are collected.
+    pub(crate) pictures: Option<Vec<String>>,
     pointer: Option<(u16, u16)>,
     target: Option<Target>,
 }
@@ -32,7 +34,8 @@ pub(crate) struct Canvas<'a> {
 impl<'a> Canvas<'a> {
     /// A canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
-        Self { buffer, theme, cursor: None, plot_columns: None, pointer: None, target: None }
+        let (cursor, plot_columns, pictures) = (None, None, None);
+        Self { buffer, theme, cursor, plot_columns, pictures, pointer: None, target: None }
     }
 
     /// The same, to learn what is drawn at a cell.
@@ -88,6 +91,9 @@ impl<'a> Canvas<'a> {
 
     /// Draw a chart or a map, and tell where everything lies.
     pub(crate) fn draw(&mut self, picture: &impl Draw, area: Rect) -> Layout {
+        if let Some(pictures) = &mut self.pictures {
+            pictures.push(picture.svg());
+        }
         picture.render(area, self.buffer, self.theme)
     }
 

@@ -1,21 +1,14 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::mechanism::{Mechanism, load};
 use crate::model::run::{Run, Sample};
-use crate::model::scene::Spring;
-use crate::numerics::{larger, smaller};
+use crate::numerics::smaller;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
+use crate::report::law::Law;
 use crate::report::series::Quantity;
 
 /// The quantity drawn over time.
 const QUANTITIES: [Quantity; 3] =
     [Quantity::Penetration, Quantity::PlateDisplacement, Quantity::ContactForce];
-/// How far beyond the greatest displacement the law of the mechanism is drawn, and up to which part of it a limit is still shown.
-const BEYOND: f64 = 1.15;
-const LIMIT_SHOWN: f64 = 2.5;
-/// Points of a drawn law.
-const POINTS: u32 = 400;
-
 /// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
 pub fn event_letter(index: usize) -> &'static str {
     const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
@@ -83,45 +76,20 @@ fn points(series: &[Sample], quantity: Quantity) -> Vec<(f64, f64)> {
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
 /// mechanism.
 pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
-    let scene = &run.scene;
-    let own = Mechanism::of(scene);
-    let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
-    let start_m = run.start_m();
-    let Some(reached_m) = reached.filter(|it| *it > start_m) else { return Vec::new() };
-    if own.spring.is_absent() && own.elastic_stop().is_none() {
-        return Vec::new();
-    }
-    let yields = scene.mechanism.acting().filter_map(Spring::yields_at_m).reduce(smaller);
-    let yields = yields.filter(|at| *at < LIMIT_SHOWN * reached_m);
-    let end_m = BEYOND * yields.map_or(reached_m, |at| larger(at, reached_m));
-    let low_m = smaller(start_m, 0.0);
-    let at = |point: u32| low_m + (end_m - low_m) * f64::from(point) / f64::from(POINTS);
-    let stop = own.elastic_stop();
-    let in_stop = |x: f64| stop.filter(|stop| stop.position_m.is_some_and(|at| x > at));
-    let force = |x: f64| {
-        let stopped = in_stop(x).map_or(0.0, |it| it.stiffness_n_m * (x - own.stop_at_m));
-        Some(own.spring.force(x) + stopped)
-    };
-    let stiffness =
-        |x: f64| Some(own.spring.tangent(x) + in_stop(x).map_or(0.0, |it| it.stiffness_n_m));
-    let stress = |x: f64| load::stress_ratio(scene, x);
-    let mut marks = vec![Mark::new(reached_m, "greatest displacement")];
-    marks.extend((start_m < 0.0).then(|| Mark::new(start_m, "cocked")));
-    marks.extend(own.stop.map(|_| Mark::new(own.stop_at_m, "stop")));
-    marks.extend(yields.map(|at| Mark::new(at, "yield")));
-    let chart = |title: &'static str, unit: &'static str, get: &dyn Fn(f64) -> Option<f64>| {
-        let points = (0..=POINTS).map(at).map(|x| (x, get(x).unwrap_or(f64::NAN)));
-        let points: Vec<(f64, f64)> = points.collect();
+    let Some(law) = Law::of(run) else { return Vec::new() };
+    let (low_m, end_m) = law.range_m();
+    let chart = |title: &'static str, unit: &'static str, get: fn(&Law, f64) -> f64| {
+        let points = law.points(get);
         let x = Axis::over("plate displacement x", "m", Scale::Linear, [low_m, end_m])?;
         let y = Axis::over(title, unit, Scale::Linear, points.iter().map(|point| point.1))?;
         let curve = Curve::new('*', "", points);
         let chart = Chart::new(title, x, y.with_zero().padded(0.05), vec![curve]);
-        Some(Chart { marks: marks.clone(), ..chart })
+        Some(Chart { marks: law.marks(), ..chart })
     };
     let mut charts: Vec<Chart<'static>> = Vec::new();
-    charts.extend(chart("force of the mechanism F(x)", "N", &force));
-    charts.extend(chart("stiffness of the mechanism dF/dx", "N/m", &stiffness));
-    if let Some(mut chart) = chart("greatest stress over yield strength", "", &stress) {
+    charts.extend(chart("force of the mechanism F(x)", "N", Law::force));
+    charts.extend(chart("stiffness of the mechanism dF/dx", "N/m", Law::stiffness));
+    if let Some(mut chart) = chart("greatest stress over yield strength", "", Law::stress) {
         chart.levels.push(Mark::new(1.0, "yield"));
         charts.push(chart);
     }

@@ -25,7 +25,7 @@ pub struct Snapshot {
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
 const EDITS_MAX: usize = 1000;
 
-/// Taken pins whose results are kept: a result is some 100 kB, and can be computed again.
+/// Pins of edits whose results are kept: a result is some 100 kB, and can be computed again.
 const RESULTS_KEPT: usize = 8;
 
 /// A result with more rows in its series is not kept at all.
@@ -35,6 +35,7 @@ const ROWS_MAX: usize = 100_000;
 pub enum Change {
     /// From one state to another.
     State(Box<(Snapshot, Snapshot)>),
+    Pinned(Pin),
     Unpinned(Pin),
 }
 
@@ -50,7 +51,7 @@ pub struct Edit {
 impl Edit {
     fn pin(&mut self) -> Option<&mut Pin> {
         match &mut self.change {
-            Change::Unpinned(pin) => Some(pin),
+            Change::Pinned(pin) | Change::Unpinned(pin) => Some(pin),
             Change::State(_) => None,
         }
     }
@@ -96,7 +97,7 @@ impl History {
         let last = self.edits.last()?;
         match &last.change {
             Change::State(kept) if stepping.is_some() && last.stepping == stepping => Some(&kept.0),
-            Change::State(_) | Change::Unpinned(_) => None,
+            Change::State(_) | Change::Pinned(_) | Change::Unpinned(_) => None,
         }
     }
 

@@ -9,12 +9,14 @@ use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
 use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
-use crate::tui::dialogs::export::{self, Choices};
+use crate::report::svg;
+use crate::tui::dialogs::export::{self as runs, Choices};
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
+use crate::tui::view;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::wrapped;
 
@@ -65,7 +67,7 @@ pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse("nothing to copy yet: press r to compute it".to_owned());
     };
-    match Content::Page(table).table(Meta::Beside) {
+    match Content::Page(table).text(Meta::Beside) {
         Ok(text) => app.request(Effect::Copy(text)),
         Err(why) => app.refuse(why.to_string()),
     }
@@ -133,18 +135,14 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
         Purpose::Preset => return save_as(app, state, overwrite),
         Purpose::Table(_) => {
             let path = path_of(app, state.text.value(), "table.csv")?;
-            let table = pages::of(app.tab).table(app);
-            let table = table.ok_or_else(|| "the result to write no longer exists".to_owned())?;
-            let existing = Existing::replaced(overwrite);
-            let to = Destination { path, existing, meta: Meta::Beside };
-            FileTask::Export(to, Content::Page(table))
+            let table = || pages::of(app.tab).table(app).map(Content::Page);
+            let gone = || "the result to write no longer exists".to_owned();
+            export(app, path, overwrite, Meta::Beside, || table().ok_or_else(gone))?
         }
         Purpose::Runs => {
             let path = path_of(app, state.text.value(), "run.csv")?;
-            let table = export::table(app, &state.choices)?;
-            let existing = Existing::replaced(overwrite);
-            let to = Destination { path, existing, meta: state.choices.meta() };
-            FileTask::Export(to, Content::Runs(table))
+            let table = || runs::table(app, &state.choices).map(Content::Runs);
+            export(app, path, overwrite, state.choices.meta(), table)?
         }
         Purpose::Curve(which) => {
             FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)
@@ -152,6 +150,31 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
     };
     (state.question, state.text.error) = (false, None);
     Ok(Some(task))
+}
+
+/// Write the charts on the screen to a path that ends in `.svg`, the table to any other.
+fn export(
+    app: &App,
+    path: PathBuf,
+    overwrite: bool,
+    meta: Meta,
+    table: impl FnOnce() -> Result<Content, String>,
+) -> Result<FileTask, String> {
+    let content = if is_svg(&path) {
+        let drawn = view::pictures(app);
+        if drawn.is_empty() {
+            return Err("this page shows no chart: write its table to a .csv file".to_owned());
+        }
+        Content::Pictures(svg::file(&drawn))
+    } else {
+        table()?
+    };
+    let existing = Existing::replaced(overwrite);
+    Ok(FileTask::Export(Destination { path, existing, meta }, content))
+}
+
+pub(super) fn is_svg(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
 }
 
 /// The path that was typed.
@@ -211,7 +234,7 @@ pub(crate) fn base_stem(app: &App) -> &str {
 
 pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
     let (title, right) = match state.purpose {
-        Purpose::Runs => return export::render(app, state, screen, canvas),
+        Purpose::Runs => return runs::render(app, state, screen, canvas),
         Purpose::Preset => ("Save the scene as a preset", ""),
         Purpose::Table(title) => (title, "Enter writes"),
         Purpose::Curve(_) => {
@@ -250,7 +273,13 @@ fn hint(app: &App, state: &Ask) -> String {
     match state.purpose {
         Purpose::Preset => "kept with your own presets; `cmra NAME` opens it".to_owned(),
         Purpose::Runs | Purpose::Table(_) => {
-            format!("to {}", app.directory.join(state.text.value().trim()).display())
+            let path = app.directory.join(state.text.value().trim());
+            let other = if is_svg(&path) {
+                "the charts on the screen, as SVG"
+            } else {
+                "a name that ends in .svg writes the charts on the screen"
+            };
+            format!("to {}\n{other}", path.display())
         }
         // The required format of the file, and the present points.
         Purpose::Curve(which) => format!(

@@ -30,7 +30,7 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor in time (H L ten columns)"),
-        key(A::View, "view", "show another quantity, or force over displacement"),
+        key(A::View, "view", "show another quantity; over displacement: F, stiffness, stress"),
         key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Window, "window", "show the contact only, or the whole response"),
@@ -53,7 +53,8 @@ const PANES: &[PaneSpec] = &[
 const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
     Command::new(Call::In(VARIABLES, A::Find), "Find a variable", "filter search"),
-    Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield"),
+    Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
+    Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
     Command::new(Call::In(CHARTS, A::SecondAxis), "Second axis of the chart", "right"),
     Command::new(Call::In(CHARTS, A::Difference), "Differences to the first pinned run", "compare subtract"),

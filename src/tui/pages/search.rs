@@ -139,7 +139,8 @@ impl Page for SearchTab {
                 let solution = report.solutions().nth(tab.selected())?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
-                Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
+                let loads = if app.pane() == RESULTS { "; Enter loads it" } else { "" };
+                Some(format!("{} {at}: {value}{loads}", report.axis.symbol()))
             }
             Answer::Front(_, task) => {
                 let design = *tab.designs().get(tab.selected())?;

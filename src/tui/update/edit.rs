@@ -112,6 +112,12 @@ fn follow(app: &mut App) {
     app.request(Effect::SaveSession);
 }
 
+/// Note that a run was pinned, as one edit.
+pub(crate) fn note_pinned(app: &mut App, pin: Pin) {
+    let label = format!("pin {}: {}", pin.letter, pin.name);
+    app.history.push(Edit { label, change: Change::Pinned(pin), stepping: None });
+}
+
 /// Note that a pin was taken away, as one edit.
 pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
     let label = format!("unpin {}: {}", pin.letter, pin.name);
@@ -180,8 +186,9 @@ fn go_to(app: &mut App, done: usize) {
         match app.history.edits[at].change.clone() {
             Change::State(states) if forward => make(app, &states.0, states.1),
             Change::State(states) => make(app, &states.1, states.0),
-            Change::Unpinned(pin) if forward => runs::take_away(app, &pin.scene),
-            Change::Unpinned(pin) => runs::put_back(app, pin),
+            Change::Pinned(pin) if forward => runs::put_back(app, pin),
+            Change::Unpinned(pin) if !forward => runs::put_back(app, pin),
+            Change::Pinned(pin) | Change::Unpinned(pin) => runs::take_away(app, &pin.scene),
         }
     }
     if (&app.scene, &app.base) != (&before.0, &before.1) {

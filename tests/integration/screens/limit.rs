@@ -215,6 +215,15 @@ fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
 }
 
 #[test]
+fn a_path_that_ends_in_svg_gets_the_charts_on_the_screen() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.keys("e<C-u>limit.svg<Enter>");
+    let (_, drawn, has_scene) = bench.exported().expect("an export");
+    assert!(drawn.contains("Residual velocity") && drawn.contains("<polyline"), "{drawn}");
+    assert!(!has_scene);
+}
+
+#[test]
 fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
     let mut bench = open(GlyphSet::Ascii, (60, 16));
     bench.keys("v");

@@ -121,14 +121,17 @@ impl App {
         quantity: Quantity,
         reference: Option<&Run>,
     ) -> Curve<'a> {
-        let samples = &view.run.series[self.samples_seen(view.run)];
-        let mut points = quantity.points(samples);
-        if let Some(run) = reference {
+        let over_time = quantity.is_over_time();
+        // Over the displacement the whole way is drawn.
+        let seen = if over_time { self.samples_seen(view.run) } else { 0..view.run.series.len() };
+        let samples = &view.run.series[seen];
+        let mut points = quantity.points(view.run, samples);
+        if let Some(run) = reference.filter(|_| over_time) {
             for (point, sample) in points.iter_mut().zip(samples) {
                 point.1 -= quantity.at(run, sample.t_s).unwrap_or(f64::NAN);
             }
         }
-        if quantity != Quantity::MountForce && self.charts.time_scale == Scale::Linear {
+        if over_time && self.charts.time_scale == Scale::Linear {
             points = thinned(points);
         }
         Curve { view, points }
@@ -159,8 +162,8 @@ impl App {
         let chart = self.charts.selected;
         let first = self.charts.quantities[chart];
         let next = self.charts.second[chart].unwrap_or(first).next();
-        // Force over displacement has no time axis to share.
-        let next = if next == Quantity::MountForce { next.next() } else { next };
+        // What is drawn over the displacement has no time axis to share, and stands last.
+        let next = if next.is_over_time() { next } else { Quantity::ALL[0] };
         self.charts.second[chart] = (next != first).then_some(next);
         self.charts.second[chart]
     }
@@ -281,11 +284,14 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
                 next = next.next();
             }
             app.charts.quantities[selected] = next;
-            if app.charts.second[selected] == Some(next) || next == Quantity::MountForce {
+            if app.charts.second[selected] == Some(next) || !next.is_over_time() {
                 app.charts.second[selected] = None;
             }
         }
         A::SecondAxis => second_axis(app),
+        A::LogX if !app.charts.quantities[selected].is_over_time() => {
+            app.refuse("this chart has no time axis: v shows another one");
+        }
         A::LogX => {
             app.charts.time_scale = app.charts.time_scale.toggled();
             app.tell(format!("time axis: {}", word(app.charts.time_scale)));

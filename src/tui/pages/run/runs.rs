@@ -250,7 +250,9 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         .filter(|shown| *shown.run.scene == *scene)
         .map(|shown| Arc::clone(&shown.run));
     app.tell(format!("pinned as {letter}: {name}"));
-    insert(app, Pin { letter, name, scene, run, visible: true, job: None });
+    let pin = Pin { letter, name, scene, run, visible: true, job: None };
+    edit::note_pinned(app, pin.clone());
+    insert(app, pin);
 }
 
 /// Pin the scene by every interaction model but its own; take them away when all are there.
@@ -272,8 +274,10 @@ pub(crate) fn models(app: &mut App) {
     let missing: Vec<_> =
         wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
     if missing.is_empty() {
-        app.tell("the other interaction models are unpinned");
-        return wanted.iter().for_each(|(_, scene)| take_away(app, scene));
+        let is_wanted = |pin: &&Pin| wanted.iter().any(|(_, scene)| **scene == *pin.scene);
+        let gone: Vec<Pin> = app.pins.iter().filter(is_wanted).cloned().collect();
+        gone.into_iter().for_each(|pin| unpinned(app, pin));
+        return app.tell("the other interaction models are unpinned");
     }
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {

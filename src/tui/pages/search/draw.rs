@@ -96,7 +96,7 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let text = clip(text, usize::from(inner.width));
         canvas.put(inner, (0, row), &text, *role);
-        if has_choices && first + usize::from(row) == selected {
+        if focused && has_choices && first + usize::from(row) == selected {
             canvas.paint_row(inner, row);
         }
     }

@@ -3,6 +3,7 @@
 use ratatui::text::{Line, Span};
 
 use crate::report::figures::run::{event_letter, event_marks};
+use crate::report::law::Law;
 use crate::report::series::Quantity;
 use crate::tui::app::status::{short_name, value_at};
 use crate::tui::chart::{
@@ -35,7 +36,7 @@ pub(crate) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canv
 fn hits(app: &App, chart: usize, area: Rect, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
     canvas.pane(area, CHARTS);
     canvas.plot_columns.get_or_insert(layout.plot.width);
-    if app.charts.quantities[chart] != Quantity::MountForce {
+    if app.charts.quantities[chart].is_over_time() {
         canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
@@ -51,7 +52,7 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
     let layout = canvas.draw(&chart, upper);
     hits(app, app.charts.selected, area, &layout, canvas);
-    nothing_yet(app, upper, canvas);
+    nothing_yet(app, app.charts.selected, upper, canvas);
     if below > 0 {
         let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
         readout(app, rows, canvas);
@@ -72,7 +73,8 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
         if index > 0 && second[index].is_none() {
             chart.legend = Legend::Hidden;
         }
-        if index < last && areas[index].height < 11 {
+        let is_over_time = app.charts.quantities[index].is_over_time();
+        if is_over_time && index < last && areas[index].height < 11 {
             chart.x.labels = Labels::Hidden;
         }
     }
@@ -80,16 +82,21 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
         let layout = canvas.draw(chart, *area);
         hits(app, index, *area, &layout, canvas);
-        nothing_yet(app, *area, canvas);
+        nothing_yet(app, index, *area, canvas);
     }
 }
 
 /// Where there is no curve: say why.
-fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    if !app.visible_runs().is_empty() || area.height < 3 {
+fn nothing_yet(app: &App, chart: usize, area: Rect, canvas: &mut Canvas<'_>) {
+    let runs = app.visible_runs();
+    let quantity = app.charts.quantities[chart];
+    let absent = runs.iter().map(|view| quantity.absence(&view.run.scene));
+    let absent = absent.reduce(Option::and).flatten();
+    if area.height < 3 || absent.is_none() && !runs.is_empty() {
         return;
     }
     let text = match (&app.shown, &app.jobs.current) {
+        _ if absent.is_some() => absent.unwrap_or_default(),
         (Some(_), _) => "all runs are hidden: V in the pane Runs shows them",
         (None, Some(_)) => "running the first time",
         (None, None) => NO_RESULTS,
@@ -114,8 +121,8 @@ fn chart<'a>(
                 (false, Some(_)) => Emphasis::Normal,
             })
     });
-    if quantity == Quantity::MountForce {
-        return force_over_displacement(app, data, curves.collect());
+    if !quantity.is_over_time() {
+        return over_displacement(app, index, data, curves.collect());
     }
     let range @ (from, to) = app.time_range_s();
     let time = ViewRange::new(from, to);
@@ -145,25 +152,35 @@ fn chart<'a>(
     }
 }
 
-/// The force on the mount over the plate's displacement, with the displacement at which the spring yields, and its stop.
-fn force_over_displacement<'a>(app: &App, data: &[Data<'_>], curves: Vec<Curve<'a>>) -> Chart<'a> {
-    let quantity = Quantity::MountForce;
+/// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
+fn over_displacement<'a>(
+    app: &App,
+    index: usize,
+    data: &[Data<'_>],
+    curves: Vec<Curve<'a>>,
+) -> Chart<'a> {
+    let quantity = app.charts.quantities[index];
+    let run = app.shown.as_ref().filter(|_| app.current_visible).map(|shown| &shown.run);
+    let law = run.and_then(|run| Law::of(run));
     let points = || data.iter().flat_map(|curve| curve.points.iter());
-    let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0));
-    let forces = points().map(|point| point.1).chain([0.0]);
-    let y = Axis::over("", quantity.unit(), Scale::Linear, forces);
+    let limits = law.iter().flat_map(|law| <[f64; 2]>::from(law.range_m()));
+    let x = Axis::over("x", "m", Scale::Linear, points().map(|point| point.0).chain(limits));
+    let scale = app.charts.value_scales[index];
+    let y = Axis::over("", quantity.unit(), scale, points().map(|point| point.1));
     let none = || Axis::new("", ViewRange::default());
-    let (x, y) = (x.unwrap_or_else(none).padded(0.04), y.unwrap_or_else(none).padded(0.04));
-    let mechanism = &app.scene.mechanism;
-    let yields = mechanism.spring.yields_at_m().map(|at| (at, "yield"));
-    let marks = yields.into_iter().chain(mechanism.stop.position_m.map(|at| (at, "stop")));
-    let marks = marks.filter(|(at, _)| x.view.contains(*at)).map(|(at, tag)| Mark::new(at, tag));
-    let run = app.shown.as_ref().map(|shown| &shown.run);
-    let crosshair = run
-        .zip(app.charts.cursor_s)
-        .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
-    let marks = marks.collect();
-    Chart { marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves) }
+    let (x, mut y) = (x.unwrap_or_else(none), y.unwrap_or_else(none));
+    if scale == Scale::Linear {
+        y = y.with_zero();
+    }
+    let levels = if quantity == Quantity::Stress { vec![Mark::new(1.0, "yield")] } else { vec![] };
+    Chart {
+        marks: law.map_or_else(Vec::new, |law| law.marks()),
+        levels,
+        crosshair: run
+            .zip(app.charts.cursor_s)
+            .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s)),
+        ..Chart::new(title(app, quantity), x.padded(0.04), y.padded(0.04), curves)
+    }
 }
 
 /// A vertical axis that shows all of some curves.

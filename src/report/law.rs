@@ -1,0 +1,86 @@
+//! The law of a run's mechanism over the plate's displacement: force, stiffness and stress, and what the run used of it.
+
+use std::sync::Arc;
+
+use crate::model::mechanism::{Mechanism, load};
+use crate::model::run::Run;
+use crate::model::scene::{Scene, Spring};
+use crate::numerics::{larger, smaller};
+use crate::report::chart::Mark;
+
+/// How far beyond the greatest displacement the law is drawn, and up to which multiple of it the yield point is still shown.
+const BEYOND: f64 = 1.15;
+const YIELD_SHOWN: f64 = 2.5;
+/// Points of a drawn law.
+const POINTS: u32 = 400;
+
+/// Springs and elastic stop of a run.
+pub struct Law {
+    scene: Arc<Scene>,
+    mechanism: Mechanism,
+    start_m: f64,
+    reached_m: f64,
+    yield_m: Option<f64>,
+}
+
+impl Law {
+    /// The law of a run whose plate moved; `None` without a spring and an elastic stop.
+    pub fn of(run: &Run) -> Option<Self> {
+        let scene = Arc::clone(&run.scene);
+        let mechanism = Mechanism::of(&scene);
+        let start_m = run.start_m();
+        let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
+        let reached_m = reached.filter(|it| *it > start_m)?;
+        if mechanism.spring.is_absent() && mechanism.elastic_stop().is_none() {
+            return None;
+        }
+        let yields = scene.mechanism.acting().filter_map(Spring::yields_at_m).reduce(smaller);
+        let yield_m = yields.filter(|at| *at < YIELD_SHOWN * reached_m);
+        Some(Self { scene, mechanism, start_m, reached_m, yield_m })
+    }
+
+    /// Stiffness of the elastic stop and how deep it is pressed in, where it acts.
+    fn stop(&self, x_m: f64) -> Option<(f64, f64)> {
+        let stop = self.mechanism.elastic_stop()?;
+        let acts = stop.position_m.is_some_and(|at| x_m > at);
+        acts.then(|| (stop.stiffness_n_m, x_m - self.mechanism.stop_at_m))
+    }
+
+    /// Force of springs and elastic stop on the mount, N.
+    pub fn force(&self, x_m: f64) -> f64 {
+        let stopped = self.stop(x_m).map_or(0.0, |(stiffness, depth_m)| stiffness * depth_m);
+        self.mechanism.spring.force(x_m) + stopped
+    }
+
+    /// Its derivative, N/m.
+    pub fn stiffness(&self, x_m: f64) -> f64 {
+        self.mechanism.spring.tangent(x_m) + self.stop(x_m).map_or(0.0, |(stiffness, _)| stiffness)
+    }
+
+    /// The greatest stress over the yield strength; NaN where no spring has a strength.
+    pub fn stress(&self, x_m: f64) -> f64 {
+        load::stress_ratio(&self.scene, x_m).unwrap_or(f64::NAN)
+    }
+
+    /// The displacements over which it is drawn, m: from the cocked or neutral position to beyond what the run reached.
+    pub fn range_m(&self) -> (f64, f64) {
+        let end_m = self.yield_m.map_or(self.reached_m, |at| larger(at, self.reached_m));
+        (smaller(self.start_m, 0.0), BEYOND * end_m)
+    }
+
+    /// One of its values over that range.
+    pub fn points(&self, get: fn(&Self, f64) -> f64) -> Vec<(f64, f64)> {
+        let (low_m, end_m) = self.range_m();
+        let at = |point: u32| low_m + (end_m - low_m) * f64::from(point) / f64::from(POINTS);
+        (0..=POINTS).map(at).map(|x_m| (x_m, get(self, x_m))).collect()
+    }
+
+    /// What the run used of it, and its limits.
+    pub fn marks(&self) -> Vec<Mark<'static>> {
+        let mut marks = vec![Mark::new(self.reached_m, "greatest displacement").tag("max")];
+        marks.extend((self.start_m < 0.0).then(|| Mark::new(self.start_m, "cocked")));
+        marks.extend(self.mechanism.stop.map(|_| Mark::new(self.mechanism.stop_at_m, "stop")));
+        marks.extend(self.yield_m.map(|at| Mark::new(at, "yield")));
+        marks
+    }
+}
