@@ -43,7 +43,7 @@ impl Law {
     fn stop(&self, x_m: f64) -> Option<(f64, f64)> {
         let stop = self.mechanism.elastic_stop()?;
         let acts = stop.position_m.is_some_and(|at| x_m > at);
-        acts.then(|| (stop.stiffness_n_m, x_m - self.mechanism.stop_at_m))
+        acts.then_some((stop.stiffness_n_m, x_m - self.mechanism.stop_at_m))
     }
 
     /// Force of springs and elastic stop on the mount, N.

@@ -276,7 +276,9 @@ pub(crate) fn models(app: &mut App) {
     if missing.is_empty() {
         let is_wanted = |pin: &&Pin| wanted.iter().any(|(_, scene)| **scene == *pin.scene);
         let gone: Vec<Pin> = app.pins.iter().filter(is_wanted).cloned().collect();
-        gone.into_iter().for_each(|pin| unpinned(app, pin));
+        for pin in gone {
+            unpinned(app, pin);
+        }
         return app.tell("the other interaction models are unpinned");
     }
     let room = LETTERS.len() - app.pins.len();
