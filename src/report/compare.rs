@@ -40,6 +40,8 @@ const LINES: [&str; 20] = [
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
+    let has_layers = report.entries.iter().any(|it| it.scene.stack.base_thickness_m.is_some());
+    let thickness = if has_layers { "front plate thickness" } else { "thickness" };
     Table::of(&report.entries)
         .with("scene", "scene", "", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
@@ -77,7 +79,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
             it.limit_load.mount_force_n
         })
         .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.max_displacement_m)
-        .with("thickness_m", "thickness", "m", |it| it.scene.target.thickness_m)
+        .with("thickness_m", thickness, "m", |it| it.scene.target.thickness_m)
         .with("residual_velocity_m_s", "residual velocity", "m/s", |it| it.residual_m_s)
         .with("penetration_m", "depth", "m", |it| it.depth_m)
 }

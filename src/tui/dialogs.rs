@@ -120,14 +120,24 @@ pub struct HelpRow {
 /// What help lists: the keys of the focused pane first, with what they do there, then those that work everywhere.
 pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
     let pane = pages::spec(app.pane());
-    let own = pane.keys.iter().map(|row| HelpRow {
-        keys: app.keymap.label(row.action),
-        pane: pane.label,
-        help: row.help,
-        action: row.action,
+    let has = |line: &Line, action| line.keys.iter().any(|(one, ..)| *one == action);
+    let own = pane.keys.iter().map(|row| {
+        // A line of keys that the pane explains itself is listed there only.
+        let of_row = |line: &&Line| line.scope != Scope::Everywhere && has(line, row.action);
+        let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
+        HelpRow {
+            keys: line.unwrap_or_else(|| app.keymap.label(row.action)),
+            pane: pane.label,
+            help: row.help,
+            action: row.action,
+        }
     });
     let lines = |everywhere: bool| {
-        let scoped = move |line: &&Line| (line.scope == Scope::Everywhere) == everywhere;
+        let explained = move |line: &Line| pane.keys.iter().any(|row| has(line, row.action));
+        let scoped = move |line: &&Line| match line.scope {
+            Scope::Everywhere => everywhere,
+            Scope::With(_) | Scope::Listed => !everywhere && !explained(line),
+        };
         let label = if everywhere { "" } else { pane.label };
         LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),

@@ -4,6 +4,7 @@
 use std::time::Duration;
 
 use crate::model::mechanism::Mechanism;
+use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering, fixed_significant};
@@ -111,6 +112,12 @@ pub fn results(run: &Run) -> Vec<String> {
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
     let displacement =
         displacement.or_else(|| (!is_known).then(|| no_displacement(&run.scene).to_owned()));
+    let is_stopped = envelope::of_run(run).iter().any(|breach| breach.check == Check::Stop);
+    let demand = if is_stopped {
+        Some("unbounded at the rigid stop".to_owned())
+    } else {
+        rounded(run.interface_demand_ratio, " of its strength A S_y")
+    };
     let of_run = [
         ("first arrest, depth", known(arrest.map(|it| it.penetration_m), "m")),
         ("  time", known(arrest.map(|it| it.t_s), "s")),
@@ -131,7 +138,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("displacement so far", known(so_far.plate_displacement_m, "m")),
         ("stroke so far", known(stroke_so_far, "m")),
         ("stroke", known(run.stroke_m(), "m")),
-        ("interface demand", rounded(run.interface_demand_ratio, " of its strength A S_y")),
+        ("interface demand", demand),
     ];
     let margin_words = " (yield strength over the greatest stress)";
     // A single power law stores what the ledger says.

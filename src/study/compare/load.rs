@@ -17,9 +17,9 @@ pub struct Load {
     pub stored_j: Option<f64>,
     /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
     pub mount_force_n: Option<f64>,
-    /// Impulse into the mount up to the greatest displacement, N s; in a stack, of the first element.
+    /// Impulse into the mount up to the greatest displacement, N s; in a stack, into all of them.
     pub impulse_n_s: Option<f64>,
-    /// Energy in the cocked spring, J; in a stack, of the first element.
+    /// Energy in the cocked spring, J; in a stack of all elements together.
     pub preload_j: Option<f64>,
 }
 
@@ -36,14 +36,13 @@ impl Load {
             })
         };
         let has_spring = !Mechanism::of(&run.scene).is_absent();
-        let stored = || runs().map(|run| run.mechanism.stored_j).sum::<Option<f64>>();
         Self {
             max_displacement_m: greatest(&|run| run.max_plate_displacement_m).flatten(),
             stroke_m: greatest(&|run| run.stroke_m()).flatten(),
-            stored_j: stored(),
+            stored_j: runs().map(|run| run.mechanism.stored_j).sum(),
             mount_force_n: greatest(&peak_n).flatten(),
-            impulse_n_s: impulse_n_s(run),
-            preload_j: has_spring.then_some(run.ledger.initial_spring_j),
+            impulse_n_s: runs().map(impulse_n_s).sum(),
+            preload_j: has_spring.then(|| runs().map(|run| run.ledger.initial_spring_j).sum()),
         }
     }
 }

@@ -30,7 +30,7 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor in time (H L ten columns)"),
-        key(A::View, "view", "show another quantity; over displacement: F, stiffness, stress"),
+        key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
         key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
         key(A::Window, "window", "show the contact only, or the whole response"),
