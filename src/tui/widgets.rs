@@ -12,7 +12,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 use text::{columns, put};
 
-use crate::tui::chart::{Draw, Layout};
+use crate::tui::chart::{Chart, Curve, Draw, Layout};
 use crate::tui::prelude::*;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::text::{TextLine, first_row};
@@ -95,6 +95,20 @@ impl<'a> Canvas<'a> {
             pictures.push(picture.svg());
         }
         picture.render(area, self.buffer, self.theme)
+    }
+
+    /// Draw a chart on which the caller puts letters of its own; as a picture it has these curves in their place, and is none where
+    /// there are none.
+    pub(crate) fn draw_below_letters(
+        &mut self,
+        chart: &Chart<'_>,
+        area: Rect,
+        curves: &[Curve<'_>],
+    ) -> Layout {
+        if let Some(pictures) = self.pictures.as_mut().filter(|_| !curves.is_empty()) {
+            pictures.push(Chart { curves: curves.to_vec(), ..chart.clone() }.svg());
+        }
+        chart.render(area, self.buffer, self.theme)
     }
 
     /// The target under the pointer; `None` where a click has no effect.

@@ -220,6 +220,19 @@ fn results_are_exported() {
     assert!(text.starts_with("scene,kind,variable,"), "{text}");
 }
 
+/// The designs are letters on the screen, and points in the picture.
+#[test]
+fn the_front_is_exported_as_a_picture() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.press("4");
+    answer(&mut bench);
+    bench.press("e<C-u>front.svg<Enter>");
+    let (_, drawn, _) = bench.exported().expect("an export");
+    let designs = bench.app.pages.search.designs().len();
+    let circles = drawn.matches("<circle").count();
+    assert!(designs > 0 && circles > designs, "{designs} designs, {circles} circles");
+}
+
 #[test]
 fn on_a_small_screen_results_or_setup_have_the_room() {
     let mut bench = open(GlyphSet::Ascii, (60, 16));

@@ -182,8 +182,20 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
-    let layout = canvas.draw(&chart, area);
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
+    let dots = |name: &'static str, colour: usize, places: Vec<Option<(f64, f64)>>| {
+        // A gap after every point: no line goes from one to the next.
+        let gap = (f64::NAN, f64::NAN);
+        let points: Vec<_> = places.into_iter().flatten().flat_map(|it| [it, gap]).collect();
+        Curve::new('o', name, points).colour(colour)
+    };
+    let found_places = designs.iter().map(|it| place(&it.measures)).collect();
+    let other_places = found.candidates.iter().map(|it| place(&it.measures)).collect();
+    let curves = [
+        dots("designs", 0, found_places),
+        dots("the scene and the thesis's designs", 1, other_places),
+    ];
+    let layout = canvas.draw_below_letters(&chart, area, &curves);
     for design in &designs {
         mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
