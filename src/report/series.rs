@@ -71,17 +71,17 @@ impl Quantity {
     /// law of the mechanism is drawn over all displacements.
     #[must_use]
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
-        let samples = samples.iter();
         match self.source() {
+            Source::Time(get) if self == Self::ContactForce => with_jumps(samples, get),
             Source::Time(get) => {
-                let depth = |sample: &Sample, value: f64| {
-                    let is_out = self == Self::Penetration && value < 0.0;
-                    (sample.t_s, if is_out { f64::NAN } else { value })
-                };
-                samples.map(|sample| depth(sample, get(sample))).collect()
+                let is_shown = |value: f64| self != Self::Penetration || value >= 0.0;
+                let value = |sample| Some(get(sample)).filter(|value| is_shown(*value));
+                let samples = samples.iter();
+                samples.map(|sample| (sample.t_s, value(sample).unwrap_or(f64::NAN))).collect()
             }
             Source::Displacement(get) => {
-                samples.map(|sample| (sample.plate_displacement_m, get(sample))).collect()
+                let point = |sample: &Sample| (sample.plate_displacement_m, get(sample));
+                samples.iter().map(point).collect()
             }
             Source::Law(get) => Law::of(run).map_or_else(Vec::new, |law| law.points(get)),
         }
@@ -139,6 +139,24 @@ impl Quantity {
     }
 }
 
+/// Points over time of what jumps where the mode changes: the sample of the event has the value before it, and the one after it is
+/// carried back to the event from the next two samples.
+fn with_jumps(samples: &[Sample], get: fn(&Sample) -> f64) -> Vec<(f64, f64)> {
+    let point = |sample: &Sample| (sample.t_s, get(sample));
+    let mut points: Vec<(f64, f64)> = samples.first().map(point).into_iter().collect();
+    for (at, pair) in samples.windows(2).enumerate() {
+        let (event_s, (t_s, value)) = (pair[0].t_s, point(&pair[1]));
+        let next = samples.get(at + 2).filter(|_| pair[0].mode != pair[1].mode);
+        let next = next.filter(|next| next.mode == pair[1].mode && next.t_s > t_s);
+        if let Some(next) = next {
+            let slope = (get(next) - value) / (next.t_s - t_s);
+            points.push((event_s, value - slope * (t_s - event_s)));
+        }
+        points.push((t_s, value));
+    }
+    points
+}
+
 /// Fewer points that make the same picture over a linear axis of time.
 ///
 /// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
@@ -173,7 +191,32 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
     use super::*;
+    use crate::model::simulate::{Settings, simulate};
+
+    /// After the first arrest projectile and plate move as one on the spring: of equal masses the
+    /// projectile needs half of the spring's force k x.
+    #[test]
+    fn valid_the_contact_force_falls_at_the_first_arrest() {
+        let settings = Settings { series: true, estimate: false };
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 1e5;
+        let scene = Arc::new(scene);
+        let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let arrest = run.first_arrest.unwrap();
+        let points = Quantity::ContactForce.points(&run, &run.series);
+        let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();
+        let at_event: Vec<f64> =
+            points.iter().filter(|point| is_event(point)).map(|point| point.1).collect();
+        let after = 0.5 * scene.mechanism.spring.coefficient * arrest.plate_displacement_m;
+        assert_eq!(at_event.len(), 2);
+        assert!((at_event[0] - run.peak_contact_force_n.unwrap()).abs() < 1e-6 * at_event[0]);
+        assert!((at_event[1] - after).abs() < 1e-3 * after, "{at_event:?} {after}");
+        assert_eq!(points.len(), run.series.len() + 1);
+    }
 
     #[test]
     fn few_points_as_a_narrow_view_has_are_drawn_in_full() {

@@ -1,6 +1,6 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::run::{Run, Sample};
+use crate::model::run::Run;
 use crate::numerics::smaller;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
@@ -39,7 +39,7 @@ pub fn response(run: &Run) -> Vec<Chart<'static>> {
 
 fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
     let chart = |quantity: &Quantity| {
-        let points = points(&run.series, *quantity);
+        let points = quantity.points(run, &run.series);
         let name = format!("{} {}", quantity.title().to_lowercase(), quantity.symbol());
         let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
         // A chart of one value would be a line along its own frame.
@@ -52,25 +52,6 @@ fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
         Some(Chart { marks, ..Chart::new(title, x, y, vec![curve]) })
     };
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
-}
-
-/// A quantity over time. Where the force jumps, the row of the event has the value before it: the one after it is carried back to
-/// the event from the next two rows.
-fn points(series: &[Sample], quantity: Quantity) -> Vec<(f64, f64)> {
-    let point = |row: &Sample| (row.t_s, quantity.of(row));
-    let mut points: Vec<(f64, f64)> = series.first().map(point).into_iter().collect();
-    for (at, pair) in series.windows(2).enumerate() {
-        let ((event_s, _), (t_s, value)) = (point(&pair[0]), point(&pair[1]));
-        let next = series.get(at + 2).filter(|next| next.mode == pair[1].mode && next.t_s > t_s);
-        if let Some(next) =
-            next.filter(|_| quantity == Quantity::ContactForce && pair[0].mode != pair[1].mode)
-        {
-            let slope = (quantity.of(next) - value) / (next.t_s - t_s);
-            points.push((event_s, value - slope * (t_s - event_s)));
-        }
-        points.push((t_s, value));
-    }
-    points
 }
 
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
@@ -107,35 +88,4 @@ pub fn selected(run: &Run) -> Vec<Chart<'static>> {
     }
     charts.extend(mechanism(run));
     charts
-}
-
-#[cfg(test)]
-mod tests {
-    use std::ops::ControlFlow;
-    use std::sync::Arc;
-
-    use super::*;
-    use crate::model::scene::Scene;
-    use crate::model::simulate::{Settings, simulate};
-
-    /// After the first arrest projectile and plate move as one on the spring: of equal masses the
-    /// projectile needs half of the spring's force k x.
-    #[test]
-    fn valid_the_contact_force_falls_at_the_first_arrest() {
-        let settings = Settings { series: true, estimate: false };
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 1e5;
-        let scene = Arc::new(scene);
-        let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
-        let arrest = run.first_arrest.unwrap();
-        let points = points(&run.series, Quantity::ContactForce);
-        let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();
-        let at_event: Vec<f64> =
-            points.iter().filter(|point| is_event(point)).map(|point| point.1).collect();
-        let after = 0.5 * scene.mechanism.spring.coefficient * arrest.plate_displacement_m;
-        assert_eq!(at_event.len(), 2);
-        assert!((at_event[0] - run.peak_contact_force_n.unwrap()).abs() < 1e-6 * at_event[0]);
-        assert!((at_event[1] - after).abs() < 1e-3 * after, "{at_event:?} {after}");
-        assert_eq!(points.len(), run.series.len() + 1);
-    }
 }

@@ -127,8 +127,10 @@ impl App {
         let samples = &view.run.series[seen];
         let mut points = quantity.points(view.run, samples);
         if let Some(run) = reference.filter(|_| over_time) {
-            for (point, sample) in points.iter_mut().zip(samples) {
-                point.1 -= quantity.at(run, sample.t_s).unwrap_or(f64::NAN);
+            // At a jump, the value before it of both.
+            points.dedup_by_key(|point| point.0.to_bits());
+            for (t_s, value) in &mut points {
+                *value -= quantity.at(run, *t_s).unwrap_or(f64::NAN);
             }
         }
         if over_time && self.charts.time_scale == Scale::Linear {
