@@ -5,8 +5,9 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::parallel::cores;
+use crate::study::search::seek::has_unlimited_interface;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS};
 
@@ -14,10 +15,7 @@ use crate::study::sweep::{Axis, COUNTS};
 /// loaded beyond what it can carry. Gives the note to print.
 pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
     let chosen = arguments.changes.set_of(|key| key == "interface.law").is_some();
-    let is_fused = scene.interface.law == InterfaceLaw::Fused
-        && scene.contact.model == ContactModel::Hydrodynamic
-        && scene.plate.mount == Mount::Sprung;
-    if chosen || !is_fused {
+    if chosen || !has_unlimited_interface(scene) {
         return None;
     }
     scene.interface.law = InterfaceLaw::Plastic;

@@ -11,7 +11,7 @@ use crate::cli::search::{Threads, be_cautious};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress};
-use crate::model::units::shortest;
+use crate::model::units::{shortest, significant};
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
 use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
@@ -73,9 +73,9 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         output::note(law);
     }
     let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
-    for solution in report.solutions() {
-        let scene = space.scene_of(&[solution.place.at]);
-        warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
+    for (solution, texts) in report.solutions().zip(&report.warnings) {
+        let at = format!("{}={}", goal.axis.symbol(), significant(solution.place.at, 4));
+        warnings.extend(texts.iter().map(|text| format!("solution ({at}): {text}")));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
     let table = arguments.table.of(&arguments.scene, &preset.scene);

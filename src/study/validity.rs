@@ -84,6 +84,25 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
     list
 }
 
+/// What a careful reader of each of some designs should know that does not hold of the scene itself.
+pub fn new_in_each<'a>(
+    own: &Scene,
+    designs: impl IntoIterator<Item = Scene> + 'a,
+) -> impl Iterator<Item = Vec<String>> + 'a {
+    let run_of_own = run(own, STEPS_MAX);
+    let known: Vec<Check> =
+        breaches(own, run_of_own.as_ref()).iter().map(|breach| breach.check).collect();
+    let remarked: Vec<String> = run_of_own.iter().flat_map(envelope::remarks).collect();
+    designs.into_iter().map(move |design| {
+        let run = run(&design, STEPS_MAX);
+        let found = breaches(&design, run.as_ref()).into_iter();
+        let new = found.filter(|breach| !known.contains(&breach.check));
+        let remarks = run.iter().flat_map(envelope::remarks);
+        let remarks = remarks.filter(|text| !remarked.contains(text));
+        new.map(|breach| breach.to_string()).chain(remarks).collect()
+    })
+}
+
 /// What a careful reader of a design should know beyond what is known already, with the values that make it.
 pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> Vec<String> {
     let lead = lead(name, scene, axes);

@@ -296,10 +296,15 @@ fn check_of(warning: &Warning) -> Option<Check> {
 /// then values outside the range the thesis searched.
 pub fn warnings(run: &Run) -> Vec<String> {
     let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
-    let others = run.warnings.iter().filter(|warning| check_of(warning).is_none());
-    list.extend(others.map(ToString::to_string));
+    list.extend(remarks(run));
     list.extend(variables::range_warnings(&run.scene));
     list
+}
+
+/// What happened on the way of a run that is no breach of validity.
+pub fn remarks(run: &Run) -> impl Iterator<Item = String> + '_ {
+    let others = run.warnings.iter().filter(|warning| check_of(warning).is_none());
+    others.map(ToString::to_string)
 }
 
 #[cfg(test)]

@@ -6,10 +6,11 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::scene::Scene;
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
+use crate::study::validity;
 use roots::{Crossing, RootScan};
 
 pub mod roots;
@@ -97,6 +98,8 @@ pub struct Report {
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<Line>,
+    /// What a reader of each solution should know that does not hold of the scene itself.
+    pub warnings: Vec<Vec<String>>,
     /// The least and the greatest value met with.
     pub range: Option<(Place, Place)>,
     /// The scan, for drawing: the variable's value and the measure's.
@@ -108,7 +111,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// The solutions.
+    /// The solutions, in the order of their warnings.
     pub fn solutions(&self) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(|line| line.kind.is_solution())
     }
@@ -117,6 +120,13 @@ impl Report {
     pub fn of(&self, kind: Kind) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(move |line| line.kind == kind)
     }
+}
+
+/// Whether the interface of a scene carries any load: where it does, a search may end at a design that no interface holds together.
+pub fn has_unlimited_interface(scene: &Scene) -> bool {
+    scene.interface.law == InterfaceLaw::Fused
+        && scene.contact.model == ContactModel::Hydrodynamic
+        && scene.plate.mount == Mount::Sprung
 }
 
 /// Seek.
@@ -160,12 +170,16 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
         lines.extend(nearest.map(|seen| Line::new(Kind::Nearest, place(*seen))));
     }
+    let solutions = lines.iter().filter(|line| line.kind.is_solution());
+    let designs = solutions.map(|line| space.scene_of(&[line.place.at])).collect::<Vec<_>>();
+    let warnings = validity::new_in_each(scene, designs).collect();
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),
         measure: space.outputs()[0],
         target: goal.target,
         lines,
+        warnings,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
         runs,

@@ -396,9 +396,11 @@ impl App {
         let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
         let found =
             run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
-        // The load of the interface is shown there already, with its number.
+        // The status row of a run has the load of the interface already, with its number.
+        let of_run = matches!(self.tab, Tab::Run | Tab::Log);
+        let is_shown = |check: &Check| *check == Check::Interface && of_run;
         let checks = found.iter().map(|breach| breach.check);
-        outside(checks.filter(|check| *check != Check::Interface), "", " (7:Log)")
+        outside(checks.filter(|check| !is_shown(check)), "", " (7:Log)")
     }
 }
 

@@ -4,12 +4,13 @@ pub(crate) mod draw;
 pub mod setup;
 pub mod state;
 
+use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::named;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::Snapshot;
 use crate::tui::app::layout::{NARROW, setup_width};
-use crate::tui::dialogs::wrap;
+use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -377,6 +378,9 @@ fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
             setup.bounds[at] = new;
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
+        (Row::Law, Input::Step(press)) => {
+            setup.law = around(&InterfaceLaw::ALL, setup.law, press.by())
+        }
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
         (Row::Across | Row::Up, Input::Step(press)) => {
             let (across, up) = &mut setup.axes;

@@ -98,7 +98,8 @@ fn more_points_than_a_screen_needs_are_refused_in_words() {
 fn a_search_that_makes_no_sense_is_refused_in_words() {
     let goal = |measure: &str| {
         let axis = Axis::new("k", (0.0, 1e6), 9, Spacing::Linear).unwrap();
-        Request::Seek(Goal { axis, measure: measure.to_owned(), target: 60.0 })
+        let goal = Goal { axis, measure: measure.to_owned(), target: 60.0 };
+        Request::Seek(goal, InterfaceLaw::Fused)
     };
     let refused = made(Scene::default(), goal("depth")).unwrap_err();
     assert!(refused.contains("output depth"), "{refused}");

@@ -331,9 +331,14 @@ impl App {
 }
 
 fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
-    let solutions = report.solutions().enumerate().map(|(index, found)| {
+    let all = report.solutions().zip(&report.warnings).enumerate();
+    let solutions = all.flat_map(|(index, (found, warnings))| {
         let mark = if index == selected { ">" } else { " " };
-        note(format!("{mark} {}", report::seek::solution(report, found)))
+        let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
+        let warnings = warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
+        // Of the others there is no room for more.
+        let warnings = warnings.filter(move |_| index == selected);
+        std::iter::once(solution).chain(warnings)
     });
     solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
 }

@@ -1,13 +1,13 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::scene::SweepAxis;
+use crate::model::scene::{InterfaceLaw, SweepAxis};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Group, Value};
 use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
 use crate::study::search::nsga;
-use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL};
+use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, has_unlimited_interface};
 use crate::study::sensitivity;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
@@ -21,6 +21,8 @@ pub struct Setup {
     pub seek: SweepAxis,
     /// The result and its wanted value.
     pub goal: (&'static str, f64),
+    /// The interface law of a goal seek, where the scene's has no limit of strength.
+    pub law: InterfaceLaw,
     /// Variables of fronts and sensitivity; empty: those of Table 9.2.
     pub bounds: Vec<Bound>,
     /// Which of the usual objectives count.
@@ -50,6 +52,7 @@ impl Default for Setup {
                 usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX),
             ),
             goal: ("percent_of_baseline", 60.0),
+            law: InterfaceLaw::Fused,
             bounds: Vec::new(),
             objectives: [true; 4],
             stroke_m: Some(1.0),
@@ -72,6 +75,8 @@ pub enum Row {
     /// The goal: what a person changes first.
     #[default]
     Goal,
+    /// The interface law of a goal seek.
+    Law,
     Bound(usize),
     Objective(usize),
     Stroke,
@@ -128,7 +133,9 @@ impl App {
         let mut rows = Vec::new();
         match self.pages.search.page {
             Page::Seek => {
-                rows.extend([Row::Heading("Goal"), Row::Result, Row::Goal, Row::Heading("Vary")]);
+                rows.extend([Row::Heading("Goal"), Row::Result, Row::Goal]);
+                rows.extend(has_unlimited_interface(&self.scene).then_some(Row::Law));
+                rows.push(Row::Heading("Vary"));
                 let parts = [Part::Name, Part::From, Part::To, Part::Spacing, Part::Points];
                 rows.extend(parts.map(Row::Axis));
             }
@@ -189,6 +196,9 @@ impl App {
                 Line { takes_unit: true, ..Line::typed("is", goal.unwrap_or_default()) }
                     .means(quantity_meaning(setup.goal.0))
             }
+            Row::Law => Line::word("interface", setup.law.word()).means(
+                "plastic: its strength is limited; fused: unlimited, as in the thesis and the scene",
+            ),
             Row::Bound(at) => bounds.get(at).map_or_else(|| Line::word("", ""), bound_line),
             Row::Objective(at) => {
                 let objective = Line::switch(OBJECTIVES[at], setup.objectives[at]);
@@ -240,11 +250,13 @@ impl App {
             varied.map(|bound| bound.axis).collect()
         };
         Ok(match page {
-            Page::Seek => Request::Seek(Goal {
-                axis: Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?,
-                measure: setup.goal.0.to_owned(),
-                target: setup.goal.1,
-            }),
+            Page::Seek => {
+                let is_unlimited = has_unlimited_interface(&self.scene);
+                let law = if is_unlimited { setup.law } else { self.scene.interface.law };
+                let axis = Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
+                let (measure, target) = (setup.goal.0.to_owned(), setup.goal.1);
+                Request::Seek(Goal { axis, measure, target }, law)
+            }
             Page::Front => Request::Front(self.front_task(axes())?),
             Page::Sensitivity => Request::Sensitivity {
                 axes: axes(),

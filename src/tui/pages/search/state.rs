@@ -1,5 +1,6 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
+use crate::model::scene::InterfaceLaw;
 use crate::numerics::statistics::ascending;
 use crate::report;
 use crate::study::monte_carlo::{self, Summary};
@@ -207,15 +208,20 @@ fn words_rows(lines: usize) -> u16 {
 }
 
 impl App {
-    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do
-    /// not count: a design of the results may be loaded, and the others stay results.
+    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over, and the
+    /// interface law that was searched with, do not count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
         let Some(found) = self.pages.search.shown() else { return false };
         let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
         match &found.request {
-            Request::Seek(goal) => copy_value(&goal.axis, &found.scene, &mut scene),
+            Request::Seek(goal, law) => {
+                copy_value(&goal.axis, &found.scene, &mut scene);
+                if scene.interface.law == *law {
+                    scene.interface.law = found.scene.interface.law;
+                }
+            }
             Request::Front(task) => {
                 task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
             }
@@ -239,6 +245,9 @@ impl App {
                 let Some(solution) = report.solutions().nth(tab.selected()) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
+                if let Request::Seek(_, law) = found.request {
+                    scene.interface.law = law;
+                }
                 Ok(placed(scene, [(&report.axis, solution.place.at)]))
             }
             Answer::Front(front, task) => {
@@ -292,8 +301,8 @@ pub(super) fn completeness(answer: &Answer) -> (bool, Option<String>) {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Which values of a variable give a wanted result.
-    Seek(Goal),
+    /// Which values of a variable give a wanted result, under which interface law.
+    Seek(Goal, InterfaceLaw),
     /// The designs that nothing beats.
     Front(Task),
     /// Which variables matter to a result.
@@ -310,7 +319,7 @@ pub enum Request {
 impl Request {
     pub fn page(&self) -> Page {
         match self {
-            Self::Seek(_) => Page::Seek,
+            Self::Seek(..) => Page::Seek,
             Self::Front(_) => Page::Front,
             Self::Sensitivity { .. } => Page::Sensitivity,
             Self::MonteCarlo(_) => Page::MonteCarlo,
@@ -331,8 +340,10 @@ impl Study for Request {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let (threads, plain) = (reporter.threads(), &mut reporter.progress());
         let answer = match self {
-            Self::Seek(goal) => {
-                Answer::Seek(seek::seek(scene, goal, &mut Context::new(threads, plain))?)
+            Self::Seek(goal, law) => {
+                let mut scene = (**scene).clone();
+                scene.interface.law = *law;
+                Answer::Seek(seek::seek(&scene, goal, &mut Context::new(threads, plain))?)
             }
             Self::Front(task) => {
                 let answer = |front: &Front| Answer::Front(Box::new(front.clone()), task.clone());
