@@ -154,8 +154,16 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {
-        let scenes = front.designs.iter().map(|design| front.scene(&task, design));
-        warnings.extend(validity::of_designs(front.law.word(), scenes, &task.axes));
+        let law = front.law.word();
+        if let [design] = &*front.designs {
+            let (name, scene) = (format!("best design, {law}"), front.scene(&task, design));
+            warnings.extend(validity::of_design(&name, &scene, &task.axes, &[]));
+        } else if !front.outside.is_empty() {
+            let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
+            warnings.push(format!(
+                "{law}: outside validity, of {count} designs: {outside} (`cmra run` of a design says why)"
+            ));
+        }
     }
     let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
     let rows = front::table(name, &task, &fronts);

@@ -110,33 +110,24 @@ pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> 
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
 
-/// What a careful reader of a search's designs should know: everything of a single one, of a front how many breach what.
-pub fn of_designs(
-    name: &str,
-    scenes: impl ExactSizeIterator<Item = Scene>,
-    axes: &[Axis],
-) -> Vec<String> {
-    let count = scenes.len();
-    let mut breached = [0_usize; Check::ALL.len()];
-    for scene in scenes {
-        if count == 1 {
-            return of_design(&format!("best design, {name}"), &scene, axes, &[]);
-        }
-        let found = breaches(&scene, run(&scene, STEPS_MAX).as_ref());
-        for (at, check) in Check::ALL.iter().enumerate() {
-            breached[at] += usize::from(found.iter().any(|breach| breach.check == *check));
+/// How many designs of a search breach each check, by their runs; by the scenes alone where there is no time to run them.
+pub fn breached(designs: impl Iterator<Item = Scene>, is_run: bool) -> Vec<(Check, usize)> {
+    let mut counts = [0_usize; Check::ALL.len()];
+    for scene in designs {
+        let run = is_run.then(|| run(&scene, STEPS_MAX)).flatten();
+        let found = breaches(&scene, run.as_ref());
+        for (count, check) in counts.iter_mut().zip(Check::ALL) {
+            *count += usize::from(found.iter().any(|breach| breach.check == check));
         }
     }
-    let words = Check::ALL.iter().zip(breached).filter(|(_, found)| *found > 0);
+    Check::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0).collect()
+}
+
+/// These counts in words: `h/D 100, interface 88`.
+pub fn counted(counts: &[(Check, usize)]) -> String {
     let words: Vec<String> =
-        words.map(|(check, found)| format!("{} {found}", check.label())).collect();
-    if words.is_empty() {
-        return Vec::new();
-    }
-    vec![format!(
-        "{name}: outside validity, of {count} designs: {} (`cmra run` of a design says why)",
-        words.join(", ")
-    )]
+        counts.iter().map(|(check, count)| format!("{} {count}", check.label())).collect();
+    words.join(", ")
 }
 
 fn lead(name: &str, scene: &Scene, axes: &[Axis]) -> String {

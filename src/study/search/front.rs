@@ -8,6 +8,7 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use crate::model::run::EndReason;
+use crate::model::run::envelope::Check;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
@@ -16,6 +17,7 @@ use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Failure, Found, Plan, PointOutcome, SweepError};
+use crate::study::validity;
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
 
@@ -153,6 +155,8 @@ pub struct Front {
     pub designs: Vec<Design>,
     /// The scene itself and the designs of the thesis.
     pub candidates: Vec<Candidate>,
+    /// How many of the designs are outside the model's validity, by check.
+    pub outside: Vec<(Check, usize)>,
     /// Generations made.
     pub generations: usize,
     /// Runs made.
@@ -247,6 +251,8 @@ impl Search<'_> {
         let mut front = state.into_inner().front;
         front.designs = sorted_by(front.designs, first);
         front.candidates = candidates;
+        let scenes = front.designs.iter().map(|design| front.scene(self.task, design));
+        front.outside = validity::breached(scenes, whole);
         for candidate in &mut front.candidates {
             candidate.standing = self.standing(&front.designs, candidate);
         }
@@ -259,6 +265,7 @@ impl Search<'_> {
             base: self.scene.clone(),
             designs: Vec::new(),
             candidates: Vec::new(),
+            outside: Vec::new(),
             generations: 0,
             runs: 0,
             given_up: 0,

@@ -6,8 +6,10 @@ pub mod state;
 
 use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::named;
+use crate::study::search::front::Front;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
+use crate::study::validity::counted;
 use crate::tui::app::history::Snapshot;
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::dialogs::{around, wrap};
@@ -189,7 +191,20 @@ impl Page for SearchTab {
         let refused = || part(Severity::Error, "this cannot be searched for");
         let first = if problem { refused() } else { progress.part() };
         let count = count.map(|runs| part(Severity::Note, runs));
-        std::iter::once(first).chain(count).chain(app.validity_part()).collect()
+        let front = tab.front().filter(|_| running.is_none() && tab.page == state::Page::Front);
+        let validity = match front.map(|(front, _)| front) {
+            Some(front) if front.outside.is_empty() => None,
+            Some(Front { designs, outside, .. }) => {
+                let list = format!("of {} designs: {}", designs.len(), counted(outside));
+                Some((
+                    Severity::Warning,
+                    format!("! outside validity, {list}"),
+                    format!("! {list}"),
+                ))
+            }
+            None => app.validity_part(),
+        };
+        std::iter::once(first).chain(count).chain(validity).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
@@ -379,7 +394,7 @@ fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
         (Row::Law, Input::Step(press)) => {
-            setup.law = around(&InterfaceLaw::ALL, setup.law, press.by())
+            setup.law = around(&InterfaceLaw::ALL, setup.law, press.by());
         }
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
         (Row::Across | Row::Up, Input::Step(press)) => {

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
+use cmra::model::run::envelope::Check;
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
@@ -48,6 +49,7 @@ fn front(scene: &Scene, task: &Task) -> Front {
         base: scene.clone(),
         designs: (0..40).map(design).collect(),
         candidates: candidates.into_iter().map(candidate).collect(),
+        outside: vec![(Check::Thickness, 40), (Check::Interface, 31)],
         generations: 40,
         runs: 2460,
         given_up: 0,
