@@ -180,6 +180,8 @@ fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
     }
     let remarks = remarks(&report).into_iter();
     lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
+    let warnings = report.at_limit.as_ref().map_or(&[][..], |it| &it.warnings);
+    lines.extend(warnings.iter().map(|warning| format!("at the limit: {warning}")));
     let chart = residual(&report, None).map(Picture::Chart).map(block);
     Ok(std::iter::once(Block::List(lines)).chain(chart).collect())
 }

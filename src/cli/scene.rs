@@ -61,6 +61,7 @@ impl SceneArguments {
         let before = preset.scene.clone();
         self.changes.apply(&mut preset.scene)?;
         say_changed(&before, &mut preset.scene);
+        self.changes.say_unused(&preset.scene);
         Ok(preset)
     }
 
@@ -100,6 +101,20 @@ impl Changes {
             choose_closure(scene);
         }
         Ok(())
+    }
+
+    /// Names every `--set` that the scene does not use.
+    fn say_unused(&self, scene: &Scene) {
+        for argument in &self.set {
+            let name = argument.split('=').next().unwrap_or_default().trim();
+            let unused = variables::find(name).ok().filter(|one| !variables::is_used(one, scene));
+            if let Some(variable) = unused {
+                let symbol = variable.symbol;
+                output::note(&format!(
+                    "warning: {symbol} has no effect on this scene (`cmra explain {symbol}`)"
+                ));
+            }
+        }
     }
 
     /// The entries that were named, by their libraries.

@@ -121,6 +121,14 @@ impl Entry {
     }
 }
 
+/// Mass efficiencies this near to 1 are 1: a mechanism that does not move has no other.
+pub const EQUAL: f64 = 1e-4;
+
+/// Whether an armour of this mass efficiency weighs what the solid plate does.
+pub fn is_equal(mass_efficiency: f64) -> bool {
+    (mass_efficiency - 1.0).abs() <= EQUAL
+}
+
 /// Whether the mechanism pays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -128,6 +136,8 @@ pub enum Verdict {
     Pays,
     /// It stops the shot, and is heavier.
     DoesNotPay,
+    /// It stops the shot, and weighs the same within [`EQUAL`].
+    MakesNoDifference,
     /// The design shot perforates it.
     Perforated,
     /// Nothing stops plate and projectile.
@@ -144,6 +154,9 @@ impl Verdict {
         match self {
             Self::Pays => "the mechanism pays".to_owned(),
             Self::DoesNotPay => "the mechanism does not pay".to_owned(),
+            Self::MakesNoDifference => {
+                "the mechanism makes no difference to a solid plate".to_owned()
+            }
             Self::Perforated => "not met: the design shot perforates the plate as built".to_owned(),
             Self::NothingStops => "not met: nothing stops plate and projectile".to_owned(),
             Self::Fails(failure) => format!("not met: under the design shot {}", failure.words()),
@@ -155,9 +168,11 @@ impl Verdict {
     pub fn pays(self) -> Option<bool> {
         match self {
             Self::Pays => Some(true),
-            Self::DoesNotPay | Self::Perforated | Self::NothingStops | Self::Fails(_) => {
-                Some(false)
-            }
+            Self::DoesNotPay
+            | Self::MakesNoDifference
+            | Self::Perforated
+            | Self::NothingStops
+            | Self::Fails(_) => Some(false),
             Self::Unknown => None,
         }
     }
@@ -228,6 +243,7 @@ impl Report {
             return Verdict::Fails(failure);
         }
         match own.mass_efficiency() {
+            Some(efficiency) if is_equal(efficiency) => Verdict::MakesNoDifference,
             Some(efficiency) if efficiency > 1.0 => Verdict::Pays,
             Some(_) => Verdict::DoesNotPay,
             None => Verdict::Unknown,

@@ -190,9 +190,48 @@ fn a_map_has_the_warnings_of_each_point() {
 fn a_comparison_without_a_least_thickness_gives_the_reason() {
     let page = output(&["--set", "d=0.1"]);
     assert!(
-        page.contains("undecided (100.0 m/s): however thin, the plate stops the shot"),
+        page.contains("undecided (100.0 m/s): the thinnest plate that the model answers for stops"),
         "{page}"
     );
+}
+
+/// A preloaded mechanism can push a foil of nanometres away from the shot: no search may offer that as an armour.
+#[test]
+fn an_armour_thinner_than_the_model_answers_for_has_no_mass_efficiency() {
+    let found = json(&[
+        "--set",
+        "gamma=3.688693467536329",
+        "--set",
+        "d=0.057668197886270964",
+        "--set",
+        "b=321.88345213421053",
+        "--set",
+        "k=1288072.3658931719",
+        "--set",
+        "n=1.065450852088438",
+    ]);
+    assert!(found["candidates"]["scene"]["mass_efficiency"].is_null(), "{found}");
+}
+
+/// Where the face of the tile is given it is kept: sized plates get lighter with their thickness.
+#[test]
+fn a_given_face_is_kept_when_the_plate_is_sized() {
+    let page = output(&["--set", "face=150mm"]);
+    let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(flat.contains("mm over a face of 150.0 mm square and"), "{page}");
+    let page = output(&[]);
+    let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    // m_2 = m_p: (29.5 g / (2710 kg/m³ 1.343 mm))^(1/2).
+    assert!(flat.contains("1.343 mm over a face of 90.03 mm square (the mass ratio is"), "{page}");
+}
+
+/// A mechanism that is never moved has a mass efficiency of 1, and no rounding decides whether it pays.
+#[test]
+fn a_mechanism_that_does_not_move_makes_no_difference() {
+    for velocity in ["v_i=11", "v_i=15", "v_i=20"] {
+        let set = ["--absorber", "aluminium-honeycomb", "--set", "gamma=6.31", "--set", velocity];
+        assert_eq!(json(&set)["verdict"], "the mechanism makes no difference to a solid plate");
+    }
 }
 
 /// A stack is compared like any armour: three elements and a base of the preset, 250 m/s.

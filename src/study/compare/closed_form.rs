@@ -1,7 +1,7 @@
 //! The comparison in closed form: a free plate without dishing on a soft spring; see the module's head for the derivation.
 
 use crate::model::mechanism::Mechanism;
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Mount, PlateSize, Scene};
 use crate::study::compare::Hardware;
 use crate::study::compare::hardware::is_own;
 
@@ -29,13 +29,14 @@ impl ClosedForm {
     }
 
     /// For a scene whose spring alone takes up energy; `None` for a rigid mount, a stack, an oblique shot, another contact model, a
-    /// cocked plate, a stop, a damper, and a spring whose mass is given or its own.
+    /// cocked plate, a stop, a damper, a spring whose mass is given or its own, and a plate whose mass ratio follows from its face.
     pub fn of(scene: &Scene, hardware: &Hardware) -> Option<Self> {
         let fits = scene.plate.mount == Mount::Sprung
             && scene.stack.base_thickness_m.is_none()
             && scene.projectile.obliquity_deg == 0.0
             && scene.contact.model == ContactModel::Hydrodynamic
             && scene.plate.cocking_m == 0.0
+            && !matches!(scene.plate.size, PlateSize::Face(_))
             && scene.mechanism.stop.position_m.is_none()
             && scene.mechanism.damper.coefficient == 0.0
             && !Mechanism::of(scene).spring.is_absent()

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::model::scene::Scene;
+use crate::study::compare::is_equal;
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, hold_spring_mass};
 use crate::study::context::{Context, Work};
@@ -105,7 +106,8 @@ impl Map {
             let (here, next) = (excess(x)?, excess(x + 1)?);
             let share = here / (here - next);
             let (from, to) = (self.x().value(x), self.x().value(x + 1));
-            ((here > 0.0) != (next > 0.0)).then_some(from + share * (to - from))
+            let is_noise = is_equal(1.0 + here) && is_equal(1.0 + next);
+            ((here > 0.0) != (next > 0.0) && !is_noise).then_some(from + share * (to - from))
         };
         (0..self.x().count() - 1).filter_map(crossing).collect()
     }

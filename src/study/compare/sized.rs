@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
-use crate::study::compare::elements;
+use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
+use crate::study::compare::{elements, is_held};
 use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
 
@@ -14,6 +16,8 @@ use crate::study::sweep::kernel::{self, Wanted};
 pub(super) const WIDTH: f64 = 1e-9;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
+/// The thinnest plate that the model answers for, m (model page, section 8).
+const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +26,7 @@ pub enum Absence {
     NoSolid,
     /// No thickness within a factor of a million of the solid plate's is enough.
     NoThickness,
-    /// Every thickness is enough, down to a millionth of the solid plate's: the mechanism does it.
+    /// Every thickness is enough that the model answers for: a preloaded mechanism does it.
     EveryThickness,
     /// The spring's mass is not known.
     NoSpringMass,
@@ -47,7 +51,8 @@ impl Absence {
             Self::NoSolid => "no solid plate to compare with".to_owned(),
             Self::NoThickness => "no thickness stops the shot".to_owned(),
             Self::EveryThickness => {
-                "however thin, the plate stops the shot: there is no least thickness".to_owned()
+                "the thinnest plate that the model answers for stops the shot: there is no least thickness"
+                    .to_owned()
             }
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
@@ -77,14 +82,23 @@ impl Sized {
     }
 }
 
-/// Mass efficiency of a valid scene at its own impact velocity; `None` where there is none. Opens no file and keeps nothing:
-/// scene in, number out.
+/// Mass efficiency of a valid scene at its own impact velocity; `None` where there is none, as of a plate that nothing stops. Opens
+/// no file and keeps nothing: scene in, number out.
 pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
+    if !is_held(scene) {
+        return None;
+    }
     sized(scene, hardware, WIDTH).ok().map(|sized| sized.mass_efficiency())
 }
 
-/// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known.
+/// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known, as for springs
+/// behind a plate that is perforated: the shot does not size them.
 pub fn areal_mass_of_run(run: &Run) -> Option<f64> {
+    let is_sized = run.shot_outcome() != Outcome::Perforated
+        || elements(&run.scene).iter().all(|element| Mechanism::of(element).spring.is_absent());
+    if !is_sized {
+        return None;
+    }
     Built::of(&run.scene, &Hardware::default(), run).areal_kg_m2(&run.scene)
 }
 
@@ -109,7 +123,8 @@ pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Si
     Ok(Sized { scene: Arc::new(own), factor, spring_kg, areal_kg_m2, solid_areal_kg_m2 })
 }
 
-/// The scene with all thicknesses times a factor; mass ratios stay, so the faces change.
+/// The scene with all thicknesses times a factor. Where the plate's face is given it stays, else the mass ratio does, and the face
+/// changes.
 fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut own = scene.clone();
     own.target.thickness_m *= factor;
@@ -117,6 +132,7 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
     for layer in &mut own.stack.layers {
         layer.target.thickness_m *= factor;
     }
+    own.follow_size();
     own
 }
 
@@ -169,18 +185,18 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     if !stops.stopped {
         return Err(Absence::NoThickness);
     }
-    let mut widened = 0;
+    // Only a mechanism that moves the plate by itself needs less than a free plate.
+    let thinnest = smaller(thin, THINNEST_M / scene.target.thickness_m);
     loop {
         let shot = try_out(thin)?;
         if !shot.stopped {
             break;
         }
-        (thick, stops) = (thin, shot);
-        thin *= 0.5;
-        widened += 1;
-        if widened == WIDENED_MAX {
+        if thin <= thinnest {
             return Err(Absence::EveryThickness);
         }
+        (thick, stops) = (thin, shot);
+        thin = larger(0.5 * thin, thinnest);
     }
     close_in((thin, thick), stops, width, &try_out)
 }

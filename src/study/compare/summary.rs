@@ -1,5 +1,6 @@
 //! A comparison in sentences: the same on the command line and in the workbench.
 
+use crate::model::scene::PlateSize;
 use crate::model::units::{fixed_significant, significant};
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
@@ -11,7 +12,7 @@ pub fn verdict(report: &Report) -> String {
     };
     let verdict = report.verdict();
     match (verdict, own.mass_efficiency()) {
-        (Verdict::Pays | Verdict::DoesNotPay, Some(efficiency)) => {
+        (Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference, Some(efficiency)) => {
             let efficiency = fixed_significant(efficiency, 4);
             let condition = condition(report);
             format!("mass efficiency {efficiency} at {design}: {}{condition}", verdict.words())
@@ -73,14 +74,20 @@ fn sized(own: &Entry, verdict: Verdict) -> String {
     let density = sized.scene.target.density_kg_m3;
     let solid_m = sized.solid_areal_kg_m2 / density;
     let efficiency = match verdict {
-        Verdict::Pays | Verdict::DoesNotPay => String::new(),
+        Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference => String::new(),
         Verdict::Perforated | Verdict::NothingStops | Verdict::Fails(_) | Verdict::Unknown => {
             format!(", mass efficiency {}", fixed_significant(sized.mass_efficiency(), 4))
         }
     };
+    let given = match own.scene.plate.size {
+        PlateSize::Face(_) => "",
+        PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
+    };
     format!(
-        "sized to just stop the shot: this armour with {} mm and {} g of spring, {} kg/m^2; a solid plate of {} mm, {} kg/m^2{efficiency}",
+        "sized to just stop the shot: this armour with {} mm over a face of {} mm square{given} and {} g of spring, {} kg/m^2; a \
+         solid plate of {} mm, {} kg/m^2{efficiency}",
         fixed_significant(1e3 * sized.scene.target.thickness_m, 4),
+        fixed_significant(1e3 * sized.scene.plate_face_m(), 4),
         fixed_significant(1e3 * sized.spring_kg, 4),
         fixed_significant(sized.areal_kg_m2, 4),
         fixed_significant(1e3 * solid_m, 4),

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, Outcome, Run, envelope};
+use crate::model::run::{EndReason, Outcome, Run, Warning, envelope};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
@@ -127,7 +127,9 @@ impl Range<'_, '_, '_> {
         }
         let settings = Settings { series: true, estimate: false };
         let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
-        let run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        // Nobody compares the depth of this shot with that on a rigid mount.
+        run.warnings.retain(|warning| *warning != Warning::NoBaseline);
         (run.end != EndReason::Cancelled).then(|| AtLimit {
             load: Load::of(&run),
             warnings: envelope::warnings(&run),

@@ -7,7 +7,7 @@ use crate::report::compare::picture;
 use crate::report::figures::column_of;
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
-use crate::study::compare::{self, Hardware};
+use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
 use crate::study::sweep::Axis;
 use crate::tui::chart::heatmap;
@@ -130,6 +130,7 @@ impl App {
             format!("{} {}", axis.symbol(), axis.show(axis.value(at as u64), 5))
         };
         let value = match map.cell(x as u64, y as u64) {
+            Some(Ok(value)) if is_equal(value) => "mass efficiency 1: no difference".to_owned(),
             Some(Ok(value)) if value > 1.0 => {
                 format!("mass efficiency {}: moving armour pays", significant(value, 4))
             }

@@ -117,8 +117,11 @@ impl App {
     }
 }
 
-/// A value with prefix and unit, four figures: `19.26 kN`.
+/// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
 pub fn engineering(value: f64, unit: &'static str) -> String {
+    if unit.is_empty() {
+        return significant(value, 4);
+    }
     Engineering { value, unit, digits: 4 }.to_string()
 }
 
