@@ -13,6 +13,7 @@ use crate::cli::search::{Random, all_threads};
 use crate::cli::table::TableArguments;
 use crate::cli::text::hanging;
 use crate::cli::{CliError, draw, progress};
+use crate::model::mechanism::Mechanism;
 use crate::model::units::fixed_significant;
 use crate::report::limit::{self, remarks, residual};
 use crate::report::svg::Picture;
@@ -107,6 +108,10 @@ fn page(name: &str, report: &Report) -> String {
     page.push('\n');
     for remark in remarks(report) {
         page += &hanging(&format!("{:LABEL$}", remark.about), &remark.text, LABEL);
+    }
+    if !Mechanism::of(&report.scene).is_absent() && report.limit.velocity_m_s().is_some() {
+        let text = "taken to hold whatever it stores; `cmra compare` gives the limit with hardware sized for v_i";
+        page += &hanging(&format!("{:LABEL$}", "mechanism"), text, LABEL);
     }
     page
 }

@@ -342,7 +342,11 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// The state of the run and its cost; the parts at the right are dropped first.
+/// Columns that are left of the last warning of the status row where it is cut.
+const WARNING_LEAST: usize = 14;
+
+/// The state of the run and its cost. Where there is no room the notes after the last warning are dropped, then that warning is cut,
+/// then further notes are dropped: a warning never vanishes.
 pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let parts = app.status();
     let room = usize::from(area.width.saturating_sub(2));
@@ -350,15 +354,29 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let long: Vec<&str> = parts.iter().map(|part| part.1.as_str()).collect();
     let short: Vec<&str> = parts.iter().map(|part| part.2.as_str()).collect();
     let mut texts = if total(&long) <= room + 3 { long } else { short };
-    while texts.len() > 1 && total(&texts) > room + 3 {
-        texts.pop();
+    let mut severities: Vec<Severity> = parts.iter().map(|part| part.0).collect();
+    let needed = |texts: &[&str]| {
+        let cut = texts.last().map_or(0, |text| text.chars().count().saturating_sub(WARNING_LEAST));
+        total(texts) - 3 - cut
+    };
+    loop {
+        let last = severities.iter().rposition(|severity| *severity == Severity::Note);
+        let is_at_end = last.is_some_and(|last| last + 1 == texts.len());
+        let fits = if is_at_end { total(&texts) - 3 <= room } else { needed(&texts) <= room };
+        let Some(last) = last.filter(|last| *last > 0 && !fits) else { break };
+        texts.remove(last);
+        severities.remove(last);
     }
     let mut spans = vec![Span::raw(" ")];
-    for (index, (text, part)) in texts.iter().zip(&parts).enumerate() {
+    let mut left = room;
+    for (index, (text, severity)) in texts.iter().zip(severities).enumerate() {
         if index > 0 {
             spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
+            left = left.saturating_sub(3);
         }
-        spans.push(Span::styled((*text).to_owned(), app.theme.style(text_role(part.0))));
+        let text = clip(text, left);
+        left = left.saturating_sub(text.chars().count());
+        spans.push(Span::styled(text, app.theme.style(text_role(severity))));
     }
     canvas.put_line(area, 0, &Line::from(spans));
 }

@@ -91,6 +91,11 @@ pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
     sized(scene, hardware, WIDTH).ok().map(|sized| sized.mass_efficiency())
 }
 
+/// The thickness at which a valid scene just stops its own shot, m; `None` where there is none.
+pub fn thickness_m(scene: &Scene, hardware: &Hardware) -> Option<f64> {
+    sized(scene, hardware, WIDTH).ok().map(|sized| sized.scene.target.thickness_m)
+}
+
 /// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known, as for springs
 /// behind a plate that is perforated: the shot does not size them.
 pub fn areal_mass_of_run(run: &Run) -> Option<f64> {

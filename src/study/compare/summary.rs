@@ -1,6 +1,7 @@
 //! A comparison in sentences: the same on the command line and in the workbench.
 
-use crate::model::scene::PlateSize;
+use crate::model::run::envelope;
+use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{fixed_significant, significant};
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
@@ -44,6 +45,8 @@ pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
     let mut lines = vec![sized(own, report.verdict())];
     lines.extend(as_built(own));
+    lines.extend(crushed(&report.scene));
+    lines.extend(outside_validity(report));
     if let Some(closed) = report.closed_form() {
         let dishing = if report.scene.target.dishing { "; this plate dishes" } else { "" };
         lines.push(format!(
@@ -61,6 +64,43 @@ pub fn reasons(report: &Report) -> Vec<String> {
             "depth {:+.1} % against the solid plate of equal areal mass",
             100.0 * (ratio - 1.0)
         ));
+    }
+    lines
+}
+
+/// What a crushed absorber is taken to be: its energy per mass alone does not stop a shot.
+fn crushed(scene: &Scene) -> Option<String> {
+    let spring = scene.mechanism.acting().find(|spring| spring.kind == SpringKind::Crush)?;
+    Some(format!(
+        "the absorber is crushed at {} kN over {} mm at most (F_crush, x_crush)",
+        significant(1e-3 * spring.crush.force_n, 4),
+        significant(1e3 * spring.crush.stroke_m, 4)
+    ))
+}
+
+/// Where what was judged is outside the model's validity and the scene as built is not: the sized armour, and each candidate at its
+/// limit.
+fn outside_validity(report: &Report) -> Vec<String> {
+    let known = envelope::of_scene(&report.scene);
+    let mut lines = Vec::new();
+    let mut note = |who: String, scene: &Scene| {
+        let new = envelope::of_scene(scene).into_iter();
+        let new = new.filter(|breach| known.iter().all(|other| other.check != breach.check));
+        let labels: Vec<&str> = new.map(|breach| breach.check.label()).collect();
+        if !labels.is_empty() {
+            lines.push(format!("{who}: outside the model's validity in {}", labels.join(", ")));
+        }
+    };
+    for entry in &report.entries {
+        let word = entry.candidate.word();
+        if let (Candidate::Scene, Ok(sized)) = (entry.candidate, &entry.sized) {
+            note("the sized armour".to_owned(), &sized.scene);
+        }
+        let mut at_limit = (*entry.scene).clone();
+        if let Some(limit_m_s) = entry.limit_m_s {
+            at_limit.projectile.velocity_m_s = limit_m_s;
+        }
+        note(format!("{word} at its limit"), &at_limit);
     }
     lines
 }

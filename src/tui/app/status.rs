@@ -413,11 +413,8 @@ pub(crate) fn outside(
     let labels: Vec<&str> = checks.map(Check::label).collect();
     let list = labels.join(", ");
     let long = format!("! outside validity{place}: {list}{more}");
-    let short = if place.is_empty() {
-        format!("! validity {}", labels.len())
-    } else {
-        format!("!{place}: {list}")
-    };
+    let short =
+        if place.is_empty() { format!("! validity: {list}") } else { format!("!{place}: {list}") };
     (!labels.is_empty()).then_some((Severity::Warning, long, short))
 }
 

@@ -94,6 +94,9 @@ impl Page for LimitTab {
         let finding = progress::<LimitSearch>(app, app.limit_is_old(), kept, words);
         let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
         if let Some(report) = &tab.report {
+            parts.extend(app.jobs.running::<EqualMass>().map(|comparing| {
+                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
+            }));
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),
@@ -102,9 +105,6 @@ impl Page for LimitTab {
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(part(Severity::Note, format!("by {}", basis.words())));
             }
-            parts.extend(app.jobs.running::<EqualMass>().map(|comparing| {
-                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
-            }));
             parts.push(part(Severity::Note, format!("curve of {} shots", report.shots.len())));
         }
         parts

@@ -119,7 +119,14 @@ impl App {
             return Err("this map belongs to another scene: press r to compute it again".to_owned());
         }
         let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
-        Ok(placed(self.compared_scene()?, values))
+        let (scene, words) = placed(self.compared_scene()?, values);
+        let sized = compare::thickness_m(&scene, &Hardware::default());
+        let sized = sized.map_or_else(String::new, |thickness_m| {
+            let (just, own) = (1e3 * thickness_m, 1e3 * scene.target.thickness_m);
+            let (just, own) = (significant(just, 4), significant(own, 4));
+            format!(" (h stays {own} mm; {just} mm just stop the shot)")
+        });
+        Ok((scene, words + &sized))
     }
 
     /// The description of the cell under the map's cursor.
@@ -218,13 +225,17 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let layout = canvas.draw(&map, above);
     let mut column = canvas.put(area, (1, above.height), "O line of 1 ", Role::Text);
     let Some(levels) = &map.levels else { return };
-    for band in 0..levels.bands() {
+    let from = |band: usize| format!(" {}", significant(levels.band(band).0, 3));
+    let room = usize::from(area.width.saturating_sub(column));
+    // Where all have no room, every second one, every third one, ..., the last one always.
+    let every = |each: usize| (0..levels.bands()).rev().step_by(each);
+    let width = |each: usize| every(each).map(|band| from(band).len() + 2).sum::<usize>();
+    let each = (1..levels.bands()).find(|each| width(*each) <= room).unwrap_or(levels.bands());
+    let mut bands: Vec<usize> = every(each).collect();
+    bands.reverse();
+    for band in bands {
         let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
-        let from = format!(" {}", significant(levels.band(band).0, 3));
-        // Half a number would be another one.
-        if column + 2 + columns(&from) > area.width {
-            break;
-        }
+        let from = from(band);
         column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         column = canvas.put(area, (column, above.height), &from, Role::Text);
     }

@@ -214,7 +214,7 @@ impl App {
             let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
             if let Some(found) = &report.sampled {
                 let (v50, spread) = (velocity(found.v50_m_s), velocity(found.deviation_m_s));
-                parts.push(format!("V50 {v50}, spread {spread}"));
+                parts.push(format!("V50 {v50}, spread {spread} (inputs alone)"));
             }
             let crowded = self.limit_pages().is_some();
             parts.extend(crowded.then(|| hint.to_owned()));

@@ -408,6 +408,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Text
     let again =
         if again > 0 { format!("; {again} impossible samples drawn again") } else { String::new() };
     lines.push(note(format!("{}{again}", report.outcomes)));
+    let mut lines = broken(lines, width);
     let mut table = table("", report);
     table.rows.retain(|summary| summary.deviation.is_some());
     let selected = table.rows.iter().position(|summary| summary.measure.name == output);

@@ -235,14 +235,19 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         Line::from(spans)
     };
     let first = if let Some(t_s) = app.charts.cursor_s {
-        let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
-        line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
+        let mut line = line(format!("t {}", engineering(t_s, "s")), &|view| {
             let second = app.charts.second[app.charts.selected];
             let second = second.filter(|_| view.letter.is_none()).map_or_else(String::new, |one| {
                 format!("  {} {}", one.symbol(), value_at(view.run, one, t_s))
             });
             value_at(view.run, quantity, t_s) + &second
-        })
+        });
+        // The name of the event has what room is left.
+        let name = app.event_at_cursor().map_or_else(String::new, |words| format!("  {words}"));
+        if line.width() + usize::from(columns(&name)) <= usize::from(area.width) {
+            line.push_span(Span::raw(name));
+        }
+        line
     } else {
         let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
         Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
