@@ -371,8 +371,11 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut left = room;
     for (index, (text, severity)) in texts.iter().zip(severities).enumerate() {
         if index > 0 {
-            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
             left = left.saturating_sub(3);
+            if text.chars().count().min(WARNING_LEAST) > left {
+                break;
+            }
+            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
         }
         let text = clip(text, left);
         left = left.saturating_sub(text.chars().count());

@@ -230,7 +230,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     // Where all have no room, every second one, every third one, ..., the last one always.
     let every = |each: usize| (0..levels.bands()).rev().step_by(each);
     let width = |each: usize| every(each).map(|band| from(band).len() + 2).sum::<usize>();
-    let each = (1..levels.bands()).find(|each| width(*each) <= room).unwrap_or(levels.bands());
+    let count = levels.bands();
+    let each = (1..count).find(|each| width(*each) <= room).unwrap_or(count);
     let mut bands: Vec<usize> = every(each).collect();
     bands.reverse();
     for band in bands {
