@@ -3,6 +3,7 @@
 use serde_json::{Map as Object, Value, json};
 
 use crate::model::run::envelope;
+use crate::model::units::fixed_significant;
 use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
@@ -49,6 +50,10 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .shown(|it, _| Some(format!("{}{}", it.outcome.word(), if it.is_held { "" } else { "*" })))
         .with("governed_by", "governed by", "", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
+        .shown(|it, value| {
+            let value = value.as_f64().filter(|_| !it.is_held)?;
+            Some(format!("{}*", fixed_significant(value, 4)))
+        })
         .with("sized_thickness_m", "thickness to just stop", "m", |it| {
             Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
         })
