@@ -204,7 +204,7 @@ impl Page for SearchTab {
             }
             None => app.validity_part(),
         };
-        std::iter::once(first).chain(count).chain(validity).collect()
+        std::iter::once(first).chain(validity).chain(count).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {

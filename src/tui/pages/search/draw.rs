@@ -73,13 +73,18 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
-    let hint = if more && !has_choices { "j/k: more" } else { "" };
+    let is_table = app.pages.search.page == Page::Front && has_choices;
+    let hint = match (is_table, more && !has_choices) {
+        // The letters of the chart above.
+        (true, _) => "S scene, A-E thesis",
+        (false, true) => "j/k: more",
+        (false, false) => "",
+    };
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
-    let is_table = app.pages.search.page == Page::Front && has_choices;
     let (head, lines) =
         if is_table { lines.split_at(1.min(lines.len())) } else { (&[][..], lines) };
     let height = height.saturating_sub(head.len());

@@ -102,7 +102,7 @@ pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount forc
 /// A measure in a word or two.
 pub fn brief(column: &Quantity) -> String {
     let at = USUAL.iter().position(|name| *name == column.name);
-    at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
+    at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
