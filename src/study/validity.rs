@@ -110,11 +110,14 @@ pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> 
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
 
-/// How many designs of a search breach each check, by their runs; by the scenes alone where there is no time to run them.
-pub fn breached(designs: impl Iterator<Item = Scene>, is_run: bool) -> Vec<(Check, usize)> {
+/// How many designs of a search breach each check: by their runs, and by the scenes alone of those for which `goes_on` is false.
+pub fn breached(
+    designs: impl Iterator<Item = Scene>,
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Vec<(Check, usize)> {
     let mut counts = [0_usize; Check::ALL.len()];
     for scene in designs {
-        let run = is_run.then(|| run(&scene, STEPS_MAX)).flatten();
+        let run = goes_on().then(|| run(&scene, STEPS_MAX)).flatten();
         let found = breaches(&scene, run.as_ref());
         for (count, check) in counts.iter_mut().zip(Check::ALL) {
             *count += usize::from(found.iter().any(|breach| breach.check == check));
@@ -169,5 +172,30 @@ mod tests {
         let list = of_axes(&scene, &axes);
         assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
         assert_eq!(count(&list, "h/D"), 1, "{list:?}");
+    }
+
+    fn cocked(distance_m: f64) -> Scene {
+        let mut scene = Scene::default();
+        scene.plate.cocking_m = distance_m;
+        scene
+    }
+
+    /// Of the baseline and the baseline cocked by 0.5 m, the second overloads its interface; the scenes alone do not show it.
+    #[test]
+    fn designs_are_counted_by_their_runs_and_after_a_stop_by_their_scenes() {
+        let count = |is_run: bool| {
+            let counts = breached([0.0, 0.5].map(cocked).into_iter(), &mut || is_run);
+            let of = |check| counts.iter().find(|it| it.0 == check).map_or(0, |it| it.1);
+            (of(Check::Thickness), of(Check::Interface))
+        };
+        assert_eq!((count(true), count(false)), ((2, 1), (2, 0)));
+    }
+
+    #[test]
+    fn a_design_has_the_warnings_that_its_scene_has_not() {
+        let list: Vec<Vec<String>> = new_in_each(&cocked(0.0), [0.0, 0.5].map(cocked)).collect();
+        assert!(list[0].is_empty(), "{list:?}");
+        assert!(list[1].iter().any(|text| text.contains("interface must carry 2.875")), "{list:?}");
+        assert!(list[1].iter().all(|text| !text.contains("h/D")), "{list:?}");
     }
 }

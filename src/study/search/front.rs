@@ -248,11 +248,11 @@ impl Search<'_> {
         for candidate in &mut candidates {
             self.challenge(candidate, &state);
         }
-        let mut front = state.into_inner().front;
+        let State { mut front, context } = state.into_inner();
         front.designs = sorted_by(front.designs, first);
         front.candidates = candidates;
         let scenes = front.designs.iter().map(|design| front.scene(self.task, design));
-        front.outside = validity::breached(scenes, whole);
+        front.outside = validity::breached(scenes, &mut || context.goes_on());
         for candidate in &mut front.candidates {
             candidate.standing = self.standing(&front.designs, candidate);
         }
