@@ -20,7 +20,7 @@ pub mod stability;
 pub mod stack;
 pub mod sweep;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 pub mod thesis;
 pub mod validation;
 pub mod validity;
@@ -62,7 +62,7 @@ fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
 }
 
 /// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
-fn plain_run(scene: &Scene) -> Option<Run> {
+pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
     let settings = Settings { series: false, estimate: false };
     simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
 }

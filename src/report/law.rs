@@ -84,3 +84,29 @@ impl Law {
         marks
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::plain_run;
+    use crate::study::testing::scene;
+
+    /// A spring of 1e5 N/m: 1 kN at 10 mm. An elastic stop of 1e6 N/m from 20 mm on adds 5 kN at 25 mm.
+    #[test]
+    fn the_law_is_that_of_spring_and_elastic_stop() {
+        let run = plain_run(&scene("k=1e5 x_stop=0.02 stop_kind=elastic k_stop=1e6")).unwrap();
+        let law = Law::of(&run).unwrap();
+        for (x_m, force_n, stiffness_n_m) in [(0.01, 1e3, 1e5), (0.025, 2.5e3 + 5e3, 1.1e6)] {
+            assert!((law.force(x_m) - force_n).abs() < 1e-9 * force_n, "{}", law.force(x_m));
+            assert!((law.stiffness(x_m) - stiffness_n_m).abs() < 1e-9 * stiffness_n_m);
+        }
+        assert!(law.stress(0.01).is_nan(), "a power law has no strength");
+        let names: Vec<String> = law.marks().iter().map(|mark| mark.name.to_string()).collect();
+        assert_eq!(names, ["greatest displacement", "stop"]);
+    }
+
+    #[test]
+    fn a_plate_without_a_spring_has_no_law() {
+        assert!(Law::of(&plain_run(&scene("k=0")).unwrap()).is_none());
+    }
+}

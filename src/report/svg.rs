@@ -418,4 +418,24 @@ mod tests {
         assert_eq!((count("circle"), count("polyline")), (1, 1));
         assert!(!text.contains("NaN") && !text.contains("inf"));
     }
+
+    /// The same shape on either axis is the same line, whatever the units of the axes are.
+    #[test]
+    fn a_curve_of_the_second_axis_is_drawn_by_that_axis() {
+        let curve = |scale: f64| Curve::new('*', "", vec![(0.0, 0.0), (1.0, scale)]);
+        let chart = Chart {
+            right: Some(axis(0.0, 1000.0, Scale::Linear)),
+            ..Chart::new(
+                "two",
+                axis(0.0, 1.0, Scale::Linear),
+                axis(0.0, 1.0, Scale::Linear),
+                vec![curve(1.0), curve(1000.0).side(Side::Right)],
+            )
+        };
+        let text = file(&[chart_drawn(&chart)]);
+        let read = roxmltree::Document::parse(&text).unwrap();
+        let lines = read.descendants().filter(|node| node.has_tag_name("polyline"));
+        let points: Vec<&str> = lines.filter_map(|node| node.attribute("points")).collect();
+        assert!(points.len() == 2 && points[0] == points[1], "{points:?}");
+    }
 }

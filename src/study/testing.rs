@@ -5,7 +5,7 @@ use crate::study::changed;
 use crate::study::sweep::{Axis, Spacing};
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
-pub(super) fn scene(pairs: &str) -> Scene {
+pub(crate) fn scene(pairs: &str) -> Scene {
     changed(Scene::default(), pairs).unwrap()
 }
 

@@ -414,4 +414,20 @@ mod tests {
         let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
         assert!(breach.to_string().contains("must carry 2.8"), "{breach}");
     }
+
+    /// Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.
+    #[test]
+    fn a_thin_hard_plate_is_unconservative() {
+        let mut scene = inside();
+        scene.projectile.tip_radius_m = 0.003_124_2;
+        (scene.target.closure, scene.target.dishing) = (Closure::Cavity, false);
+        for (yield_pa, thickness_m, is_breached) in
+            [(9e8, 0.006, true), (9e8, 0.014, true), (9e8, 0.016, false), (2.5e8, 0.014, false)]
+        {
+            (scene.target.yield_pa, scene.target.thickness_m) = (yield_pa, thickness_m);
+            let found = thickness(&scene);
+            assert_eq!(found.is_some(), is_breached, "{yield_pa} {thickness_m}");
+            assert!(found.is_none_or(|it| it.direction == Direction::Unconservative));
+        }
+    }
 }
