@@ -103,11 +103,12 @@ impl Changes {
         Ok(())
     }
 
-    /// Names every `--set` that the scene does not use.
+    /// Names every `--set` of the target that the scene does not use. What a search or an axis changes may use other variables.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
             let name = argument.split('=').next().unwrap_or_default().trim();
-            let unused = variables::find(name).ok().filter(|one| !variables::is_used(one, scene));
+            let of_target = variables::find(name).ok().filter(|it| it.key.starts_with("target."));
+            let unused = of_target.filter(|it| !variables::is_used(it, scene));
             if let Some(variable) = unused {
                 let symbol = variable.symbol;
                 output::note(&format!(

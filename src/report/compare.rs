@@ -139,7 +139,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
         "verdict": report.verdict().words(),
         "pays": report.verdict().pays(),
-        "mass_efficiency": own.and_then(Entry::mass_efficiency),
+        "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
         "spare_mass_kg": report.spare_mass_kg(),
         "closed_form": closed,

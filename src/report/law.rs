@@ -8,7 +8,7 @@ use crate::model::scene::{Scene, Spring};
 use crate::numerics::{larger, smaller};
 use crate::report::chart::Mark;
 
-/// How far beyond the greatest displacement the law is drawn, and up to which multiple of it the yield point is still shown.
+/// How far the law is drawn, over how far the plate came, and up to which multiple of it the yield point is still shown.
 const BEYOND: f64 = 1.15;
 const YIELD_SHOWN: f64 = 2.5;
 /// Points of a drawn law.
@@ -65,7 +65,8 @@ impl Law {
     /// The displacements over which it is drawn, m: from the cocked or neutral position to beyond what the run reached.
     pub fn range_m(&self) -> (f64, f64) {
         let end_m = self.yield_m.map_or(self.reached_m, |at| larger(at, self.reached_m));
-        (smaller(self.start_m, 0.0), BEYOND * end_m)
+        let low_m = smaller(self.start_m, 0.0);
+        (low_m, low_m + BEYOND * (end_m - low_m))
     }
 
     /// One of its values over that range.

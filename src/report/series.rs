@@ -112,20 +112,22 @@ impl Quantity {
         Some(low + share * (high - low))
     }
 
-    /// Why a run of a scene has nothing of it to draw; `None` where it has.
+    /// Why there is nothing of it to draw in a run of a scene; `None` where there is.
     #[must_use]
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
         let mechanism = &scene.mechanism;
         let held = scene.plate.mount == Mount::Sprung;
-        let is_sprung = held && !Mechanism::of(scene).spring.is_absent();
+        let law = Mechanism::of(scene);
+        let is_sprung = held && !law.spring.is_absent();
         let is_damped = held && !mechanism.damper.is_absent();
         let is_stopped = held && mechanism.stop.position_m.is_some();
+        let has_law = is_sprung || held && law.elastic_stop().is_some();
         let has_strength = mechanism.acting().any(|spring| spring.yields_at_m().is_some());
         match self {
             Self::SpringForce if !is_sprung => Some("no spring"),
             Self::DamperForce if !is_damped => Some("no damper"),
             Self::MountForce if !(is_sprung || is_damped || is_stopped) => Some("no mechanism"),
-            Self::Stiffness if !(is_sprung || is_stopped) => Some("no spring"),
+            Self::Stiffness if !has_law => Some("no spring"),
             Self::Stress if !(is_sprung && has_strength) => Some("no spring with a yield strength"),
             _ => None,
         }

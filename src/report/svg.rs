@@ -306,14 +306,9 @@ fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
 
 fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
     let (x, y) = (plot.x, plot.y);
-    let in_view = |value: f64| {
-        let slack = 1e-9 * x.view.span();
-        value >= x.view.lo() - slack && value <= x.view.hi() + slack
-    };
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
     for (at_x, at_y) in curve.points.iter() {
-        let is_shown = x.scale.shows(*at_x) && y.scale.shows(*at_y) && in_view(*at_x);
-        if is_shown {
+        if x.scale.shows(*at_x) && y.scale.shows(*at_y) {
             if let Some(piece) = pieces.last_mut() {
                 piece.push(Point { x: plot.across(*at_x), y: plot.up(*at_y) });
             }

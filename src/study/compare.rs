@@ -45,9 +45,7 @@ pub mod summary;
 pub use closed_form::ClosedForm;
 pub use hardware::{Failure, Hardware};
 pub use load::Load;
-pub use sized::{
-    Absence, Sized, areal_mass_kg_m2, areal_mass_of_run, mass_efficiency, thickness_m,
-};
+pub use sized::{Absence, Sized, WIDTH, areal_mass_of_run, mass_efficiency};
 pub use solid::thickness_of_limit_m;
 
 pub(in crate::study) use hardware::spring_energy_j;

@@ -10,7 +10,7 @@ use crate::model::run::{EventKind, Run, envelope};
 use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units::{self, Bare, Engineering};
 use crate::study::compare::load::impulse_n_s;
-use crate::study::compare::{Hardware, areal_mass_of_run, mass_efficiency};
+use crate::study::compare::{Hardware, WIDTH, areal_mass_of_run, mass_efficiency};
 use crate::study::limit;
 use crate::study::sweep::kernel::Answer;
 
@@ -207,7 +207,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
     quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Source::Shots(limit::velocity_m_s)).short("limit"),
-    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default()))).short("efficiency"),
+    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).ok())).short("efficiency"),
     quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
     quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
     quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),

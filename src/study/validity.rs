@@ -30,13 +30,25 @@ fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<String> {
 
 /// The run of a check; `None` where it takes too long or makes no sense.
 fn run(scene: &Scene, steps_max: usize) -> Option<Run> {
+    run_while(scene, steps_max, &mut || true)
+}
+
+/// Steps between two looks at whether a check goes on.
+const LOOK: usize = 256;
+
+/// The same while `goes_on`.
+fn run_while(scene: &Scene, steps_max: usize, goes_on: &mut dyn FnMut() -> bool) -> Option<Run> {
+    if !goes_on() {
+        return None;
+    }
     let mut own = scene.clone();
     own.sweep = None;
     let settings = Settings { series: false, estimate: false };
     let mut steps = 0;
     let run = simulate(&Arc::new(own), &settings, &mut |_| {
         steps += 1;
-        if steps > steps_max { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let is_cut = steps > steps_max || steps.is_multiple_of(LOOK) && !goes_on();
+        if is_cut { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     run.ok().filter(|run| run.end != EndReason::Cancelled)
 }
@@ -46,8 +58,8 @@ fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
     run.map_or_else(|| envelope::of_scene(scene), envelope::of_run)
 }
 
-/// What a careful reader of results over these axes should know: of the scene, and what comes up at the ends of each axis that the
-/// scene itself does not have, the loads of spring, stop and interface among it.
+/// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
+/// not have, the loads of spring, stop and interface among them.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
@@ -84,40 +96,42 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
     list
 }
 
-/// What a careful reader of each of some designs should know that does not hold of the scene itself.
-pub fn new_in_each<'a>(
+/// The warnings of each design that the scene itself does not have: by their runs, and by the scenes alone once `goes_on` is false.
+pub fn new_in_each(
     own: &Scene,
-    designs: impl IntoIterator<Item = Scene> + 'a,
-) -> impl Iterator<Item = Vec<String>> + 'a {
-    let run_of_own = run(own, STEPS_MAX);
+    designs: &[Scene],
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Vec<Vec<String>> {
+    let run_of_own = run_while(own, STEPS_MAX, goes_on);
     let known: Vec<Check> =
         breaches(own, run_of_own.as_ref()).iter().map(|breach| breach.check).collect();
     let remarked: Vec<String> = run_of_own.iter().flat_map(envelope::remarks).collect();
-    designs.into_iter().map(move |design| {
-        let run = run(&design, STEPS_MAX);
-        let found = breaches(&design, run.as_ref()).into_iter();
+    let of_design = |design: &Scene| {
+        let run = run_while(design, STEPS_MAX, goes_on);
+        let found = breaches(design, run.as_ref()).into_iter();
         let new = found.filter(|breach| !known.contains(&breach.check));
         let remarks = run.iter().flat_map(envelope::remarks);
         let remarks = remarks.filter(|text| !remarked.contains(text));
         new.map(|breach| breach.to_string()).chain(remarks).collect()
-    })
+    };
+    designs.iter().map(of_design).collect()
 }
 
-/// What a careful reader of a design should know beyond what is known already, with the values that make it.
+/// The warnings of a design beyond those that are known already, with the values that make it.
 pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> Vec<String> {
     let lead = lead(name, scene, axes);
     let found = of_scene(scene).into_iter().filter(|warning| !known.contains(warning));
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
 
-/// How many designs of a search breach each check: by their runs, and by the scenes alone of those for which `goes_on` is false.
+/// How many designs of a search breach each check: by their runs, and by the scenes alone once `goes_on` is false.
 pub fn breached(
     designs: impl Iterator<Item = Scene>,
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Vec<(Check, usize)> {
     let mut counts = [0_usize; Check::ALL.len()];
     for scene in designs {
-        let run = goes_on().then(|| run(&scene, STEPS_MAX)).flatten();
+        let run = run_while(&scene, STEPS_MAX, goes_on);
         let found = breaches(&scene, run.as_ref());
         for (count, check) in counts.iter_mut().zip(Check::ALL) {
             *count += usize::from(found.iter().any(|breach| breach.check == check));
@@ -193,7 +207,7 @@ mod tests {
 
     #[test]
     fn a_design_has_the_warnings_that_its_scene_has_not() {
-        let list: Vec<Vec<String>> = new_in_each(&cocked(0.0), [0.0, 0.5].map(cocked)).collect();
+        let list = new_in_each(&cocked(0.0), &[0.0, 0.5].map(cocked), &mut || true);
         assert!(list[0].is_empty(), "{list:?}");
         assert!(list[1].iter().any(|text| text.contains("interface must carry 2.875")), "{list:?}");
         assert!(list[1].iter().all(|text| !text.contains("h/D")), "{list:?}");

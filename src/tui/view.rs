@@ -7,7 +7,7 @@ use ratatui::widgets::{Clear, Widget};
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::{self, Dialog, List, Purpose};
-use crate::tui::pages::{self, PageSpec};
+use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
@@ -342,44 +342,87 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Columns that are left of the last warning of the status row where it is cut.
+/// Columns that are left of a warning of the status row where it is cut.
 const WARNING_LEAST: usize = 14;
+/// Columns between two parts of it.
+const BETWEEN: usize = 3;
 
-/// The state of the run and its cost. Where there is no room the notes after the last warning are dropped, then that warning is cut,
-/// then further notes are dropped: a warning never vanishes.
+/// The state of the run and its cost.
 pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let parts = app.status();
-    let room = usize::from(area.width.saturating_sub(2));
-    let total = |texts: &[&str]| texts.iter().map(|text| text.chars().count() + 3).sum::<usize>();
-    let long: Vec<&str> = parts.iter().map(|part| part.1.as_str()).collect();
-    let short: Vec<&str> = parts.iter().map(|part| part.2.as_str()).collect();
-    let mut texts = if total(&long) <= room + 3 { long } else { short };
-    let mut severities: Vec<Severity> = parts.iter().map(|part| part.0).collect();
-    let needed = |texts: &[&str]| {
-        let cut = texts.last().map_or(0, |text| text.chars().count().saturating_sub(WARNING_LEAST));
-        total(texts) - 3 - cut
-    };
-    loop {
-        let last = severities.iter().rposition(|severity| *severity == Severity::Note);
-        let is_at_end = last.is_some_and(|last| last + 1 == texts.len());
-        let fits = if is_at_end { total(&texts) - 3 <= room } else { needed(&texts) <= room };
-        let Some(last) = last.filter(|last| *last > 0 && !fits) else { break };
-        texts.remove(last);
-        severities.remove(last);
-    }
     let mut spans = vec![Span::raw(" ")];
-    let mut left = room;
-    for (index, (text, severity)) in texts.iter().zip(severities).enumerate() {
+    let parts = fitted(app.status(), usize::from(area.width.saturating_sub(2)));
+    for (index, (severity, text)) in parts.into_iter().enumerate() {
         if index > 0 {
-            left = left.saturating_sub(3);
-            if text.chars().count().min(WARNING_LEAST) > left {
-                break;
-            }
             spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
         }
-        let text = clip(text, left);
-        left = left.saturating_sub(text.chars().count());
         spans.push(Span::styled(text, app.theme.style(text_role(severity))));
     }
     canvas.put_line(area, 0, &Line::from(spans));
+}
+
+/// The parts of a status row in so many columns. Where there is no room for all, the short forms are taken; then the notes after the
+/// last warning are dropped, then warnings are cut, then further notes are dropped: a warning never vanishes.
+fn fitted(parts: Vec<StatusPart>, room: usize) -> Vec<(Severity, String)> {
+    let width = |text: &str| usize::from(columns(text));
+    let least = |(severity, text): &(Severity, String)| match severity {
+        Severity::Note => width(text),
+        _ => width(text).min(WARNING_LEAST),
+    };
+    let with_gaps = |widths: &mut dyn Iterator<Item = usize>| {
+        widths.map(|width| width + BETWEEN).sum::<usize>().saturating_sub(BETWEEN)
+    };
+    let is_wide = with_gaps(&mut parts.iter().map(|part| width(&part.1))) > room;
+    let text = |(severity, long, short)| (severity, if is_wide { short } else { long });
+    let mut parts: Vec<(Severity, String)> = parts.into_iter().map(text).collect();
+    loop {
+        let ends_in_note = parts.last().is_some_and(|part| part.0 == Severity::Note);
+        let needed = if ends_in_note {
+            with_gaps(&mut parts.iter().map(|part| width(&part.1)))
+        } else {
+            with_gaps(&mut parts.iter().map(least))
+        };
+        let note = parts.iter().rposition(|part| part.0 == Severity::Note);
+        let Some(note) = note.filter(|note| *note > 0 && needed > room) else { break };
+        parts.remove(note);
+    }
+    let mut left = room;
+    for at in 0..parts.len() {
+        let later: usize = parts[at + 1..].iter().map(|part| least(part) + BETWEEN).sum();
+        let (_, text) = &mut parts[at];
+        *text = clip(text, left.saturating_sub(later));
+        left = left.saturating_sub(width(text) + BETWEEN);
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_stay_in_the_status_row_and_notes_give_way() {
+        let part = |severity, text: &str| (severity, text.to_owned(), text.to_owned());
+        let warning = |letter: &str| part(Severity::Warning, &letter.repeat(30));
+        let note = |text| part(Severity::Note, text);
+        let row = |room| {
+            let parts = vec![
+                note("arrested"),
+                warning("a"),
+                note("between"),
+                warning("b"),
+                note("at the end"),
+                warning("c"),
+                note("10 steps"),
+            ];
+            fitted(parts, room).into_iter().map(|part| part.1).collect::<Vec<_>>().join(" | ")
+        };
+        assert_eq!(row(200).matches(" | ").count(), 6);
+        for room in [60, 80, 100, 120] {
+            let text = row(room);
+            assert!(text.len() <= room, "{room}: {text}");
+            assert!(["aa", "bb", "cc"].iter().all(|word| text.contains(word)), "{room}: {text}");
+            assert!(text.starts_with("arrested"), "{text}");
+        }
+        assert!(row(120).contains("between") && !row(60).contains("between"), "{}", row(120));
+    }
 }

@@ -97,9 +97,9 @@ impl<'a> Canvas<'a> {
         picture.render(area, self.buffer, self.theme)
     }
 
-    /// Draw a chart on which the caller puts letters of its own; as a picture it has these curves in their place, and is none where
-    /// there are none.
-    pub(crate) fn draw_below_letters(
+    /// Draw a chart whose points the caller writes as letters. The picture of it has these curves instead; without curves there is no
+    /// picture.
+    pub(crate) fn draw_with_picture(
         &mut self,
         chart: &Chart<'_>,
         area: Rect,

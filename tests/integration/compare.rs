@@ -190,7 +190,7 @@ fn a_map_has_the_warnings_of_each_point() {
 fn a_comparison_without_a_least_thickness_gives_the_reason() {
     let page = output(&["--set", "d=0.1"]);
     assert!(
-        page.contains("undecided (100.0 m/s): the thinnest plate that the model answers for stops"),
+        page.contains("undecided (100.0 m/s): a plate as thin as the model answers for still"),
         "{page}"
     );
 }
@@ -211,6 +211,24 @@ fn an_armour_thinner_than_the_model_answers_for_has_no_mass_efficiency() {
         "n=1.065450852088438",
     ]);
     assert!(found["candidates"]["scene"]["mass_efficiency"].is_null(), "{found}");
+}
+
+/// A plate that nothing stops has no mass efficiency: neither in a map nor in the object.
+#[test]
+fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
+    let csv = output(&["--map", "k=0..1e5:2,v_i=100..150:2", "--csv", "-"]);
+    let lines: Vec<&str> = csv.lines().skip(1).collect();
+    let empty = |line: &&&str| line.contains(",,nothing stops plate and projectile,");
+    assert_eq!((lines.len(), lines.iter().filter(empty).count()), (4, 2), "{csv}");
+    let found = json(&["--set", "k=0"]);
+    assert!(found["mass_efficiency"].is_null(), "{found}");
+}
+
+/// Slow shots are stopped by less than the model answers for: the page says so.
+#[test]
+fn a_sized_armour_thinner_than_the_model_answers_for_is_named() {
+    let page = output(&["--set", "v_i=10"]);
+    assert!(page.contains("thinner than the 0.5 mm that the model answers for"), "{page}");
 }
 
 /// Where the face of the tile is given it is kept: sized plates get lighter with their thickness.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::model::scene::Scene;
 use crate::study::compare::is_equal;
-use crate::study::compare::sized::{Absence, sized};
+use crate::study::compare::sized::{Absence, mass_efficiency};
 use crate::study::compare::{Hardware, hold_spring_mass};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
@@ -54,7 +54,7 @@ impl Map {
                     plan.place(&mut placed, index);
                     let mut own = placed.clone();
                     hold_spring_mass(&mut own);
-                    sized(&own, &hardware, WIDTH).map(|sized| sized.mass_efficiency())
+                    mass_efficiency(&own, &hardware, WIDTH)
                 };
                 piece.map(cell).collect()
             }

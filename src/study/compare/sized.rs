@@ -13,11 +13,11 @@ use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
-pub(super) const WIDTH: f64 = 1e-9;
+pub const WIDTH: f64 = 1e-9;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
 /// The thinnest plate that the model answers for, m (model page, section 8).
-const THINNEST_M: f64 = 5e-4;
+pub(super) const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,8 +26,11 @@ pub enum Absence {
     NoSolid,
     /// No thickness within a factor of a million of the solid plate's is enough.
     NoThickness,
-    /// Every thickness is enough that the model answers for: a preloaded mechanism does it.
+    /// Every thickness is enough that the model answers for: a preloaded mechanism does it, or a plate of given face that is carried
+    /// along.
     EveryThickness,
+    /// Nothing stops plate and projectile.
+    NothingStops,
     /// The spring's mass is not known.
     NoSpringMass,
     /// The mechanism fails under the shot.
@@ -40,6 +43,7 @@ impl Absence {
         match self {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
+            Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
         }
@@ -51,9 +55,10 @@ impl Absence {
             Self::NoSolid => "no solid plate to compare with".to_owned(),
             Self::NoThickness => "no thickness stops the shot".to_owned(),
             Self::EveryThickness => {
-                "the thinnest plate that the model answers for stops the shot: there is no least thickness"
+                "a plate as thin as the model answers for still stops the shot: there is no least thickness"
                     .to_owned()
             }
+            Self::NothingStops => "nothing stops plate and projectile".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
         }
@@ -82,18 +87,16 @@ impl Sized {
     }
 }
 
-/// Mass efficiency of a valid scene at its own impact velocity; `None` where there is none, as of a plate that nothing stops. Opens
-/// no file and keeps nothing: scene in, number out.
-pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
+/// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
+/// nothing: scene in, number out.
+///
+/// # Errors
+/// Why there is none.
+pub fn mass_efficiency(scene: &Scene, hardware: &Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
-        return None;
+        return Err(Absence::NothingStops);
     }
-    sized(scene, hardware, WIDTH).ok().map(|sized| sized.mass_efficiency())
-}
-
-/// The thickness at which a valid scene just stops its own shot, m; `None` where there is none.
-pub fn thickness_m(scene: &Scene, hardware: &Hardware) -> Option<f64> {
-    sized(scene, hardware, WIDTH).ok().map(|sized| sized.scene.target.thickness_m)
+    sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
 }
 
 /// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known, as for springs
@@ -105,11 +108,6 @@ pub fn areal_mass_of_run(run: &Run) -> Option<f64> {
         return None;
     }
     Built::of(&run.scene, &Hardware::default(), run).areal_kg_m2(&run.scene)
-}
-
-/// Areal mass of a valid scene as built, its springs sized for its own shot, kg/m²; `None` where it is not known.
-pub fn areal_mass_kg_m2(scene: &Scene, hardware: &Hardware) -> Option<f64> {
-    Built::of(scene, hardware, &plain_run(scene)?).areal_kg_m2(scene)
 }
 
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
@@ -190,7 +188,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     if !stops.stopped {
         return Err(Absence::NoThickness);
     }
-    // Only a mechanism that moves the plate by itself needs less than a free plate.
+    // Slow shots are stopped by less than the model answers for; thinner than a free plate nothing is sized then.
     let thinnest = smaller(thin, THINNEST_M / scene.target.thickness_m);
     loop {
         let shot = try_out(thin)?;

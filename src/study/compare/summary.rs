@@ -3,6 +3,7 @@
 use crate::model::run::envelope;
 use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{fixed_significant, significant};
+use crate::study::compare::sized::THINNEST_M;
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
 /// Whether the mechanism pays, and by how much.
@@ -92,15 +93,20 @@ fn outside_validity(report: &Report) -> Vec<String> {
         }
     };
     for entry in &report.entries {
-        let word = entry.candidate.word();
         if let (Candidate::Scene, Ok(sized)) = (entry.candidate, &entry.sized) {
             note("the sized armour".to_owned(), &sized.scene);
         }
+        let Some(limit_m_s) = entry.limit_m_s.filter(|_| entry.is_held) else { continue };
         let mut at_limit = (*entry.scene).clone();
-        if let Some(limit_m_s) = entry.limit_m_s {
-            at_limit.projectile.velocity_m_s = limit_m_s;
-        }
-        note(format!("{word} at its limit"), &at_limit);
+        at_limit.projectile.velocity_m_s = limit_m_s;
+        note(format!("{} at its limit", entry.candidate.word()), &at_limit);
+    }
+    let own = report.of(Candidate::Scene).and_then(|own| own.sized.as_ref().ok());
+    if own.is_some_and(|sized| sized.scene.target.thickness_m < THINNEST_M) {
+        let least = 1e3 * THINNEST_M;
+        lines.push(format!(
+            "the sized armour: thinner than the {least} mm that the model answers for"
+        ));
     }
     lines
 }

@@ -128,7 +128,7 @@ impl Range<'_, '_, '_> {
         let settings = Settings { series: true, estimate: false };
         let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
         let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
-        // Nobody compares the depth of this shot with that on a rigid mount.
+        // The page of a limit has no depth to compare.
         run.warnings.retain(|warning| *warning != Warning::NoBaseline);
         (run.end != EndReason::Cancelled).then(|| AtLimit {
             load: Load::of(&run),

@@ -172,11 +172,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     }
     let solutions = lines.iter().filter(|line| line.kind.is_solution());
     let designs: Vec<Scene> = solutions.map(|line| space.scene_of(&[line.place.at])).collect();
-    let count = designs.len();
-    let designs = designs.into_iter().take_while(|_| context.goes_on());
-    let mut warnings: Vec<Vec<String>> = validity::new_in_each(scene, designs).collect();
-    // A cancelled search runs nothing more.
-    warnings.resize(count, Vec::new());
+    let warnings = validity::new_in_each(scene, &designs, &mut || context.goes_on());
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),

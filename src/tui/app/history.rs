@@ -35,8 +35,8 @@ const ROWS_MAX: usize = 100_000;
 pub enum Change {
     /// From one state to another.
     State(Box<(Snapshot, Snapshot)>),
-    Pinned(Pin),
-    Unpinned(Pin),
+    Pinned(Vec<Pin>),
+    Unpinned(Vec<Pin>),
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -49,10 +49,10 @@ pub struct Edit {
 }
 
 impl Edit {
-    fn pin(&mut self) -> Option<&mut Pin> {
+    fn pins(&mut self) -> &mut [Pin] {
         match &mut self.change {
-            Change::Pinned(pin) | Change::Unpinned(pin) => Some(pin),
-            Change::State(_) => None,
+            Change::Pinned(pins) | Change::Unpinned(pins) => pins,
+            Change::State(_) => &mut [],
         }
     }
 }
@@ -68,7 +68,7 @@ pub struct History {
 impl History {
     /// Add an edit; what had been undone is forgotten. A further step of the same variable extends the last edit.
     pub fn push(&mut self, mut edit: Edit) {
-        if let Some(pin) = edit.pin() {
+        for pin in edit.pins() {
             pin.run.take_if(|run| run.series.len() > ROWS_MAX);
         }
         self.edits.truncate(self.done);
@@ -86,8 +86,8 @@ impl History {
         self.edits.push(edit);
         self.edits.drain(..self.edits.len().saturating_sub(EDITS_MAX));
         self.done = self.edits.len();
-        let taken = self.edits.iter_mut().rev().filter_map(Edit::pin);
-        if let Some(pin) = taken.skip(RESULTS_KEPT).find(|pin| pin.run.is_some()) {
+        let pins = self.edits.iter_mut().rev().flat_map(Edit::pins);
+        for pin in pins.skip(RESULTS_KEPT).take_while(|pin| pin.run.is_some()) {
             pin.run = None;
         }
     }
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn results_of_taken_pins_are_kept_for_the_last_few_only() {
+    fn results_of_pins_are_kept_for_the_last_few_edits_only() {
         let scene = Arc::new(Scene::default());
         let go_on = &mut |_| std::ops::ControlFlow::Continue(());
         let run = Arc::new(simulate(&scene, &Settings::default(), go_on).unwrap());
@@ -145,13 +145,13 @@ mod tests {
             };
             history.push(Edit {
                 label: String::new(),
-                change: Change::Unpinned(pin),
+                change: Change::Unpinned(vec![pin]),
                 stepping: None,
             });
         }
         // The hundred edits are all there, and the pins; of the results the newest.
-        assert_eq!(history.edits.iter_mut().filter_map(Edit::pin).count(), 100);
+        assert_eq!(history.edits.iter_mut().flat_map(Edit::pins).count(), 100);
         assert_eq!(Arc::strong_count(&run), 1 + RESULTS_KEPT);
-        assert!(history.edits.last_mut().unwrap().pin().unwrap().run.is_some());
+        assert!(history.edits.last_mut().unwrap().pins()[0].run.is_some());
     }
 }

@@ -163,7 +163,10 @@ fn export(
     let content = if is_svg(&path) {
         let drawn = view::pictures(app);
         if drawn.is_empty() {
-            return Err("this page shows no chart: write its table to a .csv file".to_owned());
+            return Err(
+                "no chart on the screen can be drawn as SVG: write the table to a .csv file"
+                    .to_owned(),
+            );
         }
         Content::Pictures(svg::file(&drawn))
     } else {

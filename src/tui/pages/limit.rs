@@ -254,7 +254,16 @@ fn in_comparison(app: &mut App, action: Action) -> bool {
 
 fn in_map(app: &mut App, action: Action) -> bool {
     match (action, cursor_moved(action, FAR_CELLS)) {
-        (Action::Enter, _) => edit::load_design(app, app.efficiency_design()),
+        (Action::Enter, _) => {
+            let before = Arc::clone(&app.scene);
+            edit::load_design(app, app.efficiency_design());
+            if app.scene != before {
+                let own = significant(1e3 * app.scene.target.thickness_m, 4);
+                app.tell(format!(
+                    "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (u undoes)"
+                ));
+            }
+        }
         (Action::Mark, _) => runs::pin_design(app, app.efficiency_design()),
         (_, Some(by)) => move_on_map(app, by),
         (_, None) => return false,

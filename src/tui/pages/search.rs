@@ -12,6 +12,7 @@ use crate::study::sweep::Axis;
 use crate::study::validity::counted;
 use crate::tui::app::history::Snapshot;
 use crate::tui::app::layout::{NARROW, setup_width};
+use crate::tui::app::status::outside as validity;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
@@ -194,6 +195,9 @@ impl Page for SearchTab {
         let front = tab.front().filter(|_| running.is_none() && tab.page == state::Page::Front);
         let validity = match front.map(|(front, _)| front) {
             Some(front) if front.outside.is_empty() => None,
+            Some(Front { designs, outside, .. }) if designs.len() == 1 => {
+                validity(outside.iter().map(|(check, _)| *check), " of the design", "")
+            }
             Some(Front { designs, outside, .. }) => {
                 let list = format!("of {} designs: {}", designs.len(), counted(outside));
                 Some((
@@ -220,7 +224,7 @@ impl Page for SearchTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
-        let (scene, is_complete) = (Arc::clone(&found.scene), found.is_complete());
+        let (scene, is_complete) = (found.searched(), found.is_complete());
         let csv = move |name: &str| found.csv(name);
         Some(PageTable::new("Export the results to CSV", file, is_complete, csv).of(app, &scene))
     }

@@ -112,16 +112,22 @@ fn follow(app: &mut App) {
     app.request(Effect::SaveSession);
 }
 
-/// Note that a run was pinned, as one edit.
-pub(crate) fn note_pinned(app: &mut App, pin: Pin) {
-    let label = format!("pin {}: {}", pin.letter, pin.name);
-    app.history.push(Edit { label, change: Change::Pinned(pin), stepping: None });
+/// Note that runs were pinned, as one edit.
+pub(crate) fn note_pinned(app: &mut App, pins: Vec<Pin>) {
+    let label = format!("pin {}", named(&pins));
+    app.history.push(Edit { label, change: Change::Pinned(pins), stepping: None });
 }
 
-/// Note that a pin was taken away, as one edit.
-pub(crate) fn note_unpinned(app: &mut App, pin: Pin) {
-    let label = format!("unpin {}: {}", pin.letter, pin.name);
-    app.history.push(Edit { label, change: Change::Unpinned(pin), stepping: None });
+/// Note that pins were taken away, as one edit.
+pub(crate) fn note_unpinned(app: &mut App, pins: Vec<Pin>) {
+    let label = format!("unpin {}", named(&pins));
+    app.history.push(Edit { label, change: Change::Unpinned(pins), stepping: None });
+}
+
+/// Letters and names of pins: `A: thesis-baseline`.
+pub(crate) fn named(pins: &[Pin]) -> String {
+    let names = pins.iter().map(|pin| format!("{}: {}", pin.letter, pin.name));
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
@@ -186,9 +192,13 @@ fn go_to(app: &mut App, done: usize) {
         match app.history.edits[at].change.clone() {
             Change::State(states) if forward => make(app, &states.0, states.1),
             Change::State(states) => make(app, &states.1, states.0),
-            Change::Pinned(pin) if forward => runs::put_back(app, pin),
-            Change::Unpinned(pin) if !forward => runs::put_back(app, pin),
-            Change::Pinned(pin) | Change::Unpinned(pin) => runs::take_away(app, &pin.scene),
+            Change::Pinned(pins) if forward => runs::put_back(app, pins),
+            Change::Unpinned(pins) if !forward => runs::put_back(app, pins),
+            Change::Pinned(pins) | Change::Unpinned(pins) => {
+                for pin in &pins {
+                    runs::take_away(app, &pin.scene);
+                }
+            }
         }
     }
     if (&app.scene, &app.base) != (&before.0, &before.1) {

@@ -10,10 +10,11 @@ use cmra::files::atomic::Existing;
 use cmra::files::export::Meta;
 use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
-use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
+use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::run::Rows;
 use cmra::report::series::Quantity;
 use cmra::tui::app::notice::Severity;
+use cmra::tui::chart::{Scale, ViewRange};
 use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::LINES;
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
@@ -775,8 +776,44 @@ fn view_reaches_stiffness_and_stress_with_the_yield_line_over_the_whole_way() {
     for words in ["Stress over yield strength", "cocked", "yield", "max", "x [mm]"] {
         assert!(screen.contains(words), "{words}: {screen}");
     }
-    bench.keys("X");
-    assert!(bench.message().contains("no time axis"), "{}", bench.message());
+    for key in ["X", "w"] {
+        bench.keys(key);
+        assert!(bench.message().contains("no time axis"), "{key}: {}", bench.message());
+    }
+    // Differences are taken over time.
+    bench.keys(" D");
+    assert!(!bench.screen().contains("yield minus"), "{}", bench.screen());
+}
+
+/// A rigid stop has no stiffness to draw: it says why, and draws no empty frame.
+#[test]
+fn a_rigid_stop_has_no_stiffness() {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    scene.mechanism.stop.position_m = Some(1e-3);
+    assert_eq!(Quantity::Stiffness.absence(&scene), Some("no spring"));
+    scene.mechanism.stop.kind = StopKind::Elastic;
+    assert_eq!(Quantity::Stiffness.absence(&scene), None);
+}
+
+/// Zoomed in between two points of a series, a chart and its picture show the part of the curve there.
+#[test]
+fn a_chart_between_two_points_shows_its_curve() {
+    let mut bench = bench();
+    bench.keys("<Tab>");
+    let series = &bench.app.shown.as_ref().unwrap().run.series;
+    let (before, after) = (series[50].t_s, series[51].t_s);
+    let (from, to) = (0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after);
+    bench.app.charts.zoom_s = Some(ViewRange::new(from, to));
+    let curves = bench.app.curves(Quantity::Penetration);
+    let middle = f64::midpoint(from, to);
+    let value = Quantity::Penetration.at(curves[0].view.run, middle).unwrap();
+    let (low, high) = bench.app.value_range(&curves, Scale::Linear);
+    assert!(low < value && value < high && high - low < 0.1 * value, "{low} {value} {high}");
+    drop(curves);
+    bench.keys("e<C-u>zoom.svg<Enter>");
+    let (_, drawn, _) = bench.exported().expect("a file");
+    assert!(drawn.contains("<polyline"), "{drawn}");
 }
 
 #[test]
@@ -801,6 +838,21 @@ fn a_chart_of_what_the_scene_has_not_says_so() {
         bench.keys("v");
     }
     assert!(bench.screen().contains("no damper"), "{}", bench.screen());
+}
+
+/// Pinning by every model is one edit, and so is unpinning them.
+#[test]
+fn pins_of_one_action_are_undone_together() {
+    let mut bench = bench();
+    bench.keys(":pin this scene by every<Enter>");
+    let count = bench.app.pins.len();
+    assert!(count > 1);
+    bench.keys("u");
+    assert_eq!(bench.app.pins.len(), 0);
+    bench.keys("<C-r>");
+    assert_eq!(bench.app.pins.len(), count);
+    bench.keys(":pin this scene by every<Enter>u");
+    assert_eq!(bench.app.pins.len(), count);
 }
 
 #[test]

@@ -243,11 +243,15 @@ fn a_solution_that_no_interface_holds_together_says_so_and_the_plastic_one_is_a_
     for words in ["interface plastic", "nothing reaches 50 %"] {
         assert!(bench.screen().contains(words), "{words}: {}", bench.screen());
     }
+    // The scene beside an exported table is the one that was searched.
+    let shown = bench.app.pages.search.shown().unwrap();
+    assert_eq!(shown.searched().interface.law, InterfaceLaw::Plastic);
     // A solution that is loaded takes the interface with it.
     bench.keys("k<Enter>60<Enter>");
     answer(&mut bench);
     bench.keys("<Tab><Enter>");
     assert_eq!(bench.app.scene.interface.law, InterfaceLaw::Plastic);
+    assert!(bench.message().contains("interface = plastic"), "{}", bench.message());
     assert!(!bench.app.search_is_old());
 }
 

@@ -119,14 +119,7 @@ impl App {
             return Err("this map belongs to another scene: press r to compute it again".to_owned());
         }
         let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
-        let (scene, words) = placed(self.compared_scene()?, values);
-        let sized = compare::thickness_m(&scene, &Hardware::default());
-        let sized = sized.map_or_else(String::new, |thickness_m| {
-            let (just, own) = (1e3 * thickness_m, 1e3 * scene.target.thickness_m);
-            let (just, own) = (significant(just, 4), significant(own, 4));
-            format!(" (h stays {own} mm; {just} mm just stop the shot)")
-        });
-        Ok((scene, words + &sized))
+        Ok(placed(self.compared_scene()?, values))
     }
 
     /// The description of the cell under the map's cursor.

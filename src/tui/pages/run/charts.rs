@@ -174,11 +174,21 @@ impl App {
     pub fn value_range(&self, curves: &[Curve<'_>], scale: Scale) -> (f64, f64) {
         let (from, to) = self.time_range_s();
         let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
-        let points = curves.iter().flat_map(|curve| &curve.points);
+        let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
+        // What a curve passes at the ends of the range counts, too: there may be no point between them.
+        let at_ends = curves.iter().flat_map(|curve| curve.points.windows(2)).flat_map(|pair| {
+            let ((t0, a), (t1, b)) = (pair[0], pair[1]);
+            let passes = move |t: &f64| t0 < *t && *t < t1;
+            [from, to]
+                .into_iter()
+                .filter(passes)
+                .map(move |t| (t, a + (b - a) * (t - t0) / (t1 - t0)))
+        });
         let (low, high) = points
+            .chain(at_ends)
             .filter(|(t, value)| seen(*t) && scale.shows(*value))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
-                (smaller(low, *value), larger(high, *value))
+                (smaller(low, value), larger(high, value))
             });
         match (low < high, low.is_finite(), scale) {
             (true, _, _) => (low, high),
@@ -271,6 +281,9 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
     let selected = app.charts.selected;
     match action {
+        A::LogX | A::SecondAxis if !app.charts.quantities[selected].is_over_time() => {
+            app.refuse("this chart has no time axis: v shows another one");
+        }
         A::Mark => runs::pin_scene(app),
         A::EventNext => event(app, true),
         A::EventPrevious => event(app, false),
@@ -291,9 +304,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             }
         }
         A::SecondAxis => second_axis(app),
-        A::LogX if !app.charts.quantities[selected].is_over_time() => {
-            app.refuse("this chart has no time axis: v shows another one");
-        }
         A::LogX => {
             app.charts.time_scale = app.charts.time_scale.toggled();
             app.tell(format!("time axis: {}", word(app.charts.time_scale)));

@@ -221,7 +221,7 @@ fn difference(app: &App, pin: &Pin, width: usize) -> Vec<TextLine> {
 /// Pin the scene, or unpin it where it is pinned already.
 pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
-        return unpinned(app, pin);
+        return unpin_all(app, vec![pin]);
     }
     let name = app.name_of(&app.scene);
     let scene = Arc::clone(&app.scene);
@@ -242,20 +242,27 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
         return app.tell(text);
     }
+    if let Some(pin) = added(app, name, scene) {
+        app.tell(format!("pinned as {}", edit::named(std::slice::from_ref(&pin))));
+        edit::note_pinned(app, vec![pin]);
+    }
+}
+
+/// A scene that was not pinned yet, as a new pin; `None` where all letters are taken.
+fn added(app: &mut App, name: String, scene: Arc<Scene>) -> Option<Pin> {
     let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
     let Some(letter) = LETTERS.into_iter().find(free) else {
-        return app
-            .refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
+        app.refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
+        return None;
     };
     let run = app
         .shown
         .as_ref()
         .filter(|shown| *shown.run.scene == *scene)
         .map(|shown| Arc::clone(&shown.run));
-    app.tell(format!("pinned as {letter}: {name}"));
     let pin = Pin { letter, name, scene, run, visible: true, job: None };
-    edit::note_pinned(app, pin.clone());
-    insert(app, pin);
+    insert(app, pin.clone());
+    Some(pin)
 }
 
 /// Pin the scene by every interaction model but its own; take them away when all are there.
@@ -279,10 +286,8 @@ pub(crate) fn models(app: &mut App) {
     if missing.is_empty() {
         let is_wanted = |pin: &&Pin| wanted.iter().any(|(_, scene)| **scene == *pin.scene);
         let gone: Vec<Pin> = app.pins.iter().filter(is_wanted).cloned().collect();
-        for pin in gone {
-            unpinned(app, pin);
-        }
-        return app.tell("the other interaction models are unpinned");
+        unpin_all(app, gone);
+        return app.tell("the other interaction models are unpinned (u undoes)");
     }
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {
@@ -292,9 +297,9 @@ pub(crate) fn models(app: &mut App) {
         );
         return app.refuse(text);
     }
-    for (name, scene) in missing {
-        pin(app, name.to_owned(), scene);
-    }
+    let pins = missing.into_iter().filter_map(|(name, scene)| added(app, name.to_owned(), scene));
+    let pins = pins.collect();
+    edit::note_pinned(app, pins);
     let rest =
         if refused.is_some() { "; models that cannot run this scene are not drawn" } else { "" };
     app.tell(format!(
@@ -318,14 +323,16 @@ fn selected(app: &mut App) -> Option<Pin> {
 
 pub(crate) fn unpin(app: &mut App) {
     if let Some(pin) = selected(app) {
-        unpinned(app, pin);
+        unpin_all(app, vec![pin]);
     }
 }
 
-fn unpinned(app: &mut App, pin: Pin) {
-    take_away(app, &pin.scene);
-    app.tell(format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
-    edit::note_unpinned(app, pin);
+fn unpin_all(app: &mut App, pins: Vec<Pin>) {
+    for pin in &pins {
+        take_away(app, &pin.scene);
+    }
+    app.tell(format!("unpinned {} (u undoes)", edit::named(&pins)));
+    edit::note_unpinned(app, pins);
 }
 
 /// Take a pinned scene away. It is known by its scene, not by its letter: that may have become another one's since.
@@ -336,17 +343,19 @@ pub(crate) fn take_away(app: &mut App, gone: &Scene) {
     app.request(Effect::SaveSession);
 }
 
-/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
-pub(crate) fn put_back(app: &mut App, pin: Pin) {
-    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
-        return;
+/// Put pins back that had been taken away, each under its letter or, if that is taken, the first free one.
+pub(crate) fn put_back(app: &mut App, pins: Vec<Pin>) {
+    for pin in pins {
+        if app.pins.iter().any(|other| *other.scene == *pin.scene) {
+            continue;
+        }
+        let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
+        let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
+            return app.refuse("all eight pins A to H are taken: nothing more was put back");
+        };
+        // A job that ran when it was removed has no receiver any more.
+        insert(app, Pin { letter, job: None, ..pin });
     }
-    let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
-    let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
-        return app.refuse("all eight pins A to H are taken: nothing was put back");
-    };
-    // A job that ran when it was removed has no receiver any more.
-    insert(app, Pin { letter, job: None, ..pin });
 }
 
 /// Among the pins, in the order of their letters.

@@ -200,7 +200,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         dots("designs", 0, found_places),
         dots("the scene and the thesis's designs", 1, other_places),
     ];
-    let layout = canvas.draw_below_letters(&chart, area, &curves);
+    let layout = canvas.draw_with_picture(&chart, area, &curves);
     for design in &designs {
         mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
@@ -341,7 +341,7 @@ fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
         let mark = if index == selected { ">" } else { " " };
         let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
         let warnings = warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
-        // Of the others there is no room for more.
+        // There is room for the warnings of one solution.
         let warnings = warnings.filter(move |_| index == selected);
         std::iter::once(solution).chain(warnings)
     });

@@ -248,7 +248,12 @@ impl App {
                 if let Request::Seek(_, law) = found.request {
                     scene.interface.law = law;
                 }
-                Ok(placed(scene, [(&report.axis, solution.place.at)]))
+                let (scene, words) = placed(scene, [(&report.axis, solution.place.at)]);
+                let law = scene.interface.law;
+                let is_new = law != self.scene.interface.law;
+                let law =
+                    if is_new { format!(", interface = {}", law.word()) } else { String::new() };
+                Ok((scene, words + &law))
             }
             Answer::Front(front, task) => {
                 let designs = tab.designs();
@@ -267,6 +272,17 @@ impl App {
 }
 
 impl Found {
+    /// The scene that was searched: of a goal seek, with its interface law.
+    pub fn searched(&self) -> Arc<Scene> {
+        let mut scene = Arc::clone(&self.scene);
+        if let Request::Seek(_, law) = self.request
+            && law != scene.interface.law
+        {
+            Arc::make_mut(&mut scene).interface.law = law;
+        }
+        scene
+    }
+
     /// The results as a table; the scene has this name.
     pub fn csv(&self, name: &str) -> String {
         match &*self.answer {

@@ -206,8 +206,8 @@ fn label(view: &RunView<'_>) -> String {
 }
 
 fn title(app: &App, quantity: Quantity) -> String {
-    let reference = app.reference_pin().filter(|_| app.charts.difference);
-    match reference {
+    let is_difference = app.charts.difference && quantity.is_over_time();
+    match app.reference_pin().filter(|_| is_difference) {
         Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
         None => format!("{} {}", quantity.title(), quantity.symbol()),
     }
