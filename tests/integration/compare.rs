@@ -190,14 +190,14 @@ fn a_map_has_the_warnings_of_each_point() {
 fn a_comparison_without_a_least_thickness_gives_the_reason() {
     let page = output(&["--set", "d=0.1"]);
     assert!(
-        page.contains("undecided (100.0 m/s): a plate as thin as the model answers for still"),
+        page.contains("undecided (100.0 m/s): even the thinnest plate within the model's range"),
         "{page}"
     );
 }
 
 /// A preloaded mechanism can push a foil of nanometres away from the shot: no search may offer that as an armour.
 #[test]
-fn an_armour_thinner_than_the_model_answers_for_has_no_mass_efficiency() {
+fn an_armour_thinner_than_the_models_range_has_no_mass_efficiency() {
     let found = json(&[
         "--set",
         "gamma=3.688693467536329",
@@ -224,11 +224,11 @@ fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
     assert!(found["mass_efficiency"].is_null(), "{found}");
 }
 
-/// Slow shots are stopped by less than the model answers for: the page says so.
+/// Slow shots are stopped by plates thinner than the model's range: the page says so.
 #[test]
-fn a_sized_armour_thinner_than_the_model_answers_for_is_named() {
+fn a_sized_armour_thinner_than_the_models_range_is_named() {
     let page = output(&["--set", "v_i=10"]);
-    assert!(page.contains("thinner than the 0.5 mm that the model answers for"), "{page}");
+    assert!(page.contains("thinner than 0.5 mm"), "{page}");
 }
 
 /// Where the face of the tile is given it is kept: sized plates get lighter with their thickness.

@@ -16,7 +16,7 @@ use crate::study::sweep::kernel::{self, Wanted};
 pub const WIDTH: f64 = 1e-9;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
-/// The thinnest plate that the model answers for, m (model page, section 8).
+/// The least thickness of the numerical envelope, m (model page, section 8).
 pub(super) const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
@@ -26,8 +26,7 @@ pub enum Absence {
     NoSolid,
     /// No thickness within a factor of a million of the solid plate's is enough.
     NoThickness,
-    /// Every thickness is enough that the model answers for: a preloaded mechanism does it, or a plate of given face that is carried
-    /// along.
+    /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
     EveryThickness,
     /// Nothing stops plate and projectile.
     NothingStops,
@@ -55,7 +54,7 @@ impl Absence {
             Self::NoSolid => "no solid plate to compare with".to_owned(),
             Self::NoThickness => "no thickness stops the shot".to_owned(),
             Self::EveryThickness => {
-                "a plate as thin as the model answers for still stops the shot: there is no least thickness"
+                "even the thinnest plate within the model's range stops the shot: there is no least thickness"
                     .to_owned()
             }
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
@@ -188,7 +187,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     if !stops.stopped {
         return Err(Absence::NoThickness);
     }
-    // Slow shots are stopped by less than the model answers for; thinner than a free plate nothing is sized then.
+    // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
     let thinnest = smaller(thin, THINNEST_M / scene.target.thickness_m);
     loop {
         let shot = try_out(thin)?;

@@ -105,7 +105,7 @@ fn outside_validity(report: &Report) -> Vec<String> {
     if own.is_some_and(|sized| sized.scene.target.thickness_m < THINNEST_M) {
         let least = 1e3 * THINNEST_M;
         lines.push(format!(
-            "the sized armour: thinner than the {least} mm that the model answers for"
+            "the sized armour: thinner than {least} mm, the least thickness within the model's range"
         ));
     }
     lines

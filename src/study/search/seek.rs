@@ -98,7 +98,7 @@ pub struct Report {
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<Line>,
-    /// What a reader of each solution should know that does not hold of the scene itself.
+    /// The warnings of each solution that the scene itself does not have.
     pub warnings: Vec<Vec<String>>,
     /// The least and the greatest value met with.
     pub range: Option<(Place, Place)>,
@@ -122,7 +122,7 @@ impl Report {
     }
 }
 
-/// Whether the interface of a scene carries any load: where it does, a search may end at a design that no interface holds together.
+/// Whether the interface of a scene has no limit of strength: a search may then end at a design that no real interface holds together.
 pub fn has_unlimited_interface(scene: &Scene) -> bool {
     scene.interface.law == InterfaceLaw::Fused
         && scene.contact.model == ContactModel::Hydrodynamic

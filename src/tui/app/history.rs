@@ -87,7 +87,7 @@ impl History {
         self.edits.drain(..self.edits.len().saturating_sub(EDITS_MAX));
         self.done = self.edits.len();
         let pins = self.edits.iter_mut().rev().flat_map(Edit::pins);
-        for pin in pins.skip(RESULTS_KEPT).take_while(|pin| pin.run.is_some()) {
+        for pin in pins.skip(RESULTS_KEPT) {
             pin.run = None;
         }
     }
