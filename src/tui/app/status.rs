@@ -2,6 +2,7 @@
 
 use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
+use crate::model::scene::Mount;
 use crate::model::variables::Kind;
 use crate::report::run::page;
 use crate::report::series::Quantity;
@@ -34,7 +35,11 @@ impl App {
                     *last = clip(last, room.saturating_sub(4)) + " ...";
                 }
             }
-            return plain(severity, lines);
+            let is_full = lines.len() >= area;
+            let mut lines = plain(severity, lines);
+            let answer = self.answer().filter(|_| !is_full);
+            lines.extend(answer.map(|text| (Severity::Note, clip(&text, room))));
+            return lines;
         };
         let mut lines = wrapped(&text);
         if lines.len() > MESSAGE_LINES {
@@ -53,6 +58,17 @@ impl App {
         }
         all.extend(plain(severity, lines));
         all
+    }
+
+    /// What came of the run on the screen, in a sentence.
+    fn answer(&self) -> Option<String> {
+        let is_shown = self.tab == Tab::Run && !self.is_stale() && self.current_visible;
+        let run = &self.shown.as_ref().filter(|_| is_shown)?.run;
+        let stroke = run.stroke_m().filter(|_| run.scene.plate.mount == Mount::Sprung);
+        let stroke = stroke.map_or_else(String::new, |stroke_m| {
+            format!("; stroke {}", engineering(stroke_m, "m"))
+        });
+        Some(page::outcome(run) + &stroke)
     }
 
     /// Why an open field refuses its text, or the newest message.

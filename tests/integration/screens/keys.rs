@@ -830,6 +830,17 @@ fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
     assert!((drawn - farthest).abs() < 1e-3 * farthest, "{drawn} {farthest}");
 }
 
+/// The answer stands in a sentence below the meaning of the selected row, and not while it belongs to an older scene.
+#[test]
+fn the_run_tab_says_what_came_of_the_shot() {
+    let mut bench = bench();
+    bench.keys("jl");
+    assert!(bench.screen().contains("arrested at 4."), "{}", bench.screen());
+    assert!(bench.screen().contains("of a rigid mount); stroke"), "{}", bench.screen());
+    bench.press("l");
+    assert!(!bench.screen().contains("of a rigid mount); stroke"), "{}", bench.screen());
+}
+
 #[test]
 fn a_chart_of_what_the_scene_has_not_says_so() {
     let mut bench = bench();
