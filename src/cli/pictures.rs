@@ -8,7 +8,7 @@ use crate::cli::progress::was_interrupted;
 use crate::cli::table::{TableArguments, Target};
 use crate::cli::{CliError, output};
 use crate::files::atomic;
-use crate::report::svg::{self, Picture};
+use crate::report::svg::{self, Picture, Svg};
 
 /// `--svg FILE`.
 #[derive(Debug, Args)]
@@ -57,7 +57,7 @@ impl PictureArguments {
             output::note("there is nothing to draw: no picture was written");
             return Ok(());
         }
-        let drawn: Vec<String> = pictures.iter().map(Picture::drawn).collect();
+        let drawn: Vec<String> = pictures.iter().map(Svg::svg).collect();
         let text = svg::file(&drawn);
         if self.is_stdout() {
             return output::print(&text);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::report::svg::{self, Picture, escaped};
+use crate::report::svg::{self, Picture, Svg, escaped};
 
 /// A part of a report.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +71,7 @@ impl Document {
                 }
                 Block::Code(text) => writeln!(out, "<pre><code>{}</code></pre>", escaped(text)),
                 Block::Picture(picture) => {
-                    let picture = svg::element(&[picture.drawn()]);
+                    let picture = svg::element(&[picture.svg()]);
                     writeln!(out, "<figure>\n{picture}</figure>")
                 }
             };

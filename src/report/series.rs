@@ -2,7 +2,7 @@
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{Run, Sample};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::report::law::Law;
 
 /// More points than these are thinned before they are drawn.
@@ -115,22 +115,23 @@ impl Quantity {
     /// Why there is nothing of it to draw in a run of a scene; `None` where there is.
     #[must_use]
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
-        let mechanism = &scene.mechanism;
-        let held = scene.plate.mount == Mount::Sprung;
-        let law = Mechanism::of(scene);
-        let is_sprung = held && !law.spring.is_absent();
-        let is_damped = held && !mechanism.damper.is_absent();
-        let is_stopped = held && mechanism.stop.position_m.is_some();
-        let has_law = is_sprung || held && law.elastic_stop().is_some();
-        let has_strength = mechanism.acting().any(|spring| spring.yields_at_m().is_some());
-        match self {
-            Self::SpringForce if !is_sprung => Some("no spring"),
-            Self::DamperForce if !is_damped => Some("no damper"),
-            Self::MountForce if !(is_sprung || is_damped || is_stopped) => Some("no mechanism"),
-            Self::Stiffness if !has_law => Some("no spring"),
-            Self::Stress if !(is_sprung && has_strength) => Some("no spring with a yield strength"),
-            _ => None,
-        }
+        let mechanism = Mechanism::of(scene);
+        let is_sprung = !mechanism.spring.is_absent();
+        let mut springs = scene.mechanism.acting().filter(|_| is_sprung);
+        let (there, absent) = match self {
+            Self::SpringForce => (is_sprung, "no spring"),
+            Self::DamperForce => (!mechanism.damper.is_absent(), "no damper"),
+            Self::MountForce => {
+                (!mechanism.is_absent() || mechanism.stop.is_some(), "no mechanism")
+            }
+            Self::Stiffness => (is_sprung || mechanism.elastic_stop().is_some(), "no spring"),
+            Self::Stress => (
+                springs.any(|spring| spring.yields_at_m().is_some()),
+                "no spring with a yield strength",
+            ),
+            _ => (true, ""),
+        };
+        (!there).then_some(absent)
     }
 
     /// The next quantity, round and round.

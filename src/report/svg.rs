@@ -40,28 +40,35 @@ pub enum Picture {
     Map(Map<'static>),
 }
 
-impl Picture {
+/// What can be drawn as SVG.
+pub trait Svg {
     /// It as SVG, without the element around it.
-    pub fn drawn(&self) -> String {
+    fn svg(&self) -> String;
+}
+
+impl Svg for Picture {
+    fn svg(&self) -> String {
         match self {
-            Self::Chart(chart) => chart_drawn(chart),
-            Self::Map(map) => map_drawn(map),
+            Self::Chart(chart) => chart.svg(),
+            Self::Map(map) => map.svg(),
         }
     }
 }
 
-/// A chart as SVG, without the element around it.
-pub fn chart_drawn(chart: &Chart<'_>) -> String {
-    let mut out = String::new();
-    draw_chart(&mut out, chart);
-    out
+impl Svg for Chart<'_> {
+    fn svg(&self) -> String {
+        let mut out = String::new();
+        draw_chart(&mut out, self);
+        out
+    }
 }
 
-/// A map as SVG, without the element around it.
-pub fn map_drawn(map: &Map<'_>) -> String {
-    let mut out = String::new();
-    bands::draw_map(&mut out, map);
-    out
+impl Svg for Map<'_> {
+    fn svg(&self) -> String {
+        let mut out = String::new();
+        bands::draw_map(&mut out, self);
+        out
+    }
 }
 
 /// A whole SVG file of some drawn pictures, each under the other.
@@ -404,7 +411,7 @@ mod tests {
                 vec![Curve::new('*', "", points)],
             )
         };
-        let text = file(&[chart_drawn(&chart)]);
+        let text = file(&[chart.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();
         let texts: Vec<&str> = read.descendants().filter_map(|node| node.text()).collect();
         assert!(texts.contains(&"<b>title</b> & more") && texts.contains(&"a < b & \"c\"[2J"));
@@ -427,7 +434,7 @@ mod tests {
                 vec![curve(1.0), curve(1000.0).side(Side::Right)],
             )
         };
-        let text = file(&[chart_drawn(&chart)]);
+        let text = file(&[chart.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();
         let lines = read.descendants().filter(|node| node.has_tag_name("polyline"));
         let points: Vec<&str> = lines.filter_map(|node| node.attribute("points")).collect();

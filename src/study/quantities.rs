@@ -6,8 +6,8 @@
 //! measured by whoever ran it.
 
 use crate::model::mechanism::load;
-use crate::model::run::{EventKind, Run, envelope};
-use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::run::{Run, envelope};
+use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, Engineering};
 use crate::study::compare::load::impulse_n_s;
 use crate::study::compare::{Hardware, WIDTH, areal_mass_of_run, mass_efficiency};
@@ -194,7 +194,7 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force"),
     quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
     quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
-    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(fused_stop_hits)),
+    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
     quantity("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
         .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
@@ -339,16 +339,6 @@ fn sprung(scene: &Scene) -> bool {
 fn travel_margin(run: &Run) -> Option<f64> {
     let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
     load::travel_margin(&run.scene, run.start_m(), farthest)
-}
-
-fn fused_stop_hits(run: &Run) -> Option<f64> {
-    let scene = &run.scene;
-    let stopped = sprung(scene)
-        && scene.interface.law == InterfaceLaw::Fused
-        && scene.mechanism.stop.position_m.is_some()
-        && scene.mechanism.stop.kind == StopKind::Rigid;
-    let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
-    stopped.then(|| hits() as f64)
 }
 
 /// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.

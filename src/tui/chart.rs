@@ -26,7 +26,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
-use crate::report::svg;
+use crate::report::svg::Svg;
 use crate::tui::theme::{GlyphSet, PaneFrame, Role, Theme, ascii_pass};
 
 pub use crate::report::chart::levels::Levels;
@@ -37,12 +37,9 @@ pub use crate::report::chart::{
 pub use layout::Layout;
 
 /// What the report describes and a terminal can show.
-pub trait Draw {
+pub trait Draw: Svg {
     /// Draws it into an area, and tells where everything lies.
     fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout;
-
-    /// It as SVG, without the element around it.
-    fn svg(&self) -> String;
 
     /// It as lines of text, blanks at their ends removed: what `--plain` prints.
     fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
@@ -66,10 +63,6 @@ impl Draw for Chart<'_> {
         }
         paint::paint(self, &plan.layout, buffer, theme);
         plan.layout
-    }
-
-    fn svg(&self) -> String {
-        svg::chart_drawn(self)
     }
 }
 

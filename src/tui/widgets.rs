@@ -12,6 +12,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 use text::{columns, put};
 
+use crate::report::svg::Svg;
 use crate::tui::chart::{Chart, Curve, Draw, Layout};
 use crate::tui::prelude::*;
 use crate::tui::theme::Theme;
@@ -103,10 +104,12 @@ impl<'a> Canvas<'a> {
         &mut self,
         chart: &Chart<'_>,
         area: Rect,
-        curves: &[Curve<'_>],
+        curves: impl FnOnce() -> Vec<Curve<'static>>,
     ) -> Layout {
-        if let Some(pictures) = self.pictures.as_mut().filter(|_| !curves.is_empty()) {
-            pictures.push(Chart { curves: curves.to_vec(), ..chart.clone() }.svg());
+        if let Some(pictures) = &mut self.pictures {
+            let curves = curves();
+            let picture = (!curves.is_empty()).then(|| Chart { curves, ..chart.clone() }.svg());
+            pictures.extend(picture);
         }
         chart.render(area, self.buffer, self.theme)
     }

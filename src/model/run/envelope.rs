@@ -11,7 +11,7 @@ use std::fmt;
 use crate::model::design::Rod;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, StopKind};
+use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -262,11 +262,19 @@ fn obliquity(scene: &Scene) -> Option<Breach> {
     Some(breach(Check::Obliquity, Direction::Conservative, text))
 }
 
+/// Whether a scene has a rigid stop under a fused interface, which cannot carry a hit on it.
+fn has_fused_stop(scene: &Scene) -> bool {
+    scene.interface.law == InterfaceLaw::Fused && Mechanism::of(scene).rigid_stop().is_some()
+}
+
+/// How often a run hits a rigid stop under a fused interface; `None` for a scene without such a stop.
+pub fn fused_stop_hits(run: &Run) -> Option<usize> {
+    let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
+    has_fused_stop(&run.scene).then(hits)
+}
+
 fn stop(scene: &Scene) -> Option<Breach> {
-    let stop = scene.mechanism.stop;
-    let rigid = stop.position_m.is_some() && stop.kind == StopKind::Rigid;
-    let fused = scene.interface.law == InterfaceLaw::Fused;
-    if scene.plate.mount != Mount::Sprung || !rigid || !fused {
+    if !has_fused_stop(scene) {
         return None;
     }
     let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
@@ -278,9 +286,10 @@ fn stop(scene: &Scene) -> Option<Breach> {
 /// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface.
 pub fn of_run(run: &Run) -> Vec<Breach> {
     let scene = &run.scene;
-    let hit = run.events.iter().any(|event| event.kind == EventKind::StopHit);
     let mut found = of_scene(scene);
-    found.retain(|breach| breach.check != Check::Stop || hit);
+    if fused_stop_hits(run) == Some(0) {
+        found.retain(|breach| breach.check != Check::Stop);
+    }
     let is_coil =
         scene.mechanism.spring.law().is_coil() && !Mechanism::of(scene).spring.is_absent();
     let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());

@@ -4,8 +4,7 @@
 use std::time::Duration;
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::envelope::{self, Check};
-use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run};
+use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering, fixed_significant};
 use crate::report::figures::run::event_letter;
@@ -112,8 +111,7 @@ pub fn results(run: &Run) -> Vec<String> {
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
     let displacement =
         displacement.or_else(|| (!is_known).then(|| no_displacement(&run.scene).to_owned()));
-    let is_stopped = envelope::of_run(run).iter().any(|breach| breach.check == Check::Stop);
-    let demand = if is_stopped {
+    let demand = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
         Some("unbounded at the rigid stop".to_owned())
     } else {
         rounded(run.interface_demand_ratio, " of its strength A S_y")

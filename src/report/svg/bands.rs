@@ -209,7 +209,7 @@ mod tests {
     use super::*;
     use crate::report::chart::Scale;
     use crate::report::map::Tone;
-    use crate::report::svg::{file, map_drawn};
+    use crate::report::svg::{Svg, file};
 
     fn axis(low: f64, high: f64, scale: Scale) -> Axis<'static> {
         Axis::over("x", "m", scale, [low, high]).unwrap()
@@ -228,7 +228,7 @@ mod tests {
             marks: vec![('P', "perforated".to_owned())],
             ..Map::new("map", axes, (4, 3), Levels::of(Scale::Linear, [0.0, 3.0]), cell)
         };
-        let text = file(&[map_drawn(&map)]);
+        let text = file(&[map.svg()]);
         let read = roxmltree::Document::parse(&text).unwrap();
         let path = read.descendants().find(|node| node.has_tag_name("path")).unwrap();
         let width = WIDTH - LEFT - RIGHT - SCALE_WIDTH;

@@ -27,7 +27,6 @@ use ratatui::style::{Color, Modifier, Style};
 use super::{Chart, Draw, Layout};
 use crate::report::chart::levels::{BANDS_MAX, Levels};
 use crate::report::map::{Cell, LINE, Map, Tone};
-use crate::report::svg;
 use crate::tui::theme::colours::ink_on;
 use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 
@@ -35,10 +34,6 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
 
 impl Draw for Map<'_> {
-    fn svg(&self) -> String {
-        svg::map_drawn(self)
-    }
-
     fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let chart = Chart {
             focused: self.focused,

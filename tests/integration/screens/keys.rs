@@ -816,13 +816,18 @@ fn a_chart_between_two_points_shows_its_curve() {
     assert!(drawn.contains("<polyline"), "{drawn}");
 }
 
+/// Go to the charts, and with `v` to a quantity in the first of them.
+fn show(bench: &mut Bench, quantity: Quantity) {
+    bench.keys("<Tab>");
+    while bench.app.charts.quantities[0] != quantity {
+        bench.keys("v");
+    }
+}
+
 #[test]
 fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
     let mut bench = bench();
-    bench.keys("<Tab>");
-    while bench.app.charts.quantities[0] != Quantity::MountForce {
-        bench.keys("v");
-    }
+    show(&mut bench, Quantity::MountForce);
     let run = bench.app.shown.as_ref().unwrap().run.clone();
     let farthest = run.max_plate_displacement_m.unwrap();
     let curves = bench.app.curves(Quantity::MountForce);
@@ -844,10 +849,7 @@ fn the_run_tab_says_what_came_of_the_shot() {
 #[test]
 fn a_chart_of_what_the_scene_has_not_says_so() {
     let mut bench = bench();
-    bench.keys("<Tab>");
-    while bench.app.charts.quantities[0] != Quantity::DamperForce {
-        bench.keys("v");
-    }
+    show(&mut bench, Quantity::DamperForce);
     assert!(bench.screen().contains("no damper"), "{}", bench.screen());
 }
 

@@ -279,7 +279,7 @@ impl<'a> ChartView<'a> {
             focused: app.has_focus(RESULTS),
             ..Chart::new(title, axis_of(&axes[0]), axis_of(&axes[1]), Vec::new())
         };
-        let layout = canvas.draw_with_picture(&chart, area, &[]);
+        let layout = canvas.draw_with_picture(&chart, area, Vec::new);
         let cursor = app.cursor_point(self.grid).0;
         // The cursor's point last: it lies over others in its cell.
         let points = (0..self.grid.counts().0).filter(|x| *x != cursor).chain([cursor]);

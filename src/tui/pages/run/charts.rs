@@ -176,16 +176,15 @@ impl App {
         let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
         let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
         // What a curve passes at the ends of the range counts, too: there may be no point between them.
-        let at_ends = curves.iter().flat_map(|curve| curve.points.windows(2)).flat_map(|pair| {
-            let ((t0, a), (t1, b)) = (pair[0], pair[1]);
-            let passes = move |t: &f64| t0 < *t && *t < t1;
-            [from, to]
-                .into_iter()
-                .filter(passes)
-                .map(move |t| (t, a + (b - a) * (t - t0) / (t1 - t0)))
-        });
+        let at_end = |curve: &Curve<'_>, t: f64| {
+            let after = curve.points.partition_point(|point| point.0 < t);
+            let (t0, a) = *curve.points.get(after.checked_sub(1)?)?;
+            let (t1, b) = *curve.points.get(after)?;
+            (t < t1).then(|| (t, a + (b - a) * (t - t0) / (t1 - t0)))
+        };
+        let at_ends = curves.iter().flat_map(|curve| [from, to].map(|t| at_end(curve, t)));
         let (low, high) = points
-            .chain(at_ends)
+            .chain(at_ends.flatten())
             .filter(|(t, value)| seen(*t) && scale.shows(*value))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
                 (smaller(low, value), larger(high, value))

@@ -250,8 +250,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
 
 /// A scene that was not pinned yet, as a new pin; `None` where all letters are taken.
 fn added(app: &mut App, name: String, scene: Arc<Scene>) -> Option<Pin> {
-    let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
-    let Some(letter) = LETTERS.into_iter().find(free) else {
+    let Some(letter) = free_letter(app, LETTERS) else {
         app.refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
         return None;
     };
@@ -349,13 +348,18 @@ pub(crate) fn put_back(app: &mut App, pins: Vec<Pin>) {
         if app.pins.iter().any(|other| *other.scene == *pin.scene) {
             continue;
         }
-        let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
-        let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
+        let letters = std::iter::once(pin.letter).chain(LETTERS);
+        let Some(letter) = free_letter(app, letters) else {
             return app.refuse("all eight pins A to H are taken: nothing more was put back");
         };
         // A job that ran when it was removed has no receiver any more.
         insert(app, Pin { letter, job: None, ..pin });
     }
+}
+
+/// The first of some letters that no pin has.
+fn free_letter(app: &App, letters: impl IntoIterator<Item = char>) -> Option<char> {
+    letters.into_iter().find(|letter| app.pins.iter().all(|pin| pin.letter != *letter))
 }
 
 /// Among the pins, in the order of their letters.

@@ -194,13 +194,12 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let points: Vec<_> = places.into_iter().flatten().flat_map(|it| [it, gap]).collect();
         Curve::new('o', name, points).colour(colour)
     };
-    let found_places = designs.iter().map(|it| place(&it.measures)).collect();
-    let other_places = found.candidates.iter().map(|it| place(&it.measures)).collect();
-    let curves = [
-        dots("designs", 0, found_places),
-        dots("the scene and the thesis's designs", 1, other_places),
-    ];
-    let layout = canvas.draw_with_picture(&chart, area, &curves);
+    let curves = || {
+        let own = designs.iter().map(|it| place(&it.measures)).collect();
+        let others = found.candidates.iter().map(|it| place(&it.measures)).collect();
+        vec![dots("designs", 0, own), dots("the scene and the thesis's designs", 1, others)]
+    };
+    let layout = canvas.draw_with_picture(&chart, area, curves);
     for design in &designs {
         mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
