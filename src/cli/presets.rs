@@ -55,7 +55,7 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let _ = writeln!(text, "{}", row.trim_end());
     }
     table.alone().deliver(&text, &table_of(&presets))?;
-    for problem in problems {
+    for (_, problem) in problems {
         output::note(&format!("not listed: {problem}"));
     }
     Ok(())

@@ -56,18 +56,21 @@ impl Origin {
     }
 }
 
-/// Every preset that can be read, bundled first, then the user's own by name; and what could not be read.
-pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<FileError>) {
-    let mut presets = Vec::new();
-    let (own, mut problems) = paths.map(own_presets).unwrap_or_default();
-    let found = BUNDLED
-        .iter()
-        .map(|preset| from_bundled(*preset))
-        .chain(own.into_iter().map(|(name, path)| from_own(name, path)));
-    for preset in found {
+/// Every preset that can be read, bundled first, then the user's own by name; and the names of those that cannot be read, with the
+/// reason.
+pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
+    let (mut presets, mut problems) = (Vec::new(), Vec::new());
+    let own = paths.map(own_presets).unwrap_or_default().into_iter();
+    let found = BUNDLED.iter().map(|preset| (preset.name.to_owned(), from_bundled(*preset))).chain(
+        own.map(|(name, path)| {
+            let preset = path.and_then(|path| from_own(name.clone(), path));
+            (name, preset)
+        }),
+    );
+    for (name, preset) in found {
         match preset {
             Ok(preset) => presets.push(preset),
-            Err(problem) => problems.push(problem),
+            Err(problem) => problems.push((name, problem)),
         }
     }
     (presets, problems)
@@ -220,33 +223,34 @@ fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
     from_text(name, Origin::Mine(path), text)
 }
 
-/// Names and files of the user's own presets, by name; and the errors of those that cannot be read.
-fn own_presets(paths: &Paths) -> (Vec<(String, PathBuf)>, Vec<FileError>) {
+/// Names and files of the user's own presets, by name; of those that cannot be read, the reason.
+fn own_presets(paths: &Paths) -> Vec<(String, Result<PathBuf, FileError>)> {
     let entries = match fs::read_dir(&paths.presets) {
         Ok(entries) => entries,
         // No preset has been saved yet.
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Default::default(),
-        Err(error) => return (Vec::new(), vec![FileError::read(&paths.presets, error)]),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Vec::new(),
+        Err(error) => {
+            let problem = FileError::read(&paths.presets, error);
+            return vec![(paths.presets.display().to_string(), Err(problem))];
+        }
     };
     let files = entries
         .filter_map(Result::ok)
         .map(|entry| entry.path())
         .filter(|path| path.extension().is_some_and(|end| end == "toml"));
-    let (mut own, mut problems) = (Vec::new(), Vec::new());
-    for path in files {
+    let named = files.map(|path| {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        match check_name(&name) {
-            Ok(()) => own.push((name, path)),
-            Err(problem) => problems.push(problem),
-        }
-    }
-    own.sort();
-    (own, problems)
+        let path = check_name(&name).map(|()| path);
+        (name, path)
+    });
+    let mut own: Vec<_> = named.collect();
+    own.sort_by(|a, b| a.0.cmp(&b.0));
+    own
 }
 
 /// The likely meaning of `name`.
 fn hint(name: &str, paths: Option<&Paths>) -> String {
-    let own = paths.map(|paths| own_presets(paths).0).unwrap_or_default();
+    let own = paths.map(own_presets).unwrap_or_default();
     let names: Vec<&str> = BUNDLED
         .iter()
         .map(|preset| preset.name)
@@ -337,7 +341,7 @@ mod tests {
         let path = paths.preset_file("hurt");
         fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
         let (_, problems) = list(Some(&paths));
-        assert!(problems[0].to_string().contains("hurt.toml:3:1"), "{}", problems[0]);
+        assert!(problems[0].1.to_string().contains("hurt.toml:3:1"), "{}", problems[0].1);
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
@@ -347,7 +351,7 @@ mod tests {
     fn unreadable_presets_are_reported() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let told = || list(Some(&paths)).1.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let told = || list(Some(&paths)).1.iter().map(|it| it.1.to_string()).collect::<Vec<_>>();
         // No folder yet: nothing has been saved.
         assert!(told().is_empty(), "{:?}", told());
         fs::create_dir_all(&paths.presets).unwrap();

@@ -6,7 +6,6 @@
 
 use std::cell::Cell;
 use std::collections::VecDeque;
-use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -281,8 +280,10 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
 fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
     let (presets, problems) = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
-    let broken = broken(paths, &presets, &problems);
-    for problem in problems.into_iter().chain(wrong_parts) {
+    let problems = problems.into_iter().map(|(name, problem)| (name, problem.to_string()));
+    let problems: Vec<(String, String)> = problems.collect();
+    let wrong_parts = wrong_parts.iter().map(ToString::to_string);
+    for problem in problems.iter().map(|(_, problem)| problem.clone()).chain(wrong_parts) {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is omitted: loading it says why.
@@ -302,24 +303,8 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         })
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
-        .chain(broken)
+        .chain(problems.into_iter().map(|(name, problem)| PresetEntry::broken(name, problem)))
         .collect()
-}
-
-/// The user's own presets that cannot be read, each with its reason.
-fn broken(paths: Option<&Paths>, read: &[Preset], problems: &[FileError]) -> Vec<PresetEntry> {
-    let files = paths.and_then(|paths| fs::read_dir(&paths.presets).ok()).into_iter().flatten();
-    let names = files.filter_map(|file| {
-        let path = file.ok()?.path();
-        let is_preset = path.extension().is_some_and(|end| end == "toml");
-        is_preset.then(|| path.file_stem().map(|name| name.to_string_lossy().into_owned()))?
-    });
-    let missing = names.filter(|name| read.iter().all(|preset| preset.name != *name));
-    let reason = |name: &str| {
-        let file = format!("{name}.toml");
-        problems.iter().map(ToString::to_string).find(|text| text.contains(&file))
-    };
-    missing.filter_map(|name| Some(PresetEntry::broken(name.clone(), reason(&name)?))).collect()
 }
 
 /// Write the copied text where a terminal without OSC 52 leaves it in reach, and say where it went.
@@ -338,6 +323,8 @@ fn keep_copy(paths: Option<&Paths>, text: &str, sent: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::files::export::Meta;
     use crate::tui::app::App;
@@ -456,6 +443,24 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
+    }
+
+    /// The name of one is the end of the other's.
+    #[test]
+    fn each_broken_preset_has_its_own_reason() {
+        let (_place, paths, io_thread, inbox) = start();
+        fs::create_dir_all(&paths.presets).unwrap();
+        fs::write(paths.preset_file("a"), "format = 1\n[plate]\nfirst = 2\n").unwrap();
+        fs::write(paths.preset_file("aa"), "format = 1\n[plate]\nsecond = 2\n").unwrap();
+        io_thread.ask(Task::ListPresets(Vec::new()));
+        let EffectReport::Presets(presets) = report(&inbox) else {
+            panic!("not a list");
+        };
+        for (name, key) in [("a", "first"), ("aa", "second")] {
+            let entry = presets.iter().find(|entry| entry.name == name).unwrap();
+            let problem = entry.problem.as_deref().unwrap();
+            assert!(problem.contains(key), "{name}: {problem}");
+        }
     }
 
     #[test]
