@@ -52,13 +52,11 @@ pub struct Loaded {
     pub known: Known,
 }
 
-impl Session {
-    /// Note that a scene file was opened or saved.
-    pub fn note_recent(&mut self, path: &Path) {
-        self.recent.retain(|known| known != path);
-        self.recent.insert(0, path.to_owned());
-        self.recent.truncate(RECENT_MAX);
-    }
+/// Note among the recent files that a scene file was opened or saved.
+pub fn note_recent(recent: &mut Vec<PathBuf>, path: PathBuf) {
+    recent.retain(|known| *known != path);
+    recent.insert(0, path);
+    recent.truncate(RECENT_MAX);
 }
 
 /// The file as it is written. Unknown keys are ignored: a newer program may have left them.
@@ -286,7 +284,7 @@ mod tests {
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
         session.view.insert("glyphs".to_owned(), "ascii".to_owned());
-        session.note_recent(Path::new("/somewhere/a.toml"));
+        note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
         session
     }
 
@@ -413,13 +411,12 @@ mod tests {
 
     #[test]
     fn recent_files_are_few_and_newest_first() {
-        let mut session = Session::default();
-        for number in 0..12 {
-            session.note_recent(Path::new(&format!("{number}.toml")));
+        let mut recent = Vec::new();
+        for number in (0..12).chain([5]) {
+            note_recent(&mut recent, PathBuf::from(format!("{number}.toml")));
         }
-        session.note_recent(Path::new("5.toml"));
-        assert_eq!(session.recent.len(), RECENT_MAX);
-        assert_eq!(session.recent[0], Path::new("5.toml"));
-        assert_eq!(session.recent[1], Path::new("11.toml"));
+        assert_eq!(recent.len(), RECENT_MAX);
+        assert_eq!(recent[0], Path::new("5.toml"));
+        assert_eq!(recent[1], Path::new("11.toml"));
     }
 }

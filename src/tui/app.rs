@@ -19,7 +19,7 @@ use layout::Layout;
 use notice::{Notice, Severity};
 
 use crate::files::clean;
-use crate::files::session::Session;
+use crate::files::session;
 use crate::model::scene::Scene;
 use crate::study::parallel::cores;
 use crate::tui::dialogs::Dialog;
@@ -197,7 +197,7 @@ impl App {
 
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        let text = clean::line(&text.into()).into_owned();
+        let text = clean::line(&self.keymap.shown(&text.into())).into_owned();
         let notice = Notice { severity, text };
         self.keep(notice.clone());
         self.notice = Some(notice);
@@ -205,10 +205,7 @@ impl App {
 
     /// Note a file that was opened or saved; a relative path is one of the directory.
     pub(crate) fn note_recent(&mut self, path: &Path) {
-        let mut session =
-            Session { recent: std::mem::take(&mut self.recent), ..Session::default() };
-        session.note_recent(&self.directory.join(path));
-        self.recent = session.recent;
+        session::note_recent(&mut self.recent, self.directory.join(path));
     }
 
     pub(crate) fn request(&mut self, effect: Effect) {

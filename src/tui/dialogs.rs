@@ -147,7 +147,8 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
         })
     };
     let rows = own.chain(lines(false)).chain(lines(true));
-    ranked(rows, |row| rank(typed, &[&row.keys], row.help))
+    let works = rows.filter(|row| !pages::of(app.tab).is_idle(app, row.action));
+    ranked(works, |row| rank(typed, &[&row.keys], row.help))
 }
 
 /// The presets that match, best first; all of them in their order when nothing is typed.

@@ -258,6 +258,15 @@ impl Keymap {
         self.keys(action).first().map_or_else(String::new, |key| key.label())
     }
 
+    /// A text with the key to show in the place of each action that it names: `press <run>`.
+    pub fn shown(&self, text: &str) -> String {
+        let bound = LINES.iter().flat_map(|line| line.keys);
+        bound.fold(text.to_owned(), |text, (action, id, _)| {
+            let mark = format!("<{id}>");
+            if text.contains(&mark) { text.replace(&mark, &self.label(*action)) } else { text }
+        })
+    }
+
     /// The keys of a line of the table: `1-7`, `u Ctrl-r`, `h j k l`.
     pub fn line_label(&self, line: &Line) -> String {
         let labels: Vec<String> =

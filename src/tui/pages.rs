@@ -14,12 +14,12 @@ pub(crate) mod prelude {
     pub(crate) use std::error::Error;
     pub(crate) use std::sync::Arc;
 
-    pub(crate) use super::{About, Page, PageSpec, Progress, Rows, StatusPart};
-    pub(crate) use super::{note, nothing, part, progress};
+    pub(crate) use super::{About, LabelledScene, Page, PageSpec, Progress, Rows, StatusPart};
+    pub(crate) use super::{note, nothing, old, part, progress};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
     pub(crate) use crate::study::context::Context;
-    pub(crate) use crate::tui::app::jobs::Running;
+    pub(crate) use crate::tui::app::jobs::{Kept, Running};
     pub(crate) use crate::tui::app::layout::{split_bottom, split_left, split_top};
     pub(crate) use crate::tui::app::status::{clip, wrap};
     pub(crate) use crate::tui::chart::{Scale, ViewRange};
@@ -36,7 +36,8 @@ pub(crate) mod prelude {
 
 use crossterm::event::{KeyCode, KeyModifiers};
 
-use crate::tui::app::jobs::Running;
+use crate::model::scene::Scene;
+use crate::tui::app::jobs::{Kept, Running};
 use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
 use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Input;
@@ -45,6 +46,13 @@ use crate::tui::update::zoom::Across;
 use crate::tui::widgets::form::Form;
 use crate::worker::ReportBody;
 use crate::worker::study::Study;
+
+/// A scene that can be loaded or pinned, and what it is in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelledScene {
+    pub scene: Scene,
+    pub label: String,
+}
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
@@ -55,16 +63,21 @@ pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
 }
 
 /// The words of a pane, and of its row of status, before anything was computed.
-pub(crate) const NO_RESULTS: &str = "no results yet: press r";
+pub(crate) const NO_RESULTS: &str = "no results yet: press <run>";
+
+/// The words for results that belong to another scene or setup than the one on the screen.
+pub(crate) fn old(whose: &str) -> String {
+    format!("another {whose}'s results: press <run>")
+}
 
 /// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
 pub(crate) fn nothing<S: Study>(
     app: &App,
     running: &'static str,
     why: Option<&'static str>,
-) -> &'static str {
+) -> String {
     let waits = app.jobs.running::<S>().is_some();
-    if waits { running } else { why.unwrap_or(NO_RESULTS) }
+    app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
 }
 
 /// How what a page computes stands: its words in the status row are the same on every page.
@@ -82,29 +95,28 @@ pub(crate) enum Progress<'a> {
 impl Progress<'_> {
     pub(crate) fn part(self) -> StatusPart {
         let (severity, text) = match self {
-            Self::Running(what) => (Severity::Note, format!("{what} (Esc cancels)")),
+            Self::Running(what) => (Severity::Note, format!("{what} (<back> cancels)")),
             Self::Nothing => (Severity::Note, NO_RESULTS.to_owned()),
-            Self::Old(whose) => (Severity::Warning, format!("another {whose}'s results: press r")),
-            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press r")),
+            Self::Old(whose) => (Severity::Warning, old(whose)),
+            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press <run>")),
             Self::Done(text) => (Severity::Note, text),
         };
         part(severity, text)
     }
 }
 
-/// How a study of the scene stands that is so far kept as this; nothing to say where all of it is there.
-pub(crate) fn progress<S: Study>(
+/// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
+pub(crate) fn progress<S: Study, T>(
     app: &App,
-    is_old: bool,
-    is_complete: Option<bool>,
+    kept: &Kept<T>,
+    scene: &Scene,
     words: impl FnOnce(&Running) -> String,
 ) -> Option<Progress<'static>> {
-    match (app.jobs.running::<S>(), is_complete) {
-        (Some(running), _) => Some(Progress::Running(words(running))),
-        _ if is_old => Some(Progress::Old("scene")),
-        (None, None) => Some(Progress::Nothing),
-        (None, Some(false)) => Some(Progress::Cut(String::new())),
-        (None, Some(true)) => None,
+    match app.jobs.running::<S>() {
+        Some(running) => Some(Progress::Running(words(running))),
+        None if kept.is_old(scene) => Some(Progress::Old("scene")),
+        None if kept.found.is_none() => Some(Progress::Nothing),
+        None => (!kept.is_complete).then(|| Progress::Cut(String::new())),
     }
 }
 

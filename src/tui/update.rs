@@ -113,7 +113,7 @@ fn paste(app: &mut App, text: &str) {
     }
     match open_text(app) {
         Some(field) => field.insert(&clean),
-        None => app.tell("pasted text is ignored here: open a field first (Enter on a variable)"),
+        None => app.tell("pasted text is ignored here: open a field first (<enter> on a variable)"),
     }
     list::after_typing(app);
     if app.dialog.is_none() {
@@ -161,14 +161,20 @@ impl App {
         let elsewhere = shown.filter(|pane| pane.pane != here.pane).find(works);
         let text = match (key.code, elsewhere) {
             (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
-                format!("no tab has the number {c}: Enter opens the value to type it")
+                format!("no tab has the number {c}: <enter> opens the value to type it")
+            }
+            (_, None) if action.is_some_and(zoom::is_zoom) => {
+                "nothing to zoom in this pane: charts zoom, and the map of Explore".to_owned()
             }
             (_, Some(pane)) => {
-                format!("`{label}` does nothing here, but in {}: Tab goes there", pane.label)
+                format!(
+                    "`{label}` does nothing here, but in {}: <next-pane> goes there",
+                    pane.label
+                )
             }
-            (_, _) => format!("`{label}` does nothing here: ? lists the keys"),
+            (_, _) => format!("`{label}` does nothing here: <help> lists the keys"),
         };
-        self.notice = Some(Notice { severity: Severity::Note, text });
+        self.notice = Some(Notice { severity: Severity::Note, text: self.keymap.shown(&text) });
     }
 }
 
@@ -222,7 +228,7 @@ pub(crate) fn open_find(app: &mut App) {
     let filter = page.filter(app).map(|filter| filter.clone());
     let names = page.row_name(app, 0).map(|_| String::new());
     let Some(text) = filter.or(names) else {
-        return app.tell("nothing to find in this pane: / works in its lists and forms");
+        return app.tell("nothing to find in this pane: <find> works in its lists and forms");
     };
     app.find = Some(TextField::new(text));
 }
@@ -364,7 +370,7 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
         Ok(()) => app.tell("the session is kept again"),
         Err(why) => {
-            let text = format!("the session cannot be kept: {why}; e exports the table");
+            let text = format!("the session cannot be kept: {why}; <export> exports the table");
             app.say(Severity::Warning, text);
         }
     }

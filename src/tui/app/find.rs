@@ -42,7 +42,7 @@ pub fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
         ranked(QUANTITIES.iter(), |column| rank(text, &[&column.title()], column.meaning));
     let near: Vec<String> = matching.iter().take(NEAR).map(|column| column.title()).collect();
     let hint = if near.is_empty() {
-        "l steps through all of them".to_owned()
+        "<right> steps through all of them".to_owned()
     } else {
         format!("there are {}", near.join(", "))
     };

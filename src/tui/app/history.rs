@@ -6,7 +6,8 @@ use crate::model::scene::Scene;
 use crate::tui::app::Base;
 use crate::tui::pages::explore::state::SamplingPlan;
 use crate::tui::pages::run::runs::Pin;
-use crate::tui::pages::search::setup::Setup;
+use crate::tui::pages::search::setup::{Row, Setup};
+use crate::tui::pages::search::state::Page;
 
 /// All that edits change but for the pins, at one moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,13 +40,24 @@ pub enum Change {
     Unpinned(Vec<Pin>),
 }
 
+/// A value that arrow keys step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stepping {
+    /// A variable, by index into the table.
+    Variable(usize),
+    /// A row of the setup of a search.
+    Search(Page, Row),
+    /// The weight of a criterion of the screening matrix.
+    Weight(usize),
+}
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
     /// The label of the edit: `gamma 1 -> 1.25`.
     pub label: String,
     pub change: Change,
-    /// The variable it was stepped with, while further steps still belong to it.
-    pub stepping: Option<usize>,
+    /// What was stepped, while further steps still belong to it.
+    pub stepping: Option<Stepping>,
 }
 
 impl Edit {
@@ -93,7 +105,7 @@ impl History {
     }
 
     /// The state before the edit that a further step of this variable extends: held arrows count from where they began.
-    pub fn extended(&self, stepping: Option<usize>) -> Option<&Snapshot> {
+    pub fn extended(&self, stepping: Option<Stepping>) -> Option<&Snapshot> {
         let last = self.edits.last()?;
         match &last.change {
             Change::State(kept) if stepping.is_some() && last.stepping == stepping => Some(&kept.0),

@@ -1,10 +1,12 @@
 //! The tasks of the background threads.
 
+use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::scene::Scene;
 use crate::tui::pages::Tab;
+use crate::worker::ReportBody;
 use crate::worker::study::Study;
 
 /// A task that has not ended.
@@ -84,5 +86,57 @@ impl Jobs {
     /// Whether a study of this type is under way for a scene.
     pub fn is_coming<S: Study>(&self, scene: &Scene) -> bool {
         self.running::<S>().is_some_and(|running| *running.scene == *scene)
+    }
+}
+
+/// The result of a study that a page keeps, as far as it is there; that of a study of no scene has the default scene.
+#[derive(Clone, Debug)]
+pub struct Kept<T> {
+    pub scene: Arc<Scene>,
+    pub found: Option<Arc<T>>,
+    pub is_complete: bool,
+    /// No more of it follows: it is complete, or a person stopped it.
+    has_ended: bool,
+}
+
+impl<T> Default for Kept<T> {
+    fn default() -> Self {
+        Self { scene: Arc::default(), found: None, is_complete: false, has_ended: false }
+    }
+}
+
+impl<T> Kept<T> {
+    /// Keep what a report brings, if it has this type; gives whether it did.
+    pub(crate) fn take(
+        &mut self,
+        running: &Running,
+        news: &ReportBody,
+        is_complete: impl FnOnce(&T) -> bool,
+    ) -> bool
+    where
+        T: Any + Send + Sync,
+    {
+        let Some(found) = news.found::<T>() else { return false };
+        let is_complete = is_complete(&found);
+        let (scene, has_ended) = (Arc::clone(&running.scene), news.is_last());
+        *self = Self { scene, found: Some(found), is_complete, has_ended };
+        true
+    }
+
+    /// Whether it belongs to another scene than this one.
+    pub fn is_old(&self, scene: &Scene) -> bool {
+        self.found.is_some() && *self.scene != *scene
+    }
+
+    /// Whether it belongs to a scene and need not be computed: what a person stopped waits for the key that runs it again.
+    pub fn is_there(&self, scene: &Scene) -> bool {
+        self.found.is_some() && self.has_ended && *self.scene == *scene
+    }
+}
+
+impl Jobs {
+    /// Whether the result of a study of this type for a scene is neither kept nor under way.
+    pub fn lacks<S: Study, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
+        !kept.is_there(scene) && !self.is_coming::<S>(scene)
     }
 }

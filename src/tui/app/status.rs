@@ -3,6 +3,7 @@
 use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::scene::Mount;
+use crate::model::units::significant;
 use crate::model::variables::Kind;
 use crate::report::run::page;
 use crate::report::series::Quantity;
@@ -10,7 +11,7 @@ use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::pages::{self, StatusPart, note, part};
+use crate::tui::pages::{self, StatusPart, note, old, part};
 use crate::tui::prelude::*;
 use crate::tui::theme::columns;
 
@@ -44,10 +45,10 @@ impl App {
         let mut lines = wrapped(&text);
         if lines.len() > MESSAGE_LINES {
             lines.truncate(MESSAGE_LINES);
-            let end = " ...: 7:Log";
+            let end = self.keymap.shown(" ...: <tab-log>:Log");
             if let Some(last) = lines.last_mut() {
                 *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()
-                    + end;
+                    + &end;
             }
         }
         let mut all = Vec::new();
@@ -74,25 +75,26 @@ impl App {
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
         if let Some(error) = self.field.as_ref().and_then(|field| field.text.error.clone()) {
-            return Some((Severity::Error, error));
+            return Some((Severity::Error, self.keymap.shown(&error)));
         }
         if let Some(notice) = &self.notice {
             return Some((notice.severity, notice.text.clone()));
         }
         let shows = self.first_run && self.tab == Tab::Run && self.dialog.is_none();
-        shows.then(|| (Severity::Note, self.first_line()))
+        shows.then(|| (Severity::Note, self.keymap.shown(&self.first_line())))
     }
 
     /// How to begin, at the first start.
     fn first_line(&self) -> String {
         if self.size.0 < WIDE_ENOUGH {
-            return "Move j/k, change h/l, 2 explore, 3 limit, ? help.".to_owned();
+            return "Move <down>/<up>, change <left>/<right>, <tab-explore> explore, <tab-limit> limit, <help> help."
+                .to_owned();
         }
         let scene = &self.scene.projectile;
         format!(
-            "Baseline: a {} projectile at {} m/s hits a sprung plate. Move with j/k, change a value with h/l, press 2 to explore, 3 for the limit, ? for help.",
-            engineering(scene.mass_kg * 1e3, "g").replace(".50", ".5"),
-            crate::model::units::significant(scene.velocity_m_s, 4),
+            "Baseline: a {} g projectile at {} m/s hits a sprung plate. Move with <down>/<up>, change a value with <left>/<right>, press <tab-explore> to explore, <tab-limit> for the limit, <help> for help.",
+            significant(scene.mass_kg * 1e3, 3),
+            significant(scene.velocity_m_s, 4),
         )
     }
 
@@ -108,7 +110,8 @@ impl App {
         }
         let page = pages::of(self.tab);
         let meaning = page.form(self).and_then(|form| Some(form.line()?.meaning.clone()));
-        note(meaning).or_else(|| page.readout(self, room))
+        let (severity, text) = note(meaning).or_else(|| page.readout(self, room))?;
+        Some((severity, self.keymap.shown(&text)))
     }
 
     /// What the selected variable means, with its source where there is room.
@@ -137,8 +140,8 @@ impl App {
     /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
     pub fn needs_single_plate(&self) -> bool {
         let is_empty = match self.pane() {
-            ACCURACY => self.pages.numerics.accuracy.report.is_none(),
-            STABILITY => self.pages.numerics.stability.map.is_none(),
+            ACCURACY => self.pages.numerics.accuracy.report.found.is_none(),
+            STABILITY => self.pages.numerics.stability.map.found.is_none(),
             _ => false,
         };
         is_empty && crate::model::variables::require_single(&self.scene).is_err()
@@ -189,7 +192,10 @@ impl App {
             let at = parts.len().min(1);
             parts.insert(at, (Severity::Note, text.clone(), text));
         }
-        parts
+        let shown = |(severity, long, short): StatusPart| {
+            (severity, self.keymap.shown(&long), self.keymap.shown(&short))
+        };
+        parts.into_iter().map(shown).collect()
     }
 
     pub(crate) fn run_status(&self) -> Vec<StatusPart> {
@@ -261,18 +267,16 @@ impl App {
                     format!("running for {seconds:.1} s, at t = {t}")
                 },
             );
-            return part(Severity::Note, format!("{text} (Esc cancels)"));
+            return part(Severity::Note, format!("{text} (<back> cancels)"));
         }
         if self.jobs.failure.is_some() {
-            return part(Severity::Error, "failed: see 7:Log");
+            return part(Severity::Error, "failed: see <tab-log>:Log");
         }
         match &self.shown {
             None => part(Severity::Note, NO_RESULTS),
-            Some(_) if self.is_stale() && self.jobs.current.is_none() => (
-                Severity::Warning,
-                "another scene's results: press r".to_owned(),
-                "old: press r".to_owned(),
-            ),
+            Some(_) if self.is_stale() && self.jobs.current.is_none() => {
+                (Severity::Warning, old("scene"), "old: press <run>".to_owned())
+            }
             Some(shown) => match shown.took {
                 Some(took) if shown.run.end.is_complete() => {
                     part(Severity::Note, format!("done {}", show_duration(took)))
@@ -293,7 +297,7 @@ fn plain(severity: Severity, lines: Vec<String>) -> Vec<(Severity, String)> {
 pub fn warning_text(warning: &Warning) -> String {
     match warning {
         Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
-            format!("{warning} (interface law: key o)")
+            format!("{warning} (interface law: key <options>)")
         }
         _ => warning.to_string(),
     }
@@ -416,7 +420,7 @@ impl App {
         let of_run = matches!(self.tab, Tab::Run | Tab::Log);
         let is_shown = |check: &Check| *check == Check::Interface && of_run;
         let checks = found.iter().map(|breach| breach.check);
-        outside(checks.filter(|check| !is_shown(check)), "", " (7:Log)")
+        outside(checks.filter(|check| !is_shown(check)), "", " (<tab-log>:Log)")
     }
 }
 

@@ -188,7 +188,7 @@ impl Column {
     }
 }
 
-/// Draws a curve and counts the points a logarithmic axis had to leave out.
+/// Draws a curve; its line breaks at points that have no place on the axes.
 pub(super) fn trace(
     curve: &Curve<'_>,
     owner: usize,

@@ -59,13 +59,13 @@ pub(crate) fn export_table(app: &mut App) {
             let file = TextField::new(table.file);
             open(app, Purpose::Table(table.title), file, Choices::default());
         }
-        None => app.refuse("nothing to export yet: press r to compute it"),
+        None => app.refuse("nothing to export yet: press <run> to compute it"),
     }
 }
 
 pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
-        return app.refuse("nothing to copy yet: press r to compute it".to_owned());
+        return app.refuse("nothing to copy yet: press <run> to compute it".to_owned());
     };
     match Content::Page(table).text(Meta::Beside) {
         Ok(text) => app.request(Effect::Copy(text)),
@@ -340,7 +340,7 @@ pub(crate) fn read(
             if matches!(dialog, Some(Dialog::Ask(ask)) if is_curve(ask)) {
                 *dialog = None;
             }
-            app.tell(format!("spring: {count} points from {name} (u undoes)"));
+            app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
             edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
         }
         (Err(text), Some(Dialog::Ask(state))) => state.text.error = Some(text),

@@ -177,7 +177,7 @@ impl Choices {
 pub(crate) fn open(app: &mut App) {
     let runs = available(app);
     if runs.is_empty() {
-        return app.refuse("nothing to export yet: r runs the scene");
+        return app.refuse("nothing to export yet: <run> runs the scene");
     }
     let about = |name: &str| {
         let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);

@@ -4,6 +4,10 @@ use crate::model::variables::Kind;
 use crate::tui::app::layout::{split_bottom, split_top};
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::{HelpRow, Picker, filter, frame, help_rows};
+use crate::tui::pages::limit::COMPARISON;
+use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
+use crate::tui::pages::numerics::STIFF_SCENES;
+use crate::tui::pages::numerics::stability::stiff_scenes_words;
 use crate::tui::pages::{self, run};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
@@ -68,11 +72,19 @@ fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) 
     );
 }
 
-/// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
+/// What the words and signs of the focused pane mean.
 fn about(app: &App, width: u16) -> Vec<TextLine> {
-    if app.pane() != run::VARIABLES {
-        return Vec::new();
-    }
+    let text = match app.pane() {
+        run::VARIABLES => return variable(app, width),
+        COMPARISON => COMPARISON_WORDS.to_owned(),
+        STIFF_SCENES => stiff_scenes_words(),
+        _ => return Vec::new(),
+    };
+    wrapped(&text, width, Role::Text).chain([(String::new(), Role::Text)]).collect()
+}
+
+/// Meaning, allowed values, range and source of the selected variable.
+fn variable(app: &App, width: u16) -> Vec<TextLine> {
     let variable = app.editor.variable();
     let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
     let mut text = |text: String| {
@@ -83,7 +95,7 @@ fn about(app: &App, width: u16) -> Vec<TextLine> {
     let range = match &variable.kind {
         Kind::Number(number) => number.thesis_range.map_or_else(String::new, |(low, high)| {
             let show = crate::model::units::shortest;
-            format!("; the thesis searched {} to {}", show(low), show(high))
+            format!("; the thesis searched {} to {} (Table 9.2, T9.2)", show(low), show(high))
         }),
         Kind::Choice(_) | Kind::Switch { .. } => String::new(),
     };

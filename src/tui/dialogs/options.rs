@@ -59,7 +59,7 @@ impl OptionRow {
             Self::Mouse => {
                 "on: a click selects, a second one opens, the wheel moves; off: the terminal selects text"
             }
-            Self::AutoRun => "on: every edit runs at once; off: r runs",
+            Self::AutoRun => "on: every edit runs at once; off: <run> runs",
             Self::Threads => "how many threads sweeps and studies use",
             Self::Interface => "whether projectile and plate stay together after the first arrest",
             Self::Contact => "the force between projectile and plate",
@@ -135,6 +135,7 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
         canvas.put(row, (VALUE, 0), &format!("< {value} >"), Role::Title);
     });
     let meaning = OptionRow::ALL.get(picker.selected).map_or("", |row| row.meaning());
+    let meaning = &app.keymap.shown(meaning);
     let below = Rect { x: inner.x + 1, width: inner.width.saturating_sub(2), ..inner };
     canvas.put_lines(below, rows + 1, wrapped(meaning, below.width, Role::Dim));
 }

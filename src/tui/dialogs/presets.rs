@@ -163,7 +163,7 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) {
             let label = format!("{} {}", part.library.word(), part.name);
             edit::commit_scene(app, scene, label.clone(), None);
             if part.warning.is_empty() {
-                app.tell(format!("{label} (u undoes)"));
+                app.tell(format!("{label} (<undo> undoes)"));
             } else {
                 app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
             }

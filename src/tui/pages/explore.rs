@@ -21,6 +21,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{cursor_moved, moved};
+use crate::tui::update::zoom;
 use crate::tui::widgets::form::Form;
 
 /// The curves or the map.
@@ -99,10 +100,13 @@ impl Page for ExploreTab {
                 app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
             }
             Action::LogX => setup::toggle_spacing(app),
-            Action::ZoomIn | Action::ZoomOut | Action::PanLeft | Action::PanRight
-                if app.picture() == Picture::Surface =>
-            {
-                app.tell("a map shows all of its axes: change their ends in the setup");
+            Action::ZoomIn | Action::ZoomOut if app.picture() == Picture::Surface => {
+                if let Err(why) = setup::zoom(app, action == Action::ZoomIn) {
+                    app.refuse(why);
+                }
+            }
+            _ if zoom::is_zoom(action) && app.picture() == Picture::Surface => {
+                app.tell("a map shows all of its axes: change their ends in the setup, or undo");
             }
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
@@ -172,11 +176,11 @@ impl Page for ExploreTab {
         match (news, news.found::<Grid>()) {
             (ReportBody::Failed(_), _) => {
                 app.pages.explore.problem =
-                    Some("this cannot be swept: press r to see why".to_owned());
+                    Some("this cannot be swept: press <run> to see why".to_owned());
             }
             (ReportBody::Ended { took, .. }, Some(grid)) => {
                 if !grid.is_complete() {
-                    app.tell("Cancelled. Partial results are shown; press r to sweep again.");
+                    app.tell(jobs::CANCELLED);
                 }
                 app.pages.explore.show(sweep.picture, Found { grid, took: Some(*took) });
             }
@@ -270,7 +274,7 @@ pub(crate) fn compute(app: &mut App) {
         Err(error) => {
             stop(app);
             app.pages.explore.problem =
-                Some("these axes cannot be swept: press r to see why".to_owned());
+                Some("these axes cannot be swept: press <run> to see why".to_owned());
             app.refuse(error.to_string());
         }
         Ok(plan) => {
@@ -285,7 +289,7 @@ pub(crate) fn compute(app: &mut App) {
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let picture = app.picture();
     let Some(found) = app.pages.explore.found(picture) else {
-        return app.tell("no results yet: press r to sweep");
+        return app.tell(NO_RESULTS);
     };
     let grid = Arc::clone(&found.grid);
     let at = app.cursor_point(&grid);
@@ -322,7 +326,7 @@ fn warn_if_long(app: &mut App, running: &Running) {
     app.say(
         Severity::Warning,
         format!(
-            "this sweep will take about {minutes} min more: Esc stops it and keeps what is finished"
+            "this sweep will take about {minutes} min more: <back> stops it and keeps what is finished"
         ),
     );
 }

@@ -4,11 +4,11 @@ pub mod comparison;
 pub mod state;
 
 use crate::report::{compare, limit};
-use crate::study::limit::{Limit, Report};
+use crate::study::limit::Limit;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
-use crate::tui::pages::limit::comparison::{Comparison, EqualMass};
+use crate::tui::pages::limit::comparison::EqualMass;
 use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
@@ -24,7 +24,7 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "show or hide V50 and its spread (every input varies by 2 %)"),
+        key(A::View, "V50", "V50 and its spread (inputs +-2 %; model error: cmra limit)"),
         key(A::Enter, "load", "load the impact velocity under the cursor (u undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },
@@ -54,18 +54,16 @@ impl Page for LimitTab {
     }
 
     fn enter(&self, app: &mut App) {
-        let tab = &app.pages.limit;
-        let found = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
-        let coming = app.jobs.is_coming::<LimitSearch>(&app.scene);
-        if !found && !coming {
+        let found = app.pages.limit.report.is_there(&app.limit_scene());
+        if !found && !app.jobs.is_coming::<LimitSearch>(&app.scene) {
             find(app);
         }
-        let comparing =
-            app.compared_scene().is_ok_and(|wanted| app.jobs.is_coming::<EqualMass>(&wanted));
-        let compared = app.pages.limit.comparison.is_some() && !app.comparison_is_old();
-        if !comparing && !compared {
-            compare(app);
+        let kept = &app.pages.limit.comparison;
+        let wanted = app.compared_scene();
+        if wanted.is_ok_and(|scene| !app.jobs.lacks::<EqualMass, _>(kept, &scene)) {
+            return;
         }
+        compare(app);
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
@@ -79,6 +77,10 @@ impl Page for LimitTab {
         true
     }
 
+    fn is_idle(&self, app: &App, action: Action) -> bool {
+        app.pane() == EFFICIENCY_MAP && action == Action::View
+    }
+
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             RESIDUAL => app.limit_readout(),
@@ -89,14 +91,23 @@ impl Page for LimitTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.limit;
-        let kept = tab.report.as_ref().map(|report| report.is_complete);
-        let words = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
-        let finding = progress::<LimitSearch>(app, app.limit_is_old(), kept, words);
-        let mut parts = vec![finding.unwrap_or_else(|| Progress::Done("done".to_owned())).part()];
-        if let Some(report) = &tab.report {
-            parts.extend(app.jobs.running::<EqualMass>().map(|comparing| {
-                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
-            }));
+        let done = || Progress::Done("done".to_owned());
+        let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
+        if app.pane() != RESIDUAL {
+            let of_map = app.pane() == EFFICIENCY_MAP;
+            let scene = if of_map { app.efficiency_scene() } else { app.compared_scene() };
+            let scene = scene.unwrap_or_default();
+            let comparing = progress::<EqualMass, _>(app, &tab.comparison, &scene, words);
+            let first = comparing.unwrap_or_else(done).part();
+            return std::iter::once(first).chain(app.validity_part()).collect();
+        }
+        let finding = progress::<LimitSearch, _>(app, &tab.report, &app.limit_scene(), |it| {
+            format!("finding the limit{}", it.counted("of about", " shots"))
+        });
+        let mut parts = vec![finding.unwrap_or_else(done).part()];
+        if let Some(report) = &tab.report.found {
+            let comparing = app.jobs.running::<EqualMass>();
+            parts.extend(comparing.map(|it| Progress::Running(words(it)).part()));
             let at_limit = report.at_limit.as_ref();
             parts.extend(at_limit.map_or_else(
                 || app.validity_part(),
@@ -111,35 +122,32 @@ impl Page for LimitTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        if let Some(comparison) = news.found::<Comparison>() {
-            app.pages.limit.comparison = Some((Arc::clone(&running.scene), comparison));
-        } else if let Some(report) = news.found::<Report>() {
-            app.pages.limit.show(report);
-        }
+        app.pages.limit.take(running, news);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let stem = ask::base_stem(app);
         if app.pane() == RESIDUAL {
-            let report = app.pages.limit.report.as_ref();
-            let report = Arc::clone(report.filter(|report| !report.shots.is_empty())?);
-            let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
-            let file = format!("{}-limit.csv", ask::stem(app, &scene));
+            let kept = &app.pages.limit.report;
+            let report = kept.found.as_ref().filter(|report| !report.shots.is_empty())?;
+            let (report, is_complete) = (Arc::clone(report), kept.is_complete);
+            let file = format!("{}-limit.csv", ask::stem(app, &kept.scene));
             let csv = move |name: &str| limit::shots(name, &report).csv();
             let table = PageTable::new("Export the shots to CSV", file, is_complete, csv);
-            return Some(table.of(app, &scene));
+            return Some(table.of(app, &kept.scene));
         }
-        let (scene, found) = app.pages.limit.comparison.as_ref()?;
+        let kept = &app.pages.limit.comparison;
+        let found = Arc::clone(kept.found.as_ref()?);
         if app.pane() == COMPARISON {
             let (file, is_complete) = (format!("{stem}-compare.csv"), found.report.is_complete);
-            let found = Arc::clone(found);
             let csv = move |name: &str| compare::table(name, &found.report).csv();
             let table = PageTable::new("Export the comparison to CSV", file, is_complete, csv);
-            return Some(table.of(app, scene));
+            return Some(table.of(app, &kept.scene));
         }
         let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
+        let is_complete = map.is_complete();
         let csv = move |name: &str| compare::map_table(name, &map).csv();
-        Some(PageTable::new("Export the map to CSV", file, true, csv).of(app, scene))
+        Some(PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -176,7 +184,7 @@ impl Page for LimitTab {
             return None;
         }
         let tab = &mut app.pages.limit;
-        let (x, _) = limit::axes(tab.report.as_ref()?)?;
+        let (x, _) = limit::axes(tab.report.found.as_ref()?)?;
         let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
         let about = tab.shot().map(|shot| shot.impact_m_s);
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))
@@ -221,15 +229,15 @@ fn in_curve(app: &mut App, action: Action) -> bool {
 
 fn load_shot(app: &mut App) {
     if app.limit_is_old() {
-        return app.refuse("these results belong to another scene: press r to find its limit");
+        return app.refuse(old("scene"));
     }
     let Some(velocity_m_s) = app.pages.limit.shot().map(|shot| shot.impact_m_s) else {
-        return app.tell("no shot under the cursor: h and l move it");
+        return app.tell("no shot under the cursor: <left> and <right> move it");
     };
     let mut scene = (*app.scene).clone();
     scene.projectile.velocity_m_s = velocity_m_s;
-    let text = format!("v_i = {} m/s", significant(velocity_m_s, 4));
-    edit::load_design(app, Ok((scene, text)));
+    let label = format!("v_i = {} m/s", significant(velocity_m_s, 4));
+    edit::load_design(app, Ok(LabelledScene { scene, label }));
 }
 
 fn in_comparison(app: &mut App, action: Action) -> bool {
@@ -239,13 +247,12 @@ fn in_comparison(app: &mut App, action: Action) -> bool {
             compare(app);
         }
         Action::Enter => match (app.compared_scene(), app.absorber()) {
-            (_, None) => app.tell("the scene's own spring: v takes one of the library"),
-            (Ok(scene), Some(absorber)) => {
-                let name = format!("absorber {}", absorber.name);
-                app.pages.limit.absorber = 0;
-                edit::load_scene(app, scene, &name);
+            (_, None) => app.tell("the scene's own spring: <view> takes one of the library"),
+            (scene, Some(absorber)) => {
+                // The absorber stays chosen: the comparison is one of this scene, and of the one before when it is undone.
+                let label = format!("absorber {}", absorber.name);
+                edit::load_design(app, scene.map(|scene| LabelledScene { scene, label }));
             }
-            (Err(why), _) => app.refuse(why),
         },
         _ => return false,
     }
@@ -260,7 +267,7 @@ fn in_map(app: &mut App, action: Action) -> bool {
             if app.scene != before {
                 let own = significant(1e3 * app.scene.target.thickness_m, 4);
                 app.tell(format!(
-                    "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (u undoes)"
+                    "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (<undo> undoes)"
                 ));
             }
         }

@@ -141,7 +141,7 @@ fn section(lines: &mut Vec<TextLine>, heading: &str, body: impl IntoIterator<Ite
 fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     let run = &shown.run;
     let plain = |texts: Vec<String>| texts.into_iter().map(|text| (text, Role::Text));
-    let which = if is_stale { " (of another scene: press r)" } else { "" };
+    let which = if is_stale { " (of another scene)" } else { "" };
     let warnings = envelope::warnings(run).into_iter();
     let warnings = warnings.map(|warning| (format!("! {warning}"), Role::Warning));
     section(lines, &format!("Warnings of the run{which}"), warnings);

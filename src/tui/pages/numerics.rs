@@ -4,10 +4,7 @@ pub mod accuracy;
 pub mod stability;
 
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
-use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
-use crate::study::stability::Row;
-use crate::study::stability::map::Map;
 use crate::tui::dialogs::ask;
 use crate::tui::pages::prelude::*;
 
@@ -102,40 +99,35 @@ impl Page for NumericsTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        if let Some(report) = news.found::<Report>() {
-            accuracy::report(app, running, report, matches!(news, ReportBody::Ended { .. }));
-        } else if let Some(map) = news.found::<Map>() {
-            app.pages.numerics.stability.show_map(Arc::clone(&running.scene), map);
-        } else if let Some(rows) = news.found::<RowsSoFar<Row>>() {
-            app.pages.numerics.stability.battery = Some(rows);
-        }
+        accuracy::report(app, running, news);
+        stability::report(app, running, news);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
         Some(match app.pane() {
             ACCURACY => {
-                let report = Arc::clone(app.pages.numerics.accuracy.report.as_ref()?);
-                let (scene, is_complete) = (Arc::clone(&report.scene), report.is_complete);
-                let file = format!("{}-accuracy.csv", ask::stem(app, &scene));
+                let kept = &app.pages.numerics.accuracy.report;
+                let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
+                let file = format!("{}-accuracy.csv", ask::stem(app, &kept.scene));
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
                 PageTable::new("Export the measurements to CSV", file, is_complete, csv)
-                    .of(app, &scene)
+                    .of(app, &kept.scene)
             }
             STIFF_SCENES => {
-                let battery = app.pages.numerics.stability.battery.as_ref();
-                let battery = Arc::clone(battery.filter(|battery| !battery.rows.is_empty())?);
-                let is_complete = battery.is_complete;
+                let kept = &app.pages.numerics.stability.battery;
+                let battery = kept.found.as_ref().filter(|battery| !battery.rows.is_empty())?;
+                let (battery, is_complete) = (Arc::clone(battery), kept.is_complete);
                 let csv = move |_: &str| stability_table::table(&battery.rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
-                let (scene, map) = app.pages.numerics.stability.map.as_ref()?;
-                let (file, map) = (format!("{}-map.csv", ask::stem(app, scene)), Arc::clone(map));
-                let is_complete = map.is_complete();
+                let kept = &app.pages.numerics.stability.map;
+                let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
+                let file = format!("{}-map.csv", ask::stem(app, &kept.scene));
                 let csv = move |name: &str| stability_table::map_table(name, &map).csv();
-                PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, scene)
+                PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene)
             }
         })
     }

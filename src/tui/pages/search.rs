@@ -10,7 +10,7 @@ use crate::study::search::front::Front;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::study::validity::counted;
-use crate::tui::app::history::Snapshot;
+use crate::tui::app::history::{Snapshot, Stepping};
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
 use crate::tui::dialogs::{around, wrap};
@@ -89,12 +89,9 @@ impl Page for SearchTab {
 
     fn turn_to(&self, app: &mut App, page: usize) {
         app.pages.search.page = state::Page::ALL[page.min(state::Page::ALL.len() - 1)];
-        app.pages.search.problem = None;
         app.field = None;
         app.pages.search.row = app.search_row();
-        if app.pages.search.shown().is_none() {
-            look(app);
-        }
+        self.enter(app);
     }
 
     fn enter(&self, app: &mut App) {
@@ -114,6 +111,7 @@ impl Page for SearchTab {
             Action::Enter => edit::load_design(app, app.search_design()),
             Action::Mark => runs::pin_design(app, app.search_design()),
             Action::View => view(app),
+            Action::Sort if self.is_idle(app, action) => app.tell("no table to sort on this page"),
             Action::Sort => app.pages.search.sort_next(),
             Action::LogX if app.pages.search.page != state::Page::Front => {
                 app.tell("only the chart of the Pareto front has a choice of horizontal scale");
@@ -135,7 +133,7 @@ impl Page for SearchTab {
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         let tab = &app.pages.search;
-        if let Some(problem) = &tab.problem {
+        if let Some(problem) = tab.problem() {
             return note(Some(problem.clone()));
         }
         note(match &*tab.shown()?.answer {
@@ -143,7 +141,7 @@ impl Page for SearchTab {
                 let solution = report.solutions().nth(tab.selected())?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
-                let loads = if app.pane() == RESULTS { "; Enter loads it" } else { "" };
+                let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
                 Some(format!("{} {at}: {value}{loads}", report.axis.symbol()))
             }
             Answer::Front(_, task) => {
@@ -188,7 +186,7 @@ impl Page for SearchTab {
             }
             (None, None) => Progress::Nothing,
         };
-        let problem = tab.problem.is_some() && running.is_none() && tab.shown().is_none();
+        let problem = tab.problem().is_some() && running.is_none() && tab.shown().is_none();
         let refused = || part(Severity::Error, "this cannot be searched for");
         let first = if problem { refused() } else { progress.part() };
         let count = count.map(|runs| part(Severity::Note, runs));
@@ -212,13 +210,25 @@ impl Page for SearchTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        if matches!(news, ReportBody::Failed(_)) {
-            app.pages.search.problem = app.notice.as_ref().map(|notice| notice.text.clone());
+        let Some(request) = running.study.of::<Request>() else { return };
+        let (tab, page) = (&mut app.pages.search, request.page() as usize);
+        if let ReportBody::Failed(text) = news {
+            tab.problem[page] = Some(text.clone());
         }
-        if let (Some(request), Some(answer)) = (running.study.of::<Request>(), news.found()) {
+        if let Some(answer) = news.found() {
             let (scene, request) = (Arc::clone(&running.scene), request.clone());
-            let page = request.page() as usize;
-            app.pages.search.found[page] = Some(state::Found { scene, request, answer });
+            let found = state::Found { scene, request, answer };
+            let before = tab.found[page].replace(found);
+            let is_same = |old: state::Found| {
+                old.scene == running.scene && running.study.of() == Some(&old.request)
+            };
+            tab.zoomed[page].take_if(|_| !before.is_some_and(is_same));
+            // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
+            let is_complete = tab.found[page].as_ref().is_some_and(state::Found::is_complete);
+            let waits = tab.page as usize != page && app.tab == Tab::Search;
+            if news.is_last() && is_complete && waits {
+                self.enter(app);
+            }
         }
     }
 
@@ -279,7 +289,7 @@ impl Page for SearchTab {
         }
         let tab = &mut app.pages.search;
         let (x, about) = draw::across(tab)?;
-        Some(Across::of(&mut tab.zoomed, x.view, x.scale, about))
+        Some(Across::of(&mut tab.zoomed[tab.page as usize], x.view, x.scale, about))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -290,8 +300,6 @@ impl Page for SearchTab {
 
 /// Far along a front, in designs.
 const FAR: i16 = 10;
-/// Steps in a row of the setup that belong to one edit carry this, the page and the row in place of a variable.
-const STEPPING: usize = usize::MAX / 2;
 /// Steps of numbers that are not typed.
 const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
 const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
@@ -310,7 +318,6 @@ fn view(app: &mut App) {
     if setup.axes.1 >= count {
         setup.axes = (0, 1.min(count.saturating_sub(1)));
     }
-    app.pages.search.zoomed = None;
     note_change(app, Row::Up, before, false);
 }
 
@@ -328,7 +335,10 @@ pub(crate) fn hidden_lines(app: &App) -> usize {
 /// After an edit of the setup or the scene: a search that takes less than a second is made again.
 fn follow(app: &mut App) {
     let quick = app.pages.search.page == state::Page::Seek && app.auto_run;
-    if quick && app.search_is_old() {
+    let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
+    // The search of another page goes on.
+    let is_free = running.is_none_or(|page| page == state::Page::Seek);
+    if quick && is_free && app.search_is_old() {
         look(app);
     }
 }
@@ -339,11 +349,11 @@ fn look(app: &mut App) {
         Ok(request) => request,
         Err(problem) => {
             app.refuse(problem.clone());
-            app.pages.search.problem = Some(problem);
+            app.pages.search.problem[page as usize] = Some(problem);
             return;
         }
     };
-    app.pages.search.problem = None;
+    app.pages.search.problem[page as usize] = None;
     jobs::study(app, Tab::Search, request);
 }
 
@@ -352,8 +362,10 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     if app.pages.search.setup == before.search {
         return;
     }
-    let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
-    let stepping = stepped.then_some(STEPPING + 100 * app.pages.search.page as usize + at);
+    // Another quantity may stand on the axis.
+    let page = app.pages.search.page;
+    app.pages.search.zoomed[page as usize] = None;
+    let stepping = stepped.then_some(Stepping::Search(page, row));
     let first = Arc::clone(&app.history.extended(stepping).unwrap_or(&before).search);
     let after = std::mem::replace(&mut app.pages.search.setup, first);
     let old = app.search_line(row, &app.search_bounds());
@@ -386,7 +398,7 @@ fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = column.parse(text)?;
         }
-        (Row::Goal, Input::Step(_)) => app.tell("Enter types a value here"),
+        (Row::Goal, Input::Step(_)) => app.tell("<enter> types a value here"),
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {

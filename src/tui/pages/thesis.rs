@@ -9,6 +9,7 @@ use crate::study::sweep::Sampling;
 use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::history::Stepping;
 use crate::tui::app::status::fitting;
 use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
@@ -65,11 +66,9 @@ impl Page for ThesisTab {
     }
 
     fn enter(&self, app: &mut App) {
-        let tab = &app.pages.thesis;
-        let there = tab.report.as_ref().is_some_and(|report| report.is_complete)
-            || app.jobs.running::<Claims>().is_some();
-        if !there && app.pane() == CLAIMS {
-            jobs::study(app, Tab::Thesis, Claims);
+        let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
+        if lacks && app.pane() == CLAIMS {
+            check(app);
         }
     }
 
@@ -84,7 +83,7 @@ impl Page for ThesisTab {
             return true;
         }
         match action {
-            Action::Run => jobs::study(app, Tab::Thesis, Claims),
+            Action::Run => check(app),
             Action::Enter => open(app),
             Action::View if pane == CLAIMS => app.pages.thesis.next_filter(),
             Action::Sort => app.pages.thesis.by_verdict = !app.pages.thesis.by_verdict,
@@ -92,7 +91,7 @@ impl Page for ThesisTab {
                 let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
                 weights[at] = WEIGHTS_PERCENT[at];
                 weigh(app, weights, None);
-                app.tell("weight reset to that of Table 7.1 (u undoes)");
+                app.tell("weight reset to that of Table 7.1 (<undo> undoes)");
             }
             _ => return false,
         }
@@ -106,15 +105,16 @@ impl Page for ThesisTab {
                 let row = app.claim()?;
                 let opens = match row.claim.opens() {
                     Opens::Nothing => "no scene shows this".to_owned(),
-                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
-                    Opens::Preset(name) => format!("Enter opens {name}"),
+                    Opens::Scene(_) => "<enter> opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("<enter> opens {name}"),
                 };
                 // The cause is in the detail: a line that changes its height here would move the list.
-                format!("{}: {opens}", row.found.verdict.words())
+                let verdict = row.found.verdict;
+                format!("{} {}: {opens}", verdict.letter(), verdict.words())
             }
             // Its name is selected in the list and heads the detail.
             PRINCIPLES => match principles::PRINCIPLES[tab.principle].preset {
-                Some(name) => format!("Enter opens {name}"),
+                Some(name) => format!("<enter> opens {name}"),
                 None => "no preset shows it".to_owned(),
             },
             // In one row of the narrowest screen: a second one would hide the ranks.
@@ -131,45 +131,45 @@ impl Page for ThesisTab {
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.thesis;
         let mut parts = Vec::new();
-        let kept = tab.report.as_ref().map(|report| report.is_complete);
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
-        let checking = progress::<Claims>(app, false, kept, words);
+        let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words);
         parts.extend(checking.map(Progress::part));
-        if tab.report.is_some() {
+        if tab.report.found.is_some() {
             let (rows, counts) = (tab.rows(), tally(tab.rows()));
-            let listed = |show: fn(Verdict) -> String| {
+            let listed = |show: fn(Verdict, usize) -> String| {
                 let parts = Verdict::ALL.iter().zip(counts);
-                let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
+                let parts = parts.map(|(verdict, count)| show(*verdict, count));
                 parts.collect::<Vec<_>>().join(", ")
             };
-            let full = listed(|verdict| verdict.words().to_owned());
+            let full = listed(|verdict, count| format!("{count} {}", verdict.words()));
             let full = format!("{} rows: {full}", rows.len());
             // The letters are those of the list.
-            let brief = listed(|verdict| verdict.brief().to_owned());
-            let letters = listed(|verdict| verdict.letter().to_string());
+            let brief =
+                listed(|verdict, count| format!("{}{count} {}", verdict.letter(), verdict.brief()));
+            let letters = listed(|verdict, count| format!("{count} {}", verdict.letter()));
             let room = usize::from(app.size.0.saturating_sub(2));
             parts.push((Severity::Note, full, fitting([brief, letters], room)));
         }
         parts
     }
 
-    fn report(&self, app: &mut App, _running: &Running, news: &ReportBody) {
-        if let Some(found) = news.found() {
-            app.pages.thesis.report = Some(found);
-        }
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        app.pages.thesis.report.take(running, news, |report| report.is_complete);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let (file, text) = match app.pane() {
-            PRINCIPLES => ("principles.csv", thesis::principles().csv()),
-            SCREENING => ("screening.csv", thesis::screening(&app.pages.thesis.weights).csv()),
+        let tab = &app.pages.thesis;
+        let (file, is_complete, text) = match app.pane() {
+            PRINCIPLES => ("principles.csv", true, thesis::principles().csv()),
+            SCREENING => ("screening.csv", true, thesis::screening(&tab.weights).csv()),
             _ => {
                 // Of the claims those that are shown, as far as they are checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
-                ("claims.csv", (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?)
+                let text = (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?;
+                ("claims.csv", tab.report.is_complete, text)
             }
         };
-        Some(PageTable::new("Export this page to CSV", file, true, move |_| text.clone()))
+        Some(PageTable::new("Export this page to CSV", file, is_complete, move |_| text.clone()))
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -210,9 +210,12 @@ impl Page for ThesisTab {
 }
 
 const STEP: f64 = 1.0;
-/// Steps of a weight that belong to one edit carry this and the criterion in place of a variable.
-const STEPPING: usize = usize::MAX - 100;
 const WEIGHT_MAX: f64 = 100.0;
+
+/// Check the claims; the scene plays no part.
+fn check(app: &mut App) {
+    jobs::study_of(app, Tab::Thesis, &Arc::default(), Claims);
+}
 
 /// Other weights, as one edit; steps of one criterion join.
 fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
@@ -221,7 +224,7 @@ fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
     if weights.map(f64::to_bits) == before.weights.map(f64::to_bits) {
         return;
     }
-    let stepping = stepped.map(|at| STEPPING + at);
+    let stepping = stepped.map(Stepping::Weight);
     let label = match stepped {
         None => "printed weights".to_owned(),
         Some(at) => {
@@ -280,7 +283,7 @@ pub(crate) fn show(app: &mut App, base: Base) {
     plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
     plan.samplings = [Sampling::Factorial; 2];
     pages::of(Tab::Explore).enter(app);
-    app.tell(format!("{name} loaded, here is its sweep (u undoes)"));
+    app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
 }
 
 /// Checks every claim of the thesis; the scene plays no part.
@@ -301,7 +304,7 @@ impl Study for Claims {
 
 #[derive(Clone, Debug)]
 pub struct Thesis {
-    pub report: Option<Arc<RowsSoFar<Row>>>,
+    pub report: Kept<RowsSoFar<Row>>,
     pub filter: Option<Verdict>,
     /// The claims shown match this.
     pub find: String,
@@ -316,7 +319,7 @@ pub struct Thesis {
 impl Default for Thesis {
     fn default() -> Self {
         Self {
-            report: None,
+            report: Kept::default(),
             filter: None,
             find: String::new(),
             by_verdict: false,
@@ -330,7 +333,7 @@ impl Default for Thesis {
 
 impl Thesis {
     pub fn rows(&self) -> &[Row] {
-        self.report.as_ref().map_or(&[], |report| &report.rows)
+        self.report.found.as_ref().map_or(&[], |report| &report.rows)
     }
 
     /// The next verdict to filter by; after the last one, all rows.

@@ -153,7 +153,7 @@ fn anywhere(app: &mut App, action: Action) {
         A::Suspend => app.request(Effect::Suspend),
         _ => {
             let key = app.keymap.label(action);
-            app.tell(format!("`{key}` does nothing here: ? lists the keys"));
+            app.tell(format!("`{key}` does nothing here: <help> lists the keys"));
         }
     }
 }
@@ -194,7 +194,7 @@ fn focus(app: &mut App, by: isize) {
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
         if page.about().pages.len() < 2 {
-            app.tell("this tab has one pane; } and { change tabs");
+            app.tell("this tab has one pane; <next-tab> and <previous-tab> change tabs");
         }
         return next_page(app, by);
     }
@@ -222,14 +222,14 @@ fn leave(app: &mut App, action: Action) {
     let is_long = pages::all_jobs(app).any(|(_, job)| app.jobs.long.contains(&job));
     let question = if is_quit && is_long {
         Some(
-            "a job has been running for more than 5 s: q again quits without it, Esc in its tab cancels it",
+            "a job has been running for more than 5 s: <quit> again quits without it, <back> in its tab cancels it",
         )
     } else if is_quit && app.session_lost && app.is_modified() {
         Some(
-            "the session cannot be kept (see 7:Log): q again quits without it, s or e save the scene or the table",
+            "the session cannot be kept (see <tab-log>:Log): <quit> again quits without it, <save> or <export> save the scene or the table",
         )
     } else if action == Action::Cancel {
-        Some("no job is running: Ctrl-c again quits")
+        Some("no job is running: <cancel> again quits")
     } else {
         None
     };
@@ -250,8 +250,8 @@ fn back(app: &mut App) {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
         let kept = if app.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
-            || format!("nothing to close: q quits (the session {kept})"),
-            |tab| format!("nothing to stop here: Esc in {} stops its job", tab.title()),
+            || format!("nothing to close: <quit> quits (the session {kept})"),
+            |tab| format!("nothing to stop here: <back> in {} stops its job", tab.title()),
         );
         app.tell(text);
     }

@@ -7,12 +7,12 @@ use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
-use crate::tui::app::history::{Change, Edit, Snapshot};
+use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
-use crate::tui::pages::explore;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
+use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
 use crate::tui::update::jobs;
 
@@ -24,7 +24,7 @@ pub(crate) fn set(
     app: &mut App,
     index: usize,
     value: Value,
-    stepping: Option<usize>,
+    stepping: Option<Stepping>,
 ) -> Result<(), String> {
     let variable = &VARIABLES[index];
     let mut scene = (*app.scene).clone();
@@ -68,17 +68,17 @@ pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<()
 }
 
 /// Make another scene the current one, as one edit.
-pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
+pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<Stepping>) {
     commit(app, Arc::new(scene), app.base.clone(), label, stepping);
 }
 
 /// Make the design under a cursor the current scene, or say why there is none.
-pub(crate) fn load_design(app: &mut App, design: Result<(Scene, String), String>) {
+pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) {
     match design {
-        Ok((scene, _)) if scene == *app.scene => {
-            app.tell("the scene is this design already: 1 shows its run");
+        Ok(design) if design.scene == *app.scene => {
+            app.tell("the scene is this design already: <tab-run> shows its run");
         }
-        Ok((scene, label)) => load_scene(app, scene, &label),
+        Ok(design) => load_scene(app, design.scene, &design.label),
         Err(why) => app.refuse(why),
     }
 }
@@ -86,7 +86,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<(Scene, String), String>
 /// Make a scene the current one, as one edit, and say so.
 pub(crate) fn load_scene(app: &mut App, scene: Scene, label: &str) {
     commit_scene(app, scene, format!("load {label}"), None);
-    app.tell(format!("loaded {label}: 1 shows its run, u undoes"));
+    app.tell(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
 }
 
 /// Make another scene current and compare it with another preset, as one edit.
@@ -97,7 +97,7 @@ pub(crate) fn load(app: &mut App, base: Base) {
     commit(app, Arc::clone(&base.scene), base, label, None);
 }
 
-fn commit(app: &mut App, scene: Arc<Scene>, base: Base, label: String, stepping: Option<usize>) {
+fn commit(app: &mut App, scene: Arc<Scene>, base: Base, label: String, stepping: Option<Stepping>) {
     let before = app.snapshot();
     (app.scene, app.base) = (scene, base);
     note(app, before, label, stepping);
@@ -131,7 +131,7 @@ pub(crate) fn named(pins: &[Pin]) -> String {
 }
 
 /// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
-pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
+pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepping>) {
     let change = Change::State(Box::new((before, app.snapshot())));
     app.history.push(Edit { label, change, stepping });
 }
@@ -143,7 +143,7 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     }
     if from.search != to.search {
         app.pages.search.setup = to.search;
-        app.pages.search.problem = None;
+        (app.pages.search.problem, app.pages.search.zoomed) = Default::default();
     }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
@@ -158,7 +158,7 @@ pub(crate) fn undo(app: &mut App) {
         return app.tell("nothing to undo");
     };
     let label = app.history.edits[last].label.clone();
-    app.tell(format!("undone: {label} (Ctrl-r redoes)"));
+    app.tell(format!("undone: {label} (<redo> redoes)"));
     go_to(app, last);
 }
 
@@ -223,7 +223,7 @@ pub(crate) fn reset_all(app: &mut App) {
     }
     let scene = (*app.base.scene).clone();
     let label = format!("reset all to {}", app.base.name);
-    app.tell(format!("{label}: u undoes"));
+    app.tell(format!("{label}: <undo> undoes"));
     commit_scene(app, scene, label, None);
 }
 
@@ -243,7 +243,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
         None => press.up.then(|| steps::first_value(number)),
     };
     if let Some(value) = value {
-        return finish(app, index, Value::Number(value), Some(index));
+        return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));
     }
     app.tell(edge(variable, press.up));
 }
@@ -266,13 +266,13 @@ fn step_number(
 fn edge(variable: &Variable, up: bool) -> String {
     let way = if up { "more" } else { "less" };
     format!(
-        "{} cannot be stepped to {way}: it must be {} (, and . step finer)",
+        "{} cannot be stepped to {way}: it must be {} (<fine-less> and <fine-more> step finer)",
         variable.symbol,
         variable.allowed()
     )
 }
 
-fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {
+fn finish(app: &mut App, index: usize, value: Value, stepping: Option<Stepping>) {
     if let Err(error) = set(app, index, value, stepping) {
         app.refuse(error);
     }

@@ -20,6 +20,9 @@ const QUIET: Duration = Duration::from_millis(30);
 /// From this on, counted from its first report, a job is too long to be dropped without confirmation.
 pub(crate) const LONG: Duration = Duration::from_secs(5);
 
+/// The message about a study that a person stopped.
+pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> runs again";
+
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
 pub(crate) fn after_edit(app: &mut App) {
     app.jobs.serial += 1;
@@ -157,7 +160,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
             if let Some(run) = found.and_then(|found| found.get()) {
                 ended(app, run, took);
             } else {
-                app.tell("cancelled: r runs again");
+                app.tell("cancelled: <run> runs again");
             }
         }
     }
@@ -173,7 +176,7 @@ fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
     if run.end != EndReason::Cancelled {
         return show(app, run, Some(took));
     }
-    app.tell("cancelled: partial results are shown");
+    app.tell(CANCELLED);
     show(app, run, None);
 }
 
@@ -206,9 +209,8 @@ fn pin(app: &mut App, at: usize, body: ReportBody) {
     }
     match body {
         ReportBody::Ended { found: Some(found), .. } => {
-            if let Some(run) = found.get() {
-                pin.run = Some(run);
-            }
+            // A part would be taken for the result, and never computed again.
+            pin.run = found.get().filter(|run: &Arc<Run>| run.end != EndReason::Cancelled);
         }
         ReportBody::Failed(text) => {
             let text = format!("pinned run {}: {text}", pin.letter);

@@ -5,8 +5,9 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, Bare};
+use crate::model::units::{self, Bare, significant};
 use crate::model::variables::{self, Allowed, Kind, Number, VARIABLES, Variable};
+use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::run::editor::shown_number;
 use crate::tui::pages::run::steps::{self, Input};
@@ -128,6 +129,23 @@ pub(crate) fn over(
         (from, if to < most { to } else { most })
     });
     Ok(SweepAxis::linear(variable.symbol, from, to, count))
+}
+
+/// Zoom an axis about one of its values; an end that would not be allowed stays.
+pub(crate) fn zoom_axis(axis: &mut SweepAxis, about: f64, factor: f64) -> Result<(), String> {
+    let scale = if axis.log { Scale::Log10 } else { Scale::Linear };
+    let view = ViewRange::new(axis.from, axis.to).zoomed(scale, about, factor);
+    let (low, high) = (view.lo(), view.hi());
+    let ends = if axis.from < axis.to { (low, high) } else { (high, low) };
+    let number = number_of(find(&axis.name)?)?;
+    for (end, next) in [(&mut axis.from, ends.0), (&mut axis.to, ends.1)] {
+        // In a few digits, which a person reads in the setup.
+        let next = significant(next, 4).parse().unwrap_or(next);
+        if number.allowed.contains(next) {
+            *end = next;
+        }
+    }
+    Ok(())
 }
 
 /// The numeric variables, in the order of the editor: what an axis can be.

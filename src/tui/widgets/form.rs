@@ -17,7 +17,7 @@ const VALUE: u16 = 10;
 pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
-/// The text of a row, and its severity.
+/// A row of a form: its label, its value, what its field opens with, and what it means.
 pub(crate) struct Line {
     pub label: String,
     /// At the right; empty where the label is the value.

@@ -72,7 +72,7 @@ impl Grid {
     /// Which page of how many, and the key that turns it; nothing where all columns are shown.
     pub(crate) fn hint(&self) -> Option<String> {
         let (number, count) = self.page;
-        (count > 1).then(|| format!("v columns {}/{count}", number + 1))
+        (count > 1).then(|| format!("<view> columns {}/{count}", number + 1))
     }
 
     /// The headings, or the cells of a row.
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn every_column_is_on_some_page_beside_the_first_and_none_is_left_alone() {
         assert_eq!(shown(14, 0), ("abcde".to_owned(), None));
-        let hint = |number: usize| Some(format!("v columns {number}/2"));
+        let hint = |number: usize| Some(format!("<view> columns {number}/2"));
         assert_eq!(shown(13, 0), ("abcd".to_owned(), hint(1)));
         assert_eq!(shown(13, 1), ("acde".to_owned(), hint(2)));
         assert_eq!(shown(13, 2), ("abcd".to_owned(), hint(1)));

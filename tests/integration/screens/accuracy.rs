@@ -150,7 +150,7 @@ fn escape_stops_and_keeps_partial_results() {
     assert!(bench.has_cancelled());
     let found = Finding::new(measured(&study.scene, 3));
     bench.reply(study.id, ended(found));
-    assert!(bench.message().contains("Partial results are shown"), "{}", bench.message());
+    assert!(bench.message().contains("partial results are shown"), "{}", bench.message());
     assert!(bench.screen().contains("cancelled after"));
 }
 
@@ -175,7 +175,7 @@ fn the_table_is_written_and_never_over_a_file_without_consent() {
     let (to, csv, has_scene) = bench.exported().expect("an export");
     assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
     assert_eq!(to.existing, Existing::Keep);
-    let report = bench.app.pages.numerics.accuracy.report.as_ref().unwrap();
+    let report = bench.app.pages.numerics.accuracy.report.found.as_ref().unwrap();
     let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
     assert!(has_scene && csv.lines().nth(1).unwrap().starts_with("thesis-baseline,"));
     assert_eq!(csv.lines().count(), points + 1);

@@ -59,7 +59,7 @@ fn plain() -> Effort {
     Effort { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
 }
 
-fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
+pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
         let Some(LimitSearch(effort)) = study.asked.of() else { continue };
         let mut report = found(&study.scene, *effort);

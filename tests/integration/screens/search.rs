@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::bench::{Bench, ended};
+use super::bench::{Bench, Study, ended};
 use cmra::model::run::envelope::Check;
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
@@ -88,18 +88,27 @@ fn compared(scene: &Arc<Scene>) -> Comparison {
     Comparison { report, map }
 }
 
-/// Answer what was requested.
+/// Answer what was requested, and what is requested then.
 pub(super) fn answer(bench: &mut Bench) {
-    for study in bench.studies() {
-        let found = if let Some(request) = study.asked.of::<Request>() {
-            Finding::new(made(&study.scene, request))
-        } else if study.asked.of::<EqualMass>().is_some() {
-            Finding::new(compared(&study.scene))
-        } else {
-            continue;
-        };
-        bench.reply(study.id, ended(found));
+    loop {
+        let studies = bench.studies();
+        let answered = studies.iter().filter(|study| answer_one(bench, study)).count();
+        if answered == 0 {
+            return;
+        }
     }
+}
+
+fn answer_one(bench: &mut Bench, study: &Study) -> bool {
+    let found = if let Some(request) = study.asked.of::<Request>() {
+        Finding::new(made(&study.scene, request))
+    } else if study.asked.of::<EqualMass>().is_some() {
+        Finding::new(compared(&study.scene))
+    } else {
+        return false;
+    };
+    bench.reply(study.id, ended(found));
+    true
 }
 
 fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {

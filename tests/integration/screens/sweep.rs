@@ -234,7 +234,7 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     assert!(bench.has_cancelled());
     let found = grid(&job, 100);
     bench.reply(job.id, ended(Finding::from(found)));
-    assert!(bench.message().contains("Partial results are shown"));
+    assert!(bench.message().contains("partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("r");
     assert_eq!(jobs(&mut bench).len(), 1);

@@ -24,7 +24,7 @@ fn bench(columns: u16, rows: u16) -> Bench {
 fn the_count_of_every_verdict_fits() {
     let letters = "25 =, 29 ~, 22 M, 83 +, 23 -, 17 ?";
     assert!(all_counted(60, 16).contains(letters), "{}", all_counted(60, 16));
-    let words = "25 reproduced, 29 corrected, 22 misprint, 83 hold, 23 fail, 17 unchecked";
+    let words = "=25 reproduced, ~29 corrected, M22 misprint, +83 hold, -23 fail, ?17 unchecked";
     assert!(all_counted(80, 24).contains(words), "{}", all_counted(80, 24));
 }
 

@@ -1,4 +1,4 @@
-//! The Sweep tab: an output, or two, over one variable, with a curve for each value of a second one; what has no value is a
+//! The Explore tab, drawn: an output, or two, over one variable, with a curve for each value of a second one; what has no value is a
 //! letter on the axis, never a number.
 
 use crate::report::figures::{axis_of, column_of, map_over, sweeps};
@@ -42,7 +42,7 @@ fn waiting(app: &App, title: &'static str, area: Rect, canvas: &mut Canvas<'_>) 
     let inner = PaneFrame::new(title).draw(area, canvas);
     let why = app.pages.explore.problem.as_ref().map(|_| "see the message below");
     let text = nothing::<PictureSweep>(app, "sweeping the first points", why);
-    canvas.put_centred(inner, text);
+    canvas.put_centred(inner, &text);
 }
 
 /// An axis of the sweep of which a part is in view.
@@ -68,9 +68,10 @@ fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canv
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     let values = lines.iter().flatten().map(|point| point.1);
+    let why = || app.keymap.shown(&no_value(grid, output).join("\n"));
     let title = column.title() + if old { ", of another scene" } else { "" };
     let Some(y) = chart::Axis::fitted("", column.unit(), scale, values) else {
-        return nothing_exists(&title, grid, output, area, canvas);
+        return nothing_exists(&title, &why(), area, canvas);
     };
     let (x, selected) = app.cursor_point(grid);
     let named = axes.get(1).filter(|_| grid.is_full());
@@ -129,12 +130,11 @@ fn marks(app: &App, grid: &Grid, output: usize, layout: &Layout, canvas: &mut Ca
 }
 
 /// No point of the sweep has this output: say why, and what to do.
-fn nothing_exists(title: &str, grid: &Grid, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
+fn nothing_exists(title: &str, why: &str, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new(title.to_owned()).draw(area, canvas);
     let room = inner.width.saturating_sub(2).max(8);
-    let texts = no_value(grid, output);
     let roles = std::iter::once(Role::Text).chain(std::iter::repeat(Role::Dim));
-    let lines = texts.iter().zip(roles).flat_map(|(text, role)| wrapped(text, room, role));
+    let lines = why.lines().zip(roles).flat_map(|(text, role)| wrapped(text, room, role));
     let lines: Vec<TextLine> = lines.collect();
     let rows = u16::try_from(lines.len()).unwrap_or(u16::MAX);
     let top = inner.height.saturating_sub(rows) / 2;
@@ -230,7 +230,8 @@ impl<'a> ChartView<'a> {
         let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
         let title = self.title(old, &across, &upward, area.width);
         let Some(levels) = &self.levels else {
-            return nothing_exists(&title, self.grid, self.output, area, canvas);
+            let why = app.keymap.shown(&no_value(self.grid, self.output).join("\n"));
+            return nothing_exists(&title, &why, area, canvas);
         };
         if !self.grid.is_full() {
             return self.dots(app, title, area, canvas);

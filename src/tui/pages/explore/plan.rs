@@ -79,11 +79,14 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     let (along, up) = grid.counts();
     let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
     if points.any(|(x, y)| grid.cell(x, y, output).value().is_some()) {
-        return lines(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
+        return lines(
+            &format!("no {name} above 0: a log scale shows none"),
+            &["<log-y>: linear scale"],
+        );
     }
     let counts = grid.outcomes();
     let all = counts.total();
-    let other = "v, or Show in the setup (Tab): another output";
+    let other = "<view>, or Show in the setup (Tab): another output";
     if counts.perforated == all {
         let instead = "or show residual_velocity_m_s (Tab, Show)";
         let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
@@ -103,7 +106,7 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     if counts.failed == all {
         return lines(
             "every point failed",
-            &["Enter opens one in the Run tab, and 7:Log says why"],
+            &["<enter> opens one in the Run tab, and <tab-log>:Log says why"],
         );
     }
     lines(&format!("no point has a {name}"), &[&counts.to_string(), other])

@@ -13,7 +13,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, whole};
+use crate::tui::widgets::axis::{meaning, numeric, over, place, whole, zoom_axis};
 use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_after};
 
 pub use crate::tui::widgets::axis::Part;
@@ -87,10 +87,11 @@ impl App {
         let sweep = sweep_of(&self.scene);
         // A default for the second axis is not shown as chosen.
         let has_one = self.picture() == Picture::Line && !has_family(&self.scene);
-        let line = |row| match row {
+        let line = |row| {
+            match row {
             SetupRow::Heading(text) => Line::heading(text),
             SetupRow::Axis(1, Part::Name) if has_one => Line::typed("variable", "none").means(
-                "curves can be repeated for values of a second variable: l, or Enter and its name",
+                "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
             ),
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
             SetupRow::Picture => {
@@ -111,6 +112,7 @@ impl App {
                 Line::quantity(&sweep.outputs[self.pages.explore.output_of(&sweep)])
             }
             SetupRow::Held(index) => self.held_line(index),
+        }
         };
         Form::new(&self.setup_rows(), self.setup_row(), line)
     }
@@ -139,7 +141,7 @@ const CURVES: RangeInclusive<u64> = 2..=7;
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let SetupRow::Held(index) = app.setup_row() else {
         if action == Action::Reset {
-            app.tell("only held variables are reset here: u undoes an edit");
+            app.tell("only held variables are reset here: <undo> undoes an edit");
         }
         return action == Action::Reset;
     };
@@ -159,6 +161,17 @@ pub(crate) fn toggle_spacing(app: &mut App) {
     if let Err(error) = change(app, SetupRow::Axis(0, Part::Spacing), next) {
         app.refuse(error);
     }
+}
+
+/// Half or twice the ranges of a map about its cursor, as the ends of its axes.
+pub(crate) fn zoom(app: &mut App, closer: bool) -> Result<(), String> {
+    let found = app.pages.explore.found(Picture::Surface).ok_or(NO_RESULTS)?;
+    let (grid, mut sweep) = (Arc::clone(&found.grid), sweep_of(&app.scene));
+    let at = app.cursor_point(&grid);
+    for (place, axis) in sweep.axes.iter_mut().enumerate() {
+        zoom_axis(axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
+    }
+    checked(app, sweep, 1)
 }
 
 /// Take another value in a row.

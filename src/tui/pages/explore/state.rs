@@ -1,8 +1,8 @@
-//! The Explore tab: what is swept, what was found, where the cursor stands, and all of it in words. No drawing.
+//! The Explore tab: what is swept, what was found, where the cursor stands, and all of it in words.
 //!
 //! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it; where the scene has
-//! none, usual ones stand in until something is changed. The cursor is the scene itself: moving it changes the variables
-//! on the axes, and the grid point nearest to them is marked.
+//! none, usual ones stand in until something is changed. The cursor only looks: until it is moved it stands on the grid point nearest
+//! to the scene.
 
 use std::time::Duration;
 
@@ -15,6 +15,7 @@ use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, PointOutcome, Sampling, USUAL_OUTPUTS};
 use crate::tui::pages::prelude::*;
 
+use crate::tui::pages::explore::plan::PictureSweep;
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
 
@@ -94,14 +95,16 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Show what was found; over other axes the cursor begins again.
+    /// Show what was found; over other variables the cursor begins again, over another range it keeps its place on the screen.
     pub fn show(&mut self, picture: Picture, found: Found) {
-        let before = self.found(picture).map(|found| found.grid.plan());
-        if before.is_none_or(|plan| plan.axes() != found.grid.plan().axes()) {
+        let axes = |found: &Found| found.grid.plan().axes().to_vec();
+        let before = self.found(picture).map(axes).unwrap_or_default();
+        let now = axes(&found);
+        if !before.iter().map(Axis::symbol).eq(now.iter().map(Axis::symbol)) {
             self.cursor[picture as usize] = None;
-            if picture == Picture::Line {
-                self.zoomed = None;
-            }
+        }
+        if before != now && picture == Picture::Line {
+            self.zoomed = None;
         }
         self.found[picture as usize] = Some(found);
     }
@@ -262,13 +265,13 @@ impl App {
     }
 
     /// The design under the cursor as a scene, with the values of the axes in words.
-    pub fn sweep_design(&self) -> Result<(Scene, String), String> {
+    pub fn sweep_design(&self) -> Result<LabelledScene, String> {
         let picture = self.picture();
         let Some(found) = self.pages.explore.found(picture) else {
-            return Err("no results yet: press r to sweep".to_owned());
+            return Err(nothing::<PictureSweep>(self, "being computed", None));
         };
         if self.sweep_is_old(picture) {
-            return Err("these results belong to another setup: press r to sweep again".to_owned());
+            return Err(old("setup"));
         }
         let point = self.cursor_point(&found.grid);
         Ok(placed((*self.scene).clone(), values_at(&found.grid, point)))
@@ -310,17 +313,17 @@ pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
     axis.set(to, axis.get(from).unwrap_or(f64::NAN));
 }
 
-/// A scene with some variables at these values, and the values in words.
+/// A scene with some variables at these values; its label has them.
 pub fn placed<'a>(
     mut scene: Scene,
     values: impl IntoIterator<Item = (&'a Axis, f64)>,
-) -> (Scene, String) {
+) -> LabelledScene {
     let mut words = Vec::new();
     for (axis, value) in values {
         axis.set(&mut scene, value);
         words.push(format!("{} = {}", axis.symbol(), axis.show(value, 5)));
     }
-    (scene, words.join(", "))
+    LabelledScene { scene, label: words.join(", ") }
 }
 
 /// An output with its unit: `64.27 %`, `37.98 mm`.

@@ -1,5 +1,5 @@
 //! The comparison at equal areal mass in the Limit tab: the verdict, the figures of the candidates beside each other, the map of
-//! mass efficiency and the design under its cursor. No drawing.
+//! mass efficiency and the design under its cursor, in words and drawn.
 
 use crate::model::library::{Entry, Library};
 use crate::report;
@@ -10,14 +10,18 @@ use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
 use crate::study::sweep::Axis;
+use crate::tui::app::status::fitting;
 use crate::tui::chart::heatmap;
-use crate::tui::pages::explore::state::{nearest, placed};
+use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::put;
 
 /// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;
+
+/// What the rows of the comparison mean, for `?`.
+pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is perforated above it. Limit with hardware: the plate is perforated or the spring fails, which is sized for the design velocity and holds no faster shot. Mass efficiency as built: of the plate as thick as it is, at its own limit. *: nothing stops plate and projectile";
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene.
 #[derive(Debug)]
@@ -80,16 +84,18 @@ impl App {
 
     /// Whether the comparison belongs to another scene than the one on the screen.
     pub fn comparison_is_old(&self) -> bool {
-        let (wanted, kept) = (self.compared_scene().ok(), &self.pages.limit.comparison);
-        kept.as_ref().is_some_and(|(scene, _)| Some(&**scene) != wanted.as_ref())
+        let kept = &self.pages.limit.comparison;
+        kept.found.is_some() && self.compared_scene().ok().as_ref() != Some(&*kept.scene)
     }
 
     pub fn comparison(&self) -> Option<&Comparison> {
-        self.pages.limit.comparison.as_ref().map(|(_, found)| &**found)
+        self.pages.limit.comparison.found.as_deref()
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
-        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, width))
+        let absorber = self.absorber().filter(|_| !self.comparison_is_old());
+        let scene = absorber.map_or("scene", |it| &it.name);
+        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, scene, width))
     }
 
     /// With which absorber the comparison is made.
@@ -98,7 +104,7 @@ impl App {
             || "the scene's own spring".to_owned(),
             |absorber| format!("{}: {}", absorber.name, absorber.title),
         );
-        Some(format!("absorber: {with} (v: the next one of the library)"))
+        Some(format!("absorber: {with} (<view>: the next one of the library)"))
     }
 
     /// The cell of the map under the cursor: the one it was moved to, else the one nearest to the scene.
@@ -110,16 +116,27 @@ impl App {
     }
 
     /// The design under the cursor of the map, with the values of its axes in words.
-    pub fn efficiency_design(&self) -> Result<(Scene, String), String> {
+    pub fn efficiency_design(&self) -> Result<LabelledScene, String> {
         let map = self.comparison().and_then(|found| found.map.as_ref());
         let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
-            return Err("no results yet: press r to compute the map".to_owned());
+            return Err(nothing::<EqualMass>(self, "being computed", None));
         };
-        if self.comparison_is_old() {
-            return Err("this map belongs to another scene: press r to compute it again".to_owned());
+        if self.pages.limit.comparison.is_old(&self.efficiency_scene()?) {
+            return Err(old("scene"));
         }
         let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
         Ok(placed(self.compared_scene()?, values))
+    }
+
+    /// The scene whose map is wanted: with the values that the axes of the one there have in its scene.
+    pub fn efficiency_scene(&self) -> Result<Scene, String> {
+        let mut scene = self.compared_scene()?;
+        if let Some(map) = self.comparison().and_then(|found| found.map.as_ref()) {
+            for axis in [map.x(), map.y()] {
+                copy_value(axis, &self.pages.limit.comparison.scene, &mut scene);
+            }
+        }
+        Ok(scene)
     }
 
     /// The description of the cell under the map's cursor.
@@ -145,7 +162,7 @@ impl App {
 }
 
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
-fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
+fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
     let sentence = |role: Role, text: &str| -> Vec<TextLine> {
         let parts = wrap(text, width.saturating_sub(GOES_ON.len())).into_iter().enumerate();
         let lead = |at: usize| if at == 0 { "" } else { GOES_ON };
@@ -156,10 +173,22 @@ fn lines(report: &compare::Report, width: usize) -> Vec<TextLine> {
         lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
     }
     let table = report::compare::beside(report, width);
-    lines.extend(table.lines().map(|line| (line.to_owned(), Role::Text)));
+    lines.extend(table.lines().enumerate().map(|(at, line)| {
+        // The candidate that is the scene with another absorber has its name.
+        let line = if at == 0 { headed(line, scene) } else { line.to_owned() };
+        (line, Role::Text)
+    }));
     lines.push((String::new(), Role::Text));
     lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
     lines
+}
+
+/// The heading of the table with another word for the scene, in the columns there are.
+fn headed(line: &str, scene: &str) -> String {
+    let Some((before, after)) = line.split_once("scene") else { return line.to_owned() };
+    let name = clip(scene, before.len() - before.trim_end().len() + "scene".len() - 1);
+    let (end, wide) = (before.len() + "scene".len(), usize::from(columns(&name)));
+    format!("{}{name}{after}", &line[..end.saturating_sub(wide)])
 }
 
 /// The indentation of the further lines of a sentence.
@@ -169,22 +198,22 @@ const GOES_ON: &str = "  ";
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, COMPARISON);
     let focused = app.has_focus(COMPARISON);
-    let old = if app.comparison_is_old() { ", of another scene: press r" } else { "" };
+    let old = if app.comparison_is_old() { " (of another scene)" } else { "" };
     let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
     let title = format!("Does moving armour pay?{with}{old}");
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
     let more = lines.len() > height;
     let right = match (more, focused) {
-        (true, true) => "j/k: more",
-        (true, false) => "Tab, j/k: more",
+        (true, true) => "<down>/<up>: more",
+        (true, false) => "<next-pane>, <down>/<up>: more",
         (false, _) => "",
     };
-    let frame = PaneFrame::new(title).right(right).focused(focused);
+    let frame = PaneFrame::new(title).right(app.keymap.shown(right)).focused(focused);
     let inner = frame.draw(area, canvas);
     if lines.is_empty() {
         let running = "comparing with a rigid mount and a solid plate of the same areal mass";
-        canvas.put_centred(inner, nothing::<EqualMass>(app, running, None));
+        canvas.put_centred(inner, &nothing::<EqualMass>(app, running, None));
     }
     let first = app.pages.limit.scrolled.min(lines.len().saturating_sub(height));
     let shown = whole(&lines[first..], height);
@@ -207,7 +236,7 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.draw(area, canvas);
         let why = found.map(|_| "no point has a mass efficiency");
-        return canvas.put_centred(inner, nothing::<EqualMass>(app, "computing the map", why));
+        return canvas.put_centred(inner, &nothing::<EqualMass>(app, "computing the map", why));
     };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let cursor = app.efficiency_cursor();
@@ -232,6 +261,11 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let from = from(band);
         column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         column = canvas.put(area, (column, above.height), &from, Role::Text);
+    }
+    for (letter, words) in &map.marks {
+        let texts = [format!("  {letter} {words}"), format!("  {letter} no value")];
+        let text = fitting(texts, usize::from(area.width.saturating_sub(column)));
+        column = canvas.put(area, (column, above.height), &text, Role::Text);
     }
     canvas.plot(&layout, |x, y| {
         Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))

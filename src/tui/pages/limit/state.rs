@@ -1,4 +1,4 @@
-//! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
+//! The Limit tab: what was found, which shot is selected, both in words, and drawn.
 
 use std::fmt::Write as _;
 
@@ -6,6 +6,7 @@ use crate::model::run::Outcome;
 use crate::model::units::fixed_significant;
 use crate::report::Remark;
 use crate::report::limit::{remarks, residual, velocity};
+use crate::study::compare::map::Map;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::layout::CHART_ROWS;
@@ -43,7 +44,7 @@ impl Study for LimitSearch {
 
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
-    pub report: Option<Arc<Report>>,
+    pub report: Kept<Report>,
     /// V50 and spread are requested, too.
     pub sampled: bool,
     /// The shot the crosshair stands on, by its place in the curve.
@@ -52,8 +53,8 @@ pub struct Ballistic {
     pub zoomed: Option<ViewRange>,
     /// Logarithmic axes: impact velocity, residual velocity.
     pub log: (bool, bool),
-    /// The comparison at equal areal mass, with the scene it belongs to.
-    pub comparison: Option<(Arc<Scene>, Arc<Comparison>)>,
+    /// The comparison at equal areal mass.
+    pub comparison: Kept<Comparison>,
     /// The absorber it is made with: 0 the scene's own, then those of the library.
     pub absorber: usize,
     /// The first line shown of the comparison.
@@ -65,12 +66,20 @@ pub struct Ballistic {
 }
 
 impl Ballistic {
-    /// Show a limit; another curve has its shots elsewhere.
-    pub fn show(&mut self, report: Arc<Report>) {
-        if self.shots() != report.shots {
-            self.cursor = None;
+    /// Keep what was found; another curve has its shots elsewhere, and a map of another scene its axes.
+    pub(crate) fn take(&mut self, running: &Running, news: &ReportBody) {
+        let (before, is_old) = (self.report.clone(), self.comparison.is_old(&running.scene));
+        let shots = |kept: &Kept<Report>| kept.found.as_ref().map(|report| report.shots.clone());
+        if self.report.take(running, news, |report| report.is_complete)
+            && shots(&before) != shots(&self.report)
+        {
+            (self.cursor, self.zoomed) = (None, None);
         }
-        self.report = Some(report);
+        let is_whole =
+            |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
+        if self.comparison.take(running, news, is_whole) && is_old {
+            self.map_cursor = None;
+        }
     }
 
     pub fn effort(&self) -> Effort {
@@ -78,7 +87,7 @@ impl Ballistic {
     }
 
     pub fn shots(&self) -> &[Shot] {
-        self.report.as_ref().map_or(&[], |report| &report.shots)
+        self.report.found.as_ref().map_or(&[], |report| &report.shots)
     }
 
     pub fn shot(&self) -> Option<&Shot> {
@@ -100,11 +109,11 @@ impl Ballistic {
 
     /// Everything but the limit itself, in words.
     fn facts(&self) -> Vec<Remark> {
-        let Some(report) = &self.report else { return Vec::new() };
+        let Some(report) = &self.report.found else { return Vec::new() };
         let mut facts = remarks(report);
         if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
             let percent = significant(100.0 * SAMPLING.deviation, 2);
-            let text = format!("v: V50 and spread for inputs that vary by {percent} %");
+            let text = format!("<view>: V50 and spread for inputs that vary by {percent} %");
             facts.push(Remark::new("V50", text));
         }
         facts
@@ -144,6 +153,9 @@ fn ends(shot: &Shot) -> String {
 impl App {
     fn limit_lines(&self, width: u16) -> Vec<Remark> {
         let mut facts = self.pages.limit.facts();
+        for fact in &mut facts {
+            fact.text = self.keymap.shown(&fact.text);
+        }
         if width >= BESIDE {
             lines(facts, FACTS - 2, false)
         } else {
@@ -153,7 +165,7 @@ impl App {
     }
 
     /// Where the curve and all that is to report have no room together: the rows of a page of words, and how many pages
-    /// they take. Then Tab turns from the curve through them.
+    /// they take. Then j and k turn from the curve through them.
     pub fn limit_pages(&self) -> Option<(usize, usize)> {
         let area = panes(self, self.layout().body?).residual?;
         let lines = self.limit_lines(area.width).len();
@@ -171,20 +183,31 @@ impl App {
         (page > 0).then_some((page, page == pages))
     }
 
-    /// Whether what was found belongs to another scene than the one on the screen.
+    /// The scene whose limit is wanted: at the impact velocity of the one that was found, on which only the samples depend.
+    pub fn limit_scene(&self) -> Scene {
+        let (mut scene, tab) = ((*self.scene).clone(), &self.pages.limit);
+        if tab.report.found.is_some() && !tab.sampled {
+            scene.projectile.velocity_m_s = tab.report.scene.projectile.velocity_m_s;
+        }
+        scene
+    }
+
+    /// Whether the limit belongs to another scene than the one on the screen.
     pub fn limit_is_old(&self) -> bool {
-        self.pages.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+        self.pages.limit.report.is_old(&self.limit_scene())
     }
 
     /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
-        let report = self.pages.limit.report.as_ref()?;
-        let of = if self.limit_is_old() { " of another scene: press r" } else { "" };
+        let report = self.pages.limit.report.found.as_ref()?;
+        let is_old = self.limit_is_old();
+        let of = if is_old { " of another scene" } else { "" };
         let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
             return Some(fitting([report.limit.absence()? + of], width));
         };
-        let margin = report.margin()?;
-        let own = significant(report.scene.projectile.velocity_m_s, 4);
+        let shot = if is_old { &report.scene } else { &self.scene };
+        let margin = velocity_m_s / shot.projectile.velocity_m_s - 1.0;
+        let own = significant(shot.projectile.velocity_m_s, 4);
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
         let ends = match (margin < 0.0, stopped_at_m_s) {
             (false, _) => format!(": {own} m/s is stopped"),
@@ -199,12 +222,12 @@ impl App {
 
     /// The shot at the crosshair in words, with what the laws say there.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
-        let report = self.pages.limit.report.as_ref()?;
+        let report = self.pages.limit.report.found.as_ref()?;
         let Some(shot) = self.pages.limit.shot() else {
             let hint = match self.limit_page() {
-                None => "j: laws",
-                Some((_, false)) => "j: more",
-                Some((_, true)) => "k: curve",
+                None => "<down>: laws",
+                Some((_, false)) => "<down>: more",
+                Some((_, true)) => "<up>: curve",
             };
             let mut parts = Vec::new();
             if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
@@ -256,7 +279,8 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some((rows, _)) = app.limit_pages() {
         let Some((page, is_last)) = app.limit_page() else { return chart(app, body, canvas) };
         let lines = lines.get((page - 1) * rows..).unwrap_or_default();
-        write(lines, if is_last { "Tab: curve" } else { "Tab: more" }, body, canvas);
+        let hint = if is_last { "<up>: curve" } else { "<down>: more" };
+        write(lines, &app.keymap.shown(hint), body, canvas);
         return;
     }
     if area.width >= BESIDE {
@@ -270,7 +294,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     write(&lines, "", below, canvas);
 }
 
-fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'_>) {
+fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
     let title = "Fitted laws and scatter";
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let is_labelled = |line: &Remark| !line.about.is_empty() && !line.text.is_empty();
@@ -286,16 +310,16 @@ fn write(lines: &[Remark], hint: &'static str, area: Rect, canvas: &mut Canvas<'
 fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.draw(area, canvas);
-    let why = app.pages.limit.report.as_ref().map(|report| {
+    let why = app.pages.limit.report.found.as_ref().map(|report| {
         let cut = "cancelled before there was a curve";
         if report.is_complete { "no shot perforates: no curve to draw" } else { cut }
     });
-    canvas.put_centred(inner, nothing::<LimitSearch>(app, "finding the limit", why));
+    canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
-    let drawn = tab.report.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
+    let drawn = tab.report.found.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
         no_curve(app, area, canvas);
         return;
@@ -317,8 +341,12 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (_, _) => {}
         }
     }
-    chart.title =
-        if old { "Residual velocity, of another scene" } else { "Residual velocity" }.into();
+    let of = match (old, app.absorber()) {
+        (true, _) => ", of another scene",
+        (false, Some(_)) => ", own spring",
+        (false, None) => "",
+    };
+    chart.title = format!("Residual velocity{of}").into();
     chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
     chart.focused = app.has_focus(RESIDUAL);
     let layout = canvas.draw(&chart, area);
@@ -330,6 +358,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// A letter for each shot, whatever the characters of curves: its outcome.
 fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.limit;
     for (index, shot) in report.shots.iter().enumerate() {
         let (letter, colour) = match shot.outcome {
             Outcome::Perforated => ("o", 3),
@@ -338,7 +367,7 @@ fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
         };
         let height = shot.residual_m_s.unwrap_or(0.0);
         let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
-        let role = match (app.pages.limit.cursor == Some(index), app.limit_is_old()) {
+        let role = match (tab.cursor == Some(index), app.limit_is_old()) {
             (true, _) => Role::Crosshair,
             (false, true) => Role::Dim,
             (false, false) => Role::Curve(colour),

@@ -1,4 +1,4 @@
-//! The Accuracy tab: what was measured, what is selected, and its rows and readouts in words. No drawing.
+//! The Accuracy page: what was measured, what is selected, and its rows and readouts in words. No drawing.
 
 pub(crate) mod draw;
 
@@ -41,7 +41,7 @@ impl Study for Measurements {
 
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
-    pub report: Option<Arc<Report>>,
+    pub report: Kept<Report>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
     pub hidden: Vec<Method>,
@@ -76,7 +76,7 @@ impl Default for ChartView {
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
         let cheapest = || {
-            let method = self.report.as_ref()?.cheapest(TARGETS[0])?.method;
+            let method = self.report.found.as_ref()?.cheapest(TARGETS[0])?.method;
             Method::ALL.iter().position(|one| *one == method)
         };
         self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
@@ -84,7 +84,7 @@ impl Accuracy {
 
     /// Points measured so far.
     fn points(&self) -> usize {
-        let methods = self.report.iter().flat_map(|report| &report.methods);
+        let methods = self.report.found.iter().flat_map(|report| &report.methods);
         methods.map(|one| one.points.len()).sum()
     }
 
@@ -105,11 +105,11 @@ impl Accuracy {
     }
 
     pub fn of(&self, method: Method) -> Option<&MethodReport> {
-        self.report.as_ref()?.methods.iter().find(|one| one.method == method)
+        self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
     fn drawn(&self) -> impl Iterator<Item = &MethodReport> {
-        let methods = self.report.iter().flat_map(|report| &report.methods);
+        let methods = self.report.found.iter().flat_map(|report| &report.methods);
         methods.filter(|one| !self.hidden.contains(&one.method))
     }
 
@@ -154,7 +154,7 @@ impl Accuracy {
     /// The uncertainty of the reference of the selected method.
     pub fn floor(&self) -> Option<f64> {
         let own = self.of(self.method()).and_then(|report| report.reference);
-        let first = || self.report.as_ref()?.references.first().copied();
+        let first = || self.report.found.as_ref()?.references.first().copied();
         own.or_else(first)?.uncertainty
     }
 
@@ -206,12 +206,6 @@ impl Accuracy {
 }
 
 impl App {
-    /// Whether what was measured belongs to another scene than the one on the screen.
-    pub fn accuracy_is_old(&self) -> bool {
-        let report = self.pages.numerics.accuracy.report.as_ref();
-        report.is_some_and(|report| *report.scene != *self.scene)
-    }
-
     /// The error of every method at the crosshair, in one line.
     pub fn accuracy_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.accuracy;
@@ -228,11 +222,11 @@ impl App {
     pub fn accuracy_status(&self) -> Vec<StatusPart> {
         let tab = &self.pages.numerics.accuracy;
         let count = tab.points();
-        let progress = match (self.jobs.running::<Measurements>(), &tab.report) {
+        let progress = match (self.jobs.running::<Measurements>(), &tab.report.found) {
             (Some(measuring), _) => {
                 Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
             }
-            _ if self.accuracy_is_old() => Progress::Old("scene"),
+            _ if tab.report.is_old(&self.scene) => Progress::Old("scene"),
             (None, Some(report)) if report.is_complete => {
                 Progress::Done(format!("measured {count} points"))
             }
@@ -243,7 +237,7 @@ impl App {
             (None, None) => Progress::Nothing,
         };
         let mut parts = vec![progress.part()];
-        let Some(report) = &tab.report else { return parts };
+        let Some(report) = &tab.report.found else { return parts };
         if let Some(first) = report.references.first() {
             let sure = first.uncertainty.map(|it| format!("{it:.0e}"));
             let sure = sure.as_deref().unwrap_or("unknown");
@@ -275,7 +269,7 @@ impl App {
     /// The run times for some accuracies, one line each.
     pub(crate) fn accuracy_costs(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
-        let Some(report) = &tab.report else { return Vec::new() };
+        let Some(report) = &tab.report.found else { return Vec::new() };
         TARGETS
             .iter()
             .map(|target| match report.cheapest(*target) {
@@ -339,9 +333,7 @@ impl App {
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(crate) fn enter(app: &mut App) {
-    let tab = &app.pages.numerics.accuracy;
-    let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
-    if !measured && !app.jobs.is_coming::<Measurements>(&app.scene) {
+    if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.scene) {
         measure(app);
     }
 }
@@ -368,8 +360,8 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
-    if app.accuracy_is_old() || tab.report.is_none() {
-        return app.refuse("no results of this scene: press r to measure");
+    if tab.report.is_old(&app.scene) || tab.report.found.is_none() {
+        return app.refuse(NO_RESULTS);
     }
     let mut scene = (*app.scene).clone();
     let what = match method {
@@ -397,7 +389,7 @@ fn use_method(app: &mut App) {
         return app.tell(format!("the scene has this already: {what}"));
     }
     edit::commit_scene(app, scene, format!("use {what}"), None);
-    app.tell(format!("{what} (u undoes)"));
+    app.tell(format!("{what} (<undo> undoes)"));
 }
 
 /// Another way to look at the chart.
@@ -452,12 +444,15 @@ fn show_or_hide(app: &mut App) {
     }
 }
 
-pub(crate) fn report(app: &mut App, running: &Running, report: Arc<Report>, is_last: bool) {
+pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
+    let tab = &mut app.pages.numerics.accuracy;
+    if !tab.report.take(running, news, |report| report.is_complete) {
+        return;
+    }
     if let Some((_, total)) = running.points {
-        app.pages.numerics.accuracy.points_in_all = total;
+        tab.points_in_all = total;
     }
-    if is_last && !report.is_complete {
-        app.tell("Cancelled. Partial results are shown; press r to measure again.");
+    if news.is_last() && !tab.report.is_complete {
+        app.tell(jobs::CANCELLED);
     }
-    app.pages.numerics.accuracy.report = Some(report);
 }

@@ -1,4 +1,4 @@
-//! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
+//! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
 
 use crate::model::variables::{VARIABLES, Value};
 use crate::report;
@@ -6,7 +6,7 @@ use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
 use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, nearest};
 use crate::study::stability::others::Other;
-use crate::study::stability::{self, Row};
+use crate::study::stability::{self, Basis, Row};
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
@@ -18,6 +18,13 @@ use crate::tui::widgets::text::NEEDS_SINGLE;
 const COLUMNS: &str =
     "expl, D: DOP853, impl, R: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
 const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
+
+/// What the columns of the stiff scenes mean, for `?`.
+pub(crate) fn stiff_scenes_words() -> String {
+    let bases = Basis::ALL.iter().map(|it| format!("{}: {}", it.letter(), it.words()));
+    let bases = bases.collect::<Vec<_>>().join(", ");
+    format!("{COLUMNS}. The letter behind an error names what it is measured against ({bases}).")
+}
 
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
@@ -63,12 +70,12 @@ pub fn keys() -> Vec<&'static str> {
 pub struct Stability {
     /// Which map is wanted: of each variable by one method, then by the other.
     pub view: usize,
-    pub map: Option<(Arc<Scene>, Arc<Map>)>,
+    pub map: Kept<Map>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is sorted.
     pub sorting: Sorting,
-    pub battery: Option<Arc<RowsSoFar<Row>>>,
+    pub battery: Kept<RowsSoFar<Row>>,
     pub selected: usize,
     pub table_page: usize,
 }
@@ -84,30 +91,22 @@ impl Stability {
 
     /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
-        self.map.as_ref()?.1.present_at()
+        self.map.found.as_ref()?.present_at()
     }
 
     /// Where the crosshair stands: the middle of the map where nothing else is known.
     pub fn cursor(&self) -> Option<(usize, usize)> {
-        let (_, map) = self.map.as_ref()?;
+        let map = self.map.found.as_ref()?;
         let middle = (map.values.len() / 2, map.dt_s.len() / 2);
         self.cursor.or_else(|| self.present()).or(Some(middle))
     }
 
     fn move_cursor(&mut self, by: (isize, isize)) {
-        if let (Some((row, column)), Some((_, map))) = (self.cursor(), &self.map) {
+        if let (Some((row, column)), Some(map)) = (self.cursor(), &self.map.found) {
             let counts = (map.dt_s.len(), map.values.len());
             let (column, row) = moved((column, row), by, counts);
             self.cursor = Some((row, column));
         }
-    }
-
-    /// Show a map; one of another variable has its cursor elsewhere.
-    pub fn show_map(&mut self, scene: Arc<Scene>, map: Arc<Map>) {
-        if self.map.as_ref().is_some_and(|(_, old)| old.axis != map.axis) {
-            self.cursor = None;
-        }
-        self.map = Some((scene, map));
     }
 
     pub fn sort_next(&mut self) {
@@ -121,20 +120,15 @@ impl Stability {
     }
 
     pub fn rows(&self) -> &[Row] {
-        self.battery.as_ref().map_or(&[], |battery| &battery.rows)
+        self.battery.found.as_ref().map_or(&[], |battery| &battery.rows)
     }
 }
 
 impl App {
-    /// Whether the map belongs to another scene than the one on the screen.
-    pub fn map_is_old(&self) -> bool {
-        self.pages.numerics.stability.map.as_ref().is_some_and(|(scene, _)| **scene != *self.scene)
-    }
-
     /// The cell at the crosshair in words.
     pub fn map_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.stability;
-        let ((_, map), (row, column)) = tab.map.as_ref().zip(tab.cursor())?;
+        let (map, (row, column)) = tab.map.found.as_ref().zip(tab.cursor())?;
         // In one row of 80 columns: a second one would move the map.
         let here = if tab.present() == Some((row, column)) { "; the scene" } else { "" };
         let limit = map.limit_s[row];
@@ -171,21 +165,19 @@ impl App {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
-            let kept = tab.battery.as_ref().map(|battery| battery.is_complete);
             let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
-            let running = progress::<StiffScenes>(self, false, kept, words);
+            let running = progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words);
             parts.extend(running.map(Progress::part));
-            if tab.battery.is_some() {
+            if tab.battery.found.is_some() {
                 parts.push(part(severity, holds));
                 parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
         }
-        let kept = tab.map.as_ref().map(|(_, map)| map.is_complete());
         let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
-        let mapping = progress::<StabilityMap>(self, self.map_is_old(), kept, words);
+        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words);
         parts.extend(mapping.map(Progress::part));
-        if let Some((_, map)) = &tab.map {
+        if let Some(map) = &tab.map.found {
             let largest = map.largest_stable_dt_s.map_or_else(|| "no limit".to_owned(), seconds);
             let text = format!("largest stable dt of this scene: {largest}");
             parts.push(part(Severity::Note, text));
@@ -197,22 +189,32 @@ impl App {
 
 const FAR: i16 = 10;
 
+/// Keep what was found; a map of another variable has its cursor elsewhere.
+pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
+    let tab = &mut app.pages.numerics.stability;
+    let before = tab.map.found.as_ref().map(|map| map.axis);
+    tab.battery.take(running, news, |battery| battery.is_complete);
+    if tab.map.take(running, news, Map::is_complete)
+        && before != tab.map.found.as_ref().map(|map| map.axis)
+    {
+        tab.cursor = None;
+    }
+}
+
 /// What is shown is computed, unless it has been or is being.
 pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     if app.pane() == STIFF_SCENES {
-        let there = tab.battery.as_ref().is_some_and(|battery| battery.is_complete)
-            || app.jobs.running::<StiffScenes>().is_some();
-        if !there {
+        if app.jobs.lacks::<StiffScenes, _>(&tab.battery, &Scene::default()) {
             ask_battery(app);
         }
         return;
     }
-    let there = tab.map.as_ref().is_some_and(|(scene, map)| {
-        let is_wanted = map.method == tab.method() && map.axis == tab.axis();
-        *scene == app.scene && is_wanted && map.is_complete()
+    let is_other = tab.map.found.as_ref().is_some_and(|map| {
+        (map.method, map.axis) != (tab.method(), tab.axis())
+            && app.jobs.running::<StabilityMap>().is_none()
     });
-    if !there && !app.jobs.is_coming::<StabilityMap>(&app.scene) {
+    if is_other || app.jobs.lacks::<StabilityMap, _>(&tab.map, &app.scene) {
         ask_map(app);
     }
 }
@@ -242,14 +244,14 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 /// Load the value of the row under the cursor into the scene.
 fn load(app: &mut App) {
     let tab = &app.pages.numerics.stability;
-    let found = tab.map.as_ref().zip(tab.cursor()).filter(|_| !app.map_is_old());
-    let Some(((_, map), (row, _))) = found else {
-        return app.refuse("no map of this scene: press r to compute it");
+    let found = tab.map.found.as_ref().zip(tab.cursor());
+    let Some((map, (row, _))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
+        return app.refuse(NO_RESULTS);
     };
     let (symbol, value) = (map.axis.symbol(), map.values[row]);
     let index = VARIABLES.iter().position(|one| one.symbol == symbol).unwrap_or(0);
     match edit::set(app, index, Value::Number(value), None) {
-        Ok(()) => app.tell(format!("loaded {symbol} = {} (u undoes)", significant(value, 4))),
+        Ok(()) => app.tell(format!("loaded {symbol} = {} (<undo> undoes)", significant(value, 4))),
         Err(error) => app.refuse(error),
     }
 }
@@ -261,18 +263,18 @@ fn ask_map(app: &mut App) {
 }
 
 fn ask_battery(app: &mut App) {
-    jobs::study(app, Tab::Numerics, StiffScenes);
+    jobs::study_of(app, Tab::Numerics, &Arc::default(), StiffScenes);
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
-    let old = if app.map_is_old() { ", old" } else { "" };
+    let old = if tab.map.is_old(&app.scene) { ", old" } else { "" };
     let focused = app.has_focus(STABILITY);
-    let Some((_, found)) = &tab.map else {
+    let Some(found) = &tab.map.found else {
         let pane = PaneFrame::new("Map").right("Tab: stiff scenes").focused(focused);
         let inner = pane.draw(area, canvas);
         let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
-        return canvas.put_centred(inner, nothing::<StabilityMap>(app, "computing the map", why));
+        return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));
     let title = format!("{}, up: {}{old}", found.method.name(), found.axis.symbol());
@@ -330,13 +332,13 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     } else {
         title.to_owned()
     };
-    let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
+    let hint = grid.hint().map_or_else(String::new, |hint| app.keymap.shown(&hint) + "  ");
     let pane = PaneFrame::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
         let text = nothing::<StiffScenes>(app, "running the first scenes", None);
-        canvas.put(inner, (1, 2), text, Role::Dim);
+        canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
     let target = |row| Some(Target::Row(STIFF_SCENES, row));

@@ -281,7 +281,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     let selected = app.charts.selected;
     match action {
         A::LogX | A::SecondAxis if !app.charts.quantities[selected].is_over_time() => {
-            app.refuse("this chart has no time axis: v shows another one");
+            app.refuse("this chart has no time axis: <view> shows another one");
         }
         A::Mark => runs::pin_scene(app),
         A::EventNext => event(app, true),
@@ -372,7 +372,7 @@ fn window(app: &mut App) {
 
 fn difference(app: &mut App) {
     let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
-        return app.refuse("no pinned run to compare with: Space pins the current one");
+        return app.refuse("no pinned run to compare with: <mark> pins the current one");
     };
     app.charts.difference = !app.charts.difference;
     let text = if app.charts.difference {

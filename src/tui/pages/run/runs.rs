@@ -1,4 +1,4 @@
-//! The result on the screen, the pinned ones, and what the worker has been asked.
+//! The run on the screen and the pinned ones: their table, their names, pinning and copying.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -131,11 +131,12 @@ const LEAD: u16 = 5;
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     canvas.pane(area, RUNS);
     let right = match (app.pins.is_empty(), focused) {
-        (true, _) => "Space pins",
-        (false, true) => "Enter load  Space unpin",
+        (true, _) => "<mark> pins",
+        (false, true) => "<enter> load  <mark> unpin",
         (false, false) => "",
     };
-    let inner = PaneFrame::new("Runs").right(right).focused(focused).draw(area, canvas);
+    let inner =
+        PaneFrame::new("Runs").right(app.keymap.shown(right)).focused(focused).draw(area, canvas);
     let table = app.compared_runs();
     let mut cells = table.cells(&table.keys());
     app.runs_sorted.mark(&table.keys(), &mut cells);
@@ -177,7 +178,7 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
     let width = usize::from(inner.width);
     let mut lines: Vec<TextLine> = match app.pins.get(app.selected_run.saturating_sub(1)) {
         Some(pin) => difference(app, pin, width),
-        None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
+        None => vec![(app.keymap.shown("<mark> pins this run to compare with"), Role::Dim)],
     };
     let now = || app.shown.as_ref().map(|shown| &shown.run);
     let run = app.selected_pin().map_or_else(now, |pin| pin.run.as_ref());
@@ -229,9 +230,9 @@ pub(crate) fn pin_scene(app: &mut App) {
 }
 
 /// Pin the design under a cursor, or say why there is none.
-pub(crate) fn pin_design(app: &mut App, design: Result<(Scene, String), String>) {
+pub(crate) fn pin_design(app: &mut App, design: Result<LabelledScene, String>) {
     match design {
-        Ok((scene, label)) => pin(app, label, Arc::new(scene)),
+        Ok(design) => pin(app, design.label, Arc::new(design.scene)),
         Err(why) => app.refuse(why),
     }
 }
@@ -251,13 +252,13 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
 /// A scene that was not pinned yet, as a new pin; `None` where all letters are taken.
 fn added(app: &mut App, name: String, scene: Arc<Scene>) -> Option<Pin> {
     let Some(letter) = free_letter(app, LETTERS) else {
-        app.refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
+        app.refuse("all eight pins A to H are taken: <mark> on one in the pane Runs unpins it");
         return None;
     };
     let run = app
         .shown
         .as_ref()
-        .filter(|shown| *shown.run.scene == *scene)
+        .filter(|shown| *shown.run.scene == *scene && shown.took.is_some())
         .map(|shown| Arc::clone(&shown.run));
     let pin = Pin { letter, name, scene, run, visible: true, job: None };
     insert(app, pin.clone());
@@ -286,12 +287,12 @@ pub(crate) fn models(app: &mut App) {
         let is_wanted = |pin: &&Pin| wanted.iter().any(|(_, scene)| **scene == *pin.scene);
         let gone: Vec<Pin> = app.pins.iter().filter(is_wanted).cloned().collect();
         unpin_all(app, gone);
-        return app.tell("the other interaction models are unpinned (u undoes)");
+        return app.tell("the other interaction models are unpinned (<undo> undoes)");
     }
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {
         let text = format!(
-            "{} models need a pin each, and {room} of the eight pins are free: Space on one in the pane Runs unpins it",
+            "{} models need a pin each, and {room} of the eight pins are free: <mark> on one in the pane Runs unpins it",
             missing.len()
         );
         return app.refuse(text);
@@ -312,7 +313,7 @@ fn selected(app: &mut App) -> Option<Pin> {
     let found = app.selected_pin().cloned();
     if found.is_none() {
         app.tell(if app.pins.is_empty() {
-            "no run is pinned yet: Space pins the current one"
+            "no run is pinned yet: <mark> pins the current one"
         } else {
             "select a pinned run first (j, k): the first row is the current run"
         });
@@ -330,7 +331,7 @@ fn unpin_all(app: &mut App, pins: Vec<Pin>) {
     for pin in &pins {
         take_away(app, &pin.scene);
     }
-    app.tell(format!("unpinned {} (u undoes)", edit::named(&pins)));
+    app.tell(format!("unpinned {} (<undo> undoes)", edit::named(&pins)));
     edit::note_unpinned(app, pins);
 }
 
@@ -377,7 +378,7 @@ pub(crate) fn load(app: &mut App) {
     }
     let label = format!("load {}: {}", pin.letter, pin.name);
     let scene = (*pin.scene).clone();
-    app.tell(format!("{label} (u undoes)"));
+    app.tell(format!("{label} (<undo> undoes)"));
     edit::commit_scene(app, scene, label, None);
 }
 
@@ -389,7 +390,7 @@ pub(crate) fn show_or_hide(app: &mut App) {
 
 pub(crate) fn copy(app: &mut App) {
     let Some(shown) = &app.shown else {
-        return app.refuse("nothing to copy yet: r runs the scene");
+        return app.refuse("nothing to copy yet: <run> runs the scene");
     };
     let run = &shown.run;
     let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.outcome);

@@ -51,7 +51,8 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
 
 /// Where else to look, in the lower line of a chart that stands alone.
 fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let hint = if app.pane() == SETUP { " Tab " } else { " z: in words " };
+    let hint = if app.pane() == SETUP { " Tab " } else { " <full-pane>: in words " };
+    let hint = &app.keymap.shown(hint);
     let column = area.width.saturating_sub(columns(hint) + 1);
     canvas.put(area, (column, area.height - 1), hint, Role::Dim);
 }
@@ -62,13 +63,16 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { "Tab: setup" } else { "" };
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
-    let problem = app.pages.search.problem.as_ref().map(|_| "see the message below");
-    let why = problem.unwrap_or("No results yet. Press r to search.");
-    canvas.put_centred(inner, nothing::<Request>(app, "searching", Some(why)));
+    let problem = app.pages.search.problem().map(|_| "see the message below");
+    let why = problem.unwrap_or(NO_RESULTS);
+    let running = app.jobs.study::<Request>().map(|(_, request)| request.page());
+    let is_own = running.is_none_or(|page| page == app.pages.search.page);
+    let searching = if is_own { "searching" } else { "waits for another search" };
+    canvas.put_centred(inner, &nothing::<Request>(app, searching, Some(why)));
 }
 
 fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
-    let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
+    let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
@@ -77,12 +81,13 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let hint = match (is_table, more && !has_choices) {
         // The letters of the chart above.
         (true, _) => "S scene, A-E thesis",
-        (false, true) => "j/k: more",
+        (false, true) => "<down>/<up>: more",
         (false, false) => "",
     };
+    let hint = app.keymap.shown(hint);
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
-    let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
+    let hint = if alone { format!("Tab: setup  {hint}") } else { hint };
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
     let (head, lines) =
@@ -118,7 +123,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let x = axis_of(&report.axis);
-    let x = Axis { view: app.pages.search.zoomed.unwrap_or(x.view), ..x };
+    let x = Axis { view: app.pages.search.zoomed().unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
@@ -182,7 +187,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let text = "no design satisfies every constraint".to_owned();
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
-    let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
+    let x = Axis { view: tab.zoomed().unwrap_or(x.view), ..x };
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
     let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));

@@ -277,7 +277,7 @@ impl App {
         let chosen: Vec<&str> = self.chosen_objectives().iter().map(|at| USUAL[*at]).collect();
         if chosen.is_empty() {
             return Err(
-                "no objective is chosen: l on depth, stroke, mass or mount force".to_owned()
+                "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
             );
         }
         let objectives: Vec<Objective> =
@@ -326,7 +326,7 @@ pub(crate) fn bound_line(bound: &Bound) -> Line {
         role: if bound.on { Role::Text } else { Role::Dim },
         ..Line::word(bound.axis.symbol(), shown)
     }
-    .means(format!("{meaning} (Enter: LO..HI, LO..HI:log; h/l held or varied)"))
+    .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }
 
 /// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.

@@ -60,14 +60,14 @@ pub struct Searching {
     pub setup: Arc<Setup>,
     /// The results, page by page.
     pub found: [Option<Found>; 4],
-    /// Why the present page cannot be computed.
-    pub problem: Option<String>,
+    /// Why a page cannot be computed, page by page.
+    pub problem: [Option<String>; 4],
     /// The selected design or solution, page by page.
     pub cursor: [Option<usize>; 4],
     /// How values are spread across and up.
     pub scales: (Scale, Scale),
-    /// The part of the axis across that is in view; `None`: all of it.
-    pub zoomed: Option<ViewRange>,
+    /// The part of the axis across that is in view, page by page; `None`: all of it.
+    pub zoomed: [Option<ViewRange>; 4],
     /// The column of the front that its table is sorted by: an objective by its place; `None`: the one across.
     pub sorted_by: Option<usize>,
 }
@@ -75,6 +75,16 @@ pub struct Searching {
 impl Searching {
     pub fn shown(&self) -> Option<&Found> {
         self.found[self.page as usize].as_ref()
+    }
+
+    /// Why the page shown cannot be computed.
+    pub fn problem(&self) -> Option<&String> {
+        self.problem[self.page as usize].as_ref()
+    }
+
+    /// The part of the axis across that was chosen on the page shown.
+    pub fn zoomed(&self) -> Option<ViewRange> {
+        self.zoomed[self.page as usize]
     }
 
     pub fn front(&self) -> Option<(&Front, &Task)> {
@@ -133,7 +143,7 @@ impl Searching {
         }
     }
 
-    /// Whether a right pane of this height has no room for a chart and this many lines of text: then Tab switches between them.
+    /// Whether a right pane of this height has no room for a chart and this many lines of text: then z shows the text alone.
     fn is_crowded(&self, height: u16, lines: usize) -> bool {
         // A chart is drawn where four lines are left below it, or all there are.
         self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
@@ -231,13 +241,13 @@ impl App {
     }
 
     /// The design under the cursor as a scene, and what it is.
-    pub fn search_design(&self) -> Result<(Scene, String), String> {
+    pub fn search_design(&self) -> Result<LabelledScene, String> {
         let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
-            return Err("no results yet: press r to search".to_owned());
+            return Err(nothing::<Request>(self, "being computed", None));
         };
         if self.search_is_old() {
-            return Err("these results belong to another setup: press r to search again".to_owned());
+            return Err(old("setup"));
         }
         let mut scene = (*self.scene).clone();
         match &*found.answer {
@@ -248,12 +258,12 @@ impl App {
                 if let Request::Seek(_, law) = found.request {
                     scene.interface.law = law;
                 }
-                let (scene, words) = placed(scene, [(&report.axis, solution.place.at)]);
-                let law = scene.interface.law;
-                let is_new = law != self.scene.interface.law;
-                let law =
-                    if is_new { format!(", interface = {}", law.word()) } else { String::new() };
-                Ok((scene, words + &law))
+                let mut design = placed(scene, [(&report.axis, solution.place.at)]);
+                let law = design.scene.interface.law;
+                if law != self.scene.interface.law {
+                    design.label = format!("{}, interface = {}", design.label, law.word());
+                }
+                Ok(design)
             }
             Answer::Front(front, task) => {
                 let designs = tab.designs();
@@ -261,8 +271,9 @@ impl App {
                     return Err("no design to load: relax a constraint or a bound".to_owned());
                 };
                 scene.interface.law = front.law;
-                let (scene, _) = placed(scene, task.axes.iter().zip(design.values.iter().copied()));
-                Ok((scene, format!("design {} of the front", tab.selected() + 1)))
+                let values = task.axes.iter().zip(design.values.iter().copied());
+                let label = format!("design {} of the front", tab.selected() + 1);
+                Ok(LabelledScene { label, ..placed(scene, values) })
             }
             Answer::Sensitivity(_) | Answer::MonteCarlo(_) => {
                 Err("no design to load here: goal seek and the Pareto front have some".to_owned())

@@ -51,9 +51,9 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if shown.is_empty() {
         let text = match tab.rows() {
             [] => nothing::<Claims>(app, "checking the first claims", None),
-            _ => "no row has this verdict: v for the next",
+            _ => app.keymap.shown("no row has this verdict: <view> for the next"),
         };
-        canvas.put(inner, (1, 1), text, Role::Dim);
+        canvas.put(inner, (1, 1), &text, Role::Dim);
     }
     let says = PLACE.min(inner.width / 3);
     // A claim has as many lines as it needs.

@@ -60,15 +60,17 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = "Relative error";
     let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
         let inner = PaneFrame::new(title).draw(area, canvas);
-        let why = match &tab.report {
-            Some(_) if tab.view.times.is_some() => Some("nothing in view: 0 shows everything"),
-            Some(_) => Some("nothing to draw: no point, or all are hidden (V)"),
+        let why = match &tab.report.found {
+            Some(_) if tab.view.times.is_some() => {
+                Some("nothing in view: <zoom-fit> shows everything")
+            }
+            Some(_) => Some("nothing to draw: no point, or all are hidden (<show-hide>)"),
             None => app.needs_single_plate().then_some(NEEDS_SINGLE),
         };
         let text = nothing::<Measurements>(app, "measuring the first points", why);
-        return canvas.put_centred(inner, text);
+        return canvas.put_centred(inner, &text);
     };
-    let old = app.accuracy_is_old();
+    let old = tab.report.is_old(&app.scene);
     let emphasis = |method: Method| {
         if old {
             Emphasis::Stale
@@ -134,10 +136,11 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
 /// The table, and below it a description of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let methods: &[MethodReport] = tab.report.as_ref().map_or(&[], |report| &report.methods);
+    let methods: &[MethodReport] = tab.report.found.as_ref().map_or(&[], |report| &report.methods);
     let cells = accuracy::methods(methods).cells(&KEYS);
     let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), tab.table_page);
-    let hint = grid.hint().unwrap_or_else(|| "V hides".to_owned());
+    let hint = grid.hint().unwrap_or_else(|| "<show-hide> hides".to_owned());
+    let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new("Methods").right(hint).draw(area, canvas);
     canvas.put(inner, (LETTER, 0), &grid.line(None), Role::Dim);
     let count = Method::ALL.len();

@@ -97,11 +97,11 @@ fn nothing_yet(app: &App, chart: usize, area: Rect, canvas: &mut Canvas<'_>) {
     }
     let text = match (&app.shown, &app.jobs.current) {
         _ if absent.is_some() => absent.unwrap_or_default(),
-        (Some(_), _) => "all runs are hidden: V in the pane Runs shows them",
+        (Some(_), _) => "all runs are hidden: <show-hide> in the pane Runs shows them",
         (None, Some(_)) => "running the first time",
         (None, None) => NO_RESULTS,
     };
-    canvas.put_centred(area, text);
+    canvas.put_centred(area, &app.keymap.shown(text));
 }
 
 /// A chart of these curves, with a second axis for the quantity and curve that have one.
