@@ -45,7 +45,7 @@ pub(super) fn page() -> String {
     for pane in all_panes() {
         let _ = writeln!(text, "\n{}", pane.label);
         for row in pane.keys {
-            line(&mut text, &map.label(row.action), row.help);
+            line(&mut text, &map.label(row.action), &map.shown(row.help));
         }
     }
     text

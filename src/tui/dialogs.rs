@@ -112,7 +112,7 @@ pub struct HelpRow {
     pub keys: String,
     /// The pane they belong to; empty where they work everywhere.
     pub pane: &'static str,
-    pub help: &'static str,
+    pub help: String,
     /// The action of Enter.
     pub action: Action,
 }
@@ -128,7 +128,7 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
         HelpRow {
             keys: line.unwrap_or_else(|| app.keymap.label(row.action)),
             pane: pane.label,
-            help: row.help,
+            help: app.keymap.shown(row.help),
             action: row.action,
         }
     });
@@ -142,13 +142,13 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
         LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),
             pane: label,
-            help: line.meaning,
+            help: line.meaning.to_owned(),
             action: line.keys[0].0,
         })
     };
     let rows = own.chain(lines(false)).chain(lines(true));
     let works = rows.filter(|row| !pages::of(app.tab).is_idle(app, row.action));
-    ranked(works, |row| rank(typed, &[&row.keys], row.help))
+    ranked(works, |row| rank(typed, &[&row.keys], &row.help))
 }
 
 /// The presets that match, best first; all of them in their order when nothing is typed.

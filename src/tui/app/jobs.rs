@@ -107,7 +107,7 @@ impl<T> Default for Kept<T> {
 
 impl<T> Kept<T> {
     /// Keep what a report brings, if it has this type; gives whether it did.
-    pub(crate) fn take(
+    pub(crate) fn keep(
         &mut self,
         running: &Running,
         news: &ReportBody,

@@ -67,7 +67,7 @@ fn list(rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) 
             let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
             canvas.put(row, (0, 0), &keys, Role::Key);
             let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
-            canvas.put(row, (SENTENCE, 0), &clip(line.help, room), role);
+            canvas.put(row, (SENTENCE, 0), &clip(&line.help, room), role);
         },
     );
 }

@@ -32,10 +32,10 @@ pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESULTS, label: "Explore", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
-        key(A::Enter, "load", "load the design under the cursor into the scene (u undoes)"),
+        key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::View, "quantity", "show the next quantity"),
         key(A::Mark, "pin", "pin the design under the cursor"),
-        key(A::ZoomIn, "zoom", "zoom the variable along about the cursor"),
+        key(A::ZoomIn, "zoom", "zoom about the cursor; of a map its ends (<undo> undoes)"),
         key(A::Down, "curve", "move to another curve, or down the map"),
     ] },
     PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
@@ -68,10 +68,9 @@ impl Page for ExploreTab {
         if coming.is_some_and(|it| it.picture == picture && Some(&*it.plan) == wanted) {
             return;
         }
-        let there =
-            app.pages.explore.found(picture).is_some_and(|found| {
-                Some(&**found.grid.plan()) == wanted && found.grid.is_complete()
-            });
+        // What a person stopped waits for the key that runs it again.
+        let found = app.pages.explore.found(picture).filter(|found| found.took.is_some());
+        let there = found.is_some_and(|found| Some(&**found.grid.plan()) == wanted);
         if !there {
             return compute(app);
         }

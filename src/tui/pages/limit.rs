@@ -25,16 +25,16 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "V50 and its spread (inputs +-2 %; model error: cmra limit)"),
-        key(A::Enter, "load", "load the impact velocity under the cursor (u undoes)"),
+        key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
         key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
-        key(A::Enter, "load", "load the scene with this absorber (u undoes)"),
+        key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
     ] },
     PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
-        key(A::Enter, "load", "load the design under the cursor into the scene (u undoes)"),
+        key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
     ] },
 ];
@@ -122,7 +122,7 @@ impl Page for LimitTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        app.pages.limit.take(running, news);
+        app.pages.limit.keep(running, news);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {

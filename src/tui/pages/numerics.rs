@@ -34,7 +34,7 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
-        key(A::Enter, "load", "load the value under the cursor into the scene (u undoes)"),
+        key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
         key(A::Down, "scene", "select another scene"),

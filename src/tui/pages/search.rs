@@ -51,7 +51,7 @@ const PANES: &[PaneSpec] = &[
     ] },
     PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Chart, Part::Table], keys: &[
         key(A::Down, "move", "move to the next design or solution"),
-        key(A::Enter, "load", "load this design into the scene (u undoes)"),
+        key(A::Enter, "load", "load this design into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin this design"),
         key(A::Sort, "sort", "sort the table by the next column"),
         key(A::View, "axes", "show the next pair of objectives in the chart"),

@@ -154,7 +154,7 @@ impl Page for ThesisTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
-        app.pages.thesis.report.take(running, news, |report| report.is_complete);
+        app.pages.thesis.report.keep(running, news, |report| report.is_complete);
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {

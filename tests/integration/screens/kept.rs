@@ -112,6 +112,15 @@ fn the_cursor_of_a_map_begins_again_on_a_map_of_another_scene() {
     assert_eq!(bench.app.pages.limit.map_cursor, None);
 }
 
+/// Whether the table that was exported last is a part.
+pub(super) fn writes_a_part(bench: &Bench) -> bool {
+    let content = bench.effects.iter().rev().find_map(|effect| match effect {
+        Effect::Files(FileTask::Export(_, content)) => Some(format!("{content:?}")),
+        _ => None,
+    });
+    content.expect("an export").contains("is_complete: false")
+}
+
 /// The comparison with a part of its map, as a person left it.
 fn stopped(bench: &Bench) -> Comparison {
     let found = bench.app.comparison().expect("a comparison").clone();
@@ -143,11 +152,7 @@ fn a_stopped_comparison_says_so_in_its_panes_and_waits() {
     assert!(again.iter().all(|study| study.asked.of::<EqualMass>().is_none()));
     // Its map is written as a part.
     bench.keys("<S-Tab>e<Enter>");
-    let content = bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(_, content)) => Some(format!("{content:?}")),
-        _ => None,
-    });
-    assert!(content.expect("an export").contains("is_complete: false"));
+    assert!(writes_a_part(&bench));
 }
 
 /// A pin whose run was stopped has no result, and gets one with the next pins that are computed.
@@ -292,5 +297,9 @@ fn help_explains_the_words_of_the_comparison_and_of_the_stiff_scenes() {
 fn a_map_that_does_not_zoom_says_so() {
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
     bench.keys("+");
-    assert!(bench.message().contains("nothing to zoom in this pane"), "{}", bench.message());
+    assert!(
+        bench.message().contains("only charts and the map of Explore zoom"),
+        "{}",
+        bench.message()
+    );
 }

@@ -236,6 +236,8 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     bench.reply(job.id, ended(Finding::from(found)));
     assert!(bench.message().contains("partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
+    bench.keys("12");
+    assert!(jobs(&mut bench).is_empty(), "it waits for r");
     bench.keys("r");
     assert_eq!(jobs(&mut bench).len(), 1);
 }

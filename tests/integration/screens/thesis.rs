@@ -1,6 +1,7 @@
 //! The Thesis tab: claims come in as they are checked, are filtered and opened; weights change the ranking.
 
 use super::bench::{Bench, ended};
+use super::kept::writes_a_part;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::message::PresetEntry;
@@ -82,6 +83,8 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     assert!(bench.has_cancelled());
     bench.reply(id, ended(Finding::new(RowsSoFar { rows: some, is_complete: false })));
     assert!(bench.screen().contains("cancelled: press r"));
+    bench.keys("e<Enter>");
+    assert!(writes_a_part(&bench));
 }
 
 #[test]

@@ -67,17 +67,17 @@ pub struct Ballistic {
 
 impl Ballistic {
     /// Keep what was found; another curve has its shots elsewhere, and a map of another scene its axes.
-    pub(crate) fn take(&mut self, running: &Running, news: &ReportBody) {
+    pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) {
         let (before, is_old) = (self.report.clone(), self.comparison.is_old(&running.scene));
         let shots = |kept: &Kept<Report>| kept.found.as_ref().map(|report| report.shots.clone());
-        if self.report.take(running, news, |report| report.is_complete)
+        if self.report.keep(running, news, |report| report.is_complete)
             && shots(&before) != shots(&self.report)
         {
             (self.cursor, self.zoomed) = (None, None);
         }
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
-        if self.comparison.take(running, news, is_whole) && is_old {
+        if self.comparison.keep(running, news, is_whole) && is_old {
             self.map_cursor = None;
         }
     }

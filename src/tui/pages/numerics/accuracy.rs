@@ -446,7 +446,7 @@ fn show_or_hide(app: &mut App) {
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.accuracy;
-    if !tab.report.take(running, news, |report| report.is_complete) {
+    if !tab.report.keep(running, news, |report| report.is_complete) {
         return;
     }
     if let Some((_, total)) = running.points {

@@ -193,8 +193,8 @@ const FAR: i16 = 10;
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
     let before = tab.map.found.as_ref().map(|map| map.axis);
-    tab.battery.take(running, news, |battery| battery.is_complete);
-    if tab.map.take(running, news, Map::is_complete)
+    tab.battery.keep(running, news, |battery| battery.is_complete);
+    if tab.map.keep(running, news, Map::is_complete)
         && before != tab.map.found.as_ref().map(|map| map.axis)
     {
         tab.cursor = None;
