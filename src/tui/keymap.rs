@@ -260,6 +260,9 @@ impl Keymap {
 
     /// A text with the key to show in the place of each action that it names: `press <run>`.
     pub fn shown(&self, text: &str) -> String {
+        if !text.contains('<') {
+            return text.to_owned();
+        }
         let bound = LINES.iter().flat_map(|line| line.keys);
         bound.fold(text.to_owned(), |text, (action, id, _)| {
             let mark = format!("<{id}>");
@@ -536,6 +539,7 @@ mod tests {
         let map = Keymap::remapped(&wanted("undo", "U")).expect("a free key");
         assert_eq!(map.action(press('U')), Some(Action::Undo));
         assert_eq!(map.action(press('u')), None);
+        assert_eq!(map.shown("<undo> undoes, <redo> redoes, a<b"), "U undoes, Ctrl-r redoes, a<b");
         let refused = Keymap::remapped(&wanted("undo", "r")).unwrap_err();
         assert!(refused.contains("both") && refused.contains("undo"), "{refused}");
         assert!(Keymap::remapped(&wanted("undoo", "U")).unwrap_err().contains("cmra keys"));
