@@ -72,9 +72,12 @@ fn a_table_holds_its_scene_and_command_inline() {
     assert_eq!(done.code, 0, "{}", done.err);
     assert!(!place.path().join("a.toml").exists());
     let table = fs::read_to_string(place.path().join("a.csv")).unwrap();
-    assert!(table.starts_with("# again: cmra limit --set h=3mm --scatter 0 --csv -\n"), "{table}");
+    assert!(
+        table.starts_with("# again: cmra limit --set h=3mm --monte-carlo 0 --csv -\n"),
+        "{table}"
+    );
     assert!(table.contains("# target.thickness_m: 0.003 (m)\n"), "{table}");
-    let again = cmra(place.path(), "limit --set h=3mm --scatter 0 --csv -");
+    let again = cmra(place.path(), "limit --set h=3mm --monte-carlo 0 --csv -");
     assert_eq!(rows(&table), rows(&again.out));
 }
 
