@@ -7,10 +7,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::amount::count;
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, bounds};
-use crate::cli::table::TableArguments;
+use crate::cli::study::{Answer, Random, StudyArguments, bounds};
 use crate::cli::text::width;
 use crate::cli::{CliError, progress};
 use crate::model::scene::{InterfaceLaw, Scene};
@@ -51,8 +48,6 @@ pub(super) enum Laws {
     Several objectives: NSGA-II finds the Pareto front. One objective: NSGA-II, then COBYLA from the best design.\n\
     Exit status 1 when no design satisfies every constraint.")]
 pub(super) struct OptimiseArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
@@ -85,9 +80,7 @@ pub(super) struct OptimiseArguments {
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 impl OptimiseArguments {
@@ -139,18 +132,15 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
 
 /// Runs the search; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
-    let preset = arguments.scene.load()?;
+    let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
     let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    let threads = arguments.threads.count();
-    say_if_long(&space, task.runs() as u64, "runs", threads);
-    let fronts =
-        progress::study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
+    arguments.study.say_if_long(&space, task.runs() as u64);
+    let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {
@@ -166,9 +156,8 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         }
     }
     let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
-    let rows = front::table(name, &task, &fronts);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, &page, object, rows)?;
+    let answer = Answer { warnings, page, object, rows: front::table(name, &task, &fronts) };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(fronts.iter().all(|front| !front.designs.is_empty())))
 }
 

@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::all_threads;
+use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::{CliError, draw, output, progress};
 use crate::files::atomic::{self, Existing};
@@ -46,6 +46,8 @@ pub(super) struct ReportArguments {
     /// Replace an existing file
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    threads: Threads,
 }
 
 /// Whether a report of this name is HTML; it is Markdown otherwise.
@@ -75,8 +77,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     results(&mut document, &computed.run);
     let charts = selected(&computed.run).into_iter().map(Picture::Chart).map(block);
     section(&mut document, "Charts", charts.collect());
-    section(&mut document, "Ballistic limit", ballistic_limit(&scene)?);
-    section(&mut document, "Sweep", own_sweep(&scene)?);
+    section(&mut document, "Ballistic limit", ballistic_limit(&scene, arguments.threads.count())?);
+    section(&mut document, "Sweep", own_sweep(&scene, arguments.threads.count())?);
     section(&mut document, "Run it again", again(&computed, &scene));
     if progress::exit_code(true) != ExitCode::SUCCESS {
         output::note("no report was written");
@@ -165,10 +167,10 @@ fn results(document: &mut Document, run: &Run) {
 }
 
 /// The ballistic limit with its curve.
-fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
+fn ballistic_limit(scene: &Scene, threads: usize) -> Result<Vec<Block>, CliError> {
     let effort = Effort { criterion: Criterion::Passage, sampling: None };
     let scene = Arc::new(scene.clone());
-    let report = progress::study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
+    let report = progress::study(threads, "shots or so", |it| limit::find(&scene, effort, it))?;
     let mut lines = Vec::new();
     match report.limit.velocity_m_s() {
         Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),
@@ -187,14 +189,14 @@ fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
 }
 
 /// The pictures of the sweep that is kept with the scene.
-fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
+fn own_sweep(scene: &Scene, threads: usize) -> Result<Vec<Block>, CliError> {
     if scene.sweep.is_none() {
         return Ok(Vec::new());
     }
     let plan = Arc::new(Plan::of(scene)?);
     let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
     let Some(grid) = grid else { return Ok(Vec::new()) };
-    let grid = progress::study(all_threads(), "points", |context| grid.fill(PIECE, context));
+    let grid = progress::study(threads, "points", |context| grid.fill(PIECE, context));
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&grid, output));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
     let warnings = validity::of_axes(plan.base(), plan.axes());

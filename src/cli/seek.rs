@@ -5,11 +5,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, be_cautious};
+use crate::cli::study::{Answer, StudyArguments, be_cautious};
 use crate::cli::sweep::axes::range;
-use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress};
 use crate::model::units::{shortest, significant};
 use crate::report::seek::{self, remarks, solution};
@@ -26,8 +23,6 @@ use crate::study::validity;
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// The variable and its bounds; COUNT points of the scan [default: 65]
     #[arg(long, value_name = "NAME=LO..HI[:COUNT][:log]", allow_hyphen_values = true)]
     over: String,
@@ -40,9 +35,7 @@ pub(super) struct SeekArguments {
     )]
     goal: String,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 impl SeekArguments {
@@ -60,14 +53,12 @@ impl SeekArguments {
 
 /// Runs the goal seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
     let goal = arguments.goal()?;
-    let mut preset = arguments.scene.load()?;
-    let law = be_cautious(&arguments.scene, &mut preset.scene);
+    let mut preset = arguments.study.load()?;
+    let law = be_cautious(&arguments.study.scene, &mut preset.scene);
     let space = Plan::for_designs(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    let threads = arguments.threads.count();
-    say_if_long(&space, goal.axis.count(), "runs", threads);
-    let report = progress::study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
+    arguments.study.say_if_long(&space, goal.axis.count());
+    let report = arguments.study.run("runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     if let Some(law) = &law {
         output::note(law);
@@ -78,8 +69,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         warnings.extend(texts.iter().map(|text| format!("solution ({at}): {text}")));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, &page, object, seek::table(name, &report))?;
+    let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 

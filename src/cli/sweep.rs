@@ -16,7 +16,7 @@ use crate::cli::outlook::say_if_long;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::Threads;
+use crate::cli::study::Threads;
 use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};

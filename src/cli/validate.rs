@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::search::all_threads;
+use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::files::validation;
@@ -17,13 +17,15 @@ use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements}
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
     #[command(flatten)]
+    threads: Threads,
+    #[command(flatten)]
     table: TableArguments,
 }
 
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let report = progress::study(all_threads(), "measurements", validation::report)?;
+    let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
