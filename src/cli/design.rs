@@ -11,7 +11,7 @@ use crate::cli::table::{TableArguments, at_top};
 use crate::model::design;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
-use crate::model::units::{Engineering, significant};
+use crate::model::units::{engineering, significant};
 use crate::model::variables;
 use crate::report::table::Table;
 use crate::report::thesis;
@@ -75,7 +75,7 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     for (name, value, unit, meaning) in &found {
         // A prefix before `kg` reads badly.
         let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
-        let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
+        let shown = engineering(scale * value, unit, 4);
         let _ = writeln!(page, "{shown:>14}  {name} ({meaning})");
     }
     let rows = Table::of(&found)

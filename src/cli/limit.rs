@@ -13,7 +13,7 @@ use crate::cli::table::choice;
 use crate::cli::text::hanging;
 use crate::cli::{CliError, draw, progress};
 use crate::model::mechanism::Mechanism;
-use crate::model::units::fixed_significant;
+use crate::model::units::velocity;
 use crate::report::limit::{self, remarks, residual};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
@@ -106,15 +106,12 @@ fn page(name: &str, report: &Report) -> String {
     page
 }
 
-fn velocity(value_m_s: f64) -> String {
-    format!("{} m/s", fixed_significant(value_m_s, 6))
-}
-
 fn head(page: &mut String, report: &Report) {
     let own = report.scene.projectile.velocity_m_s;
     match report.limit {
         Limit::Found { velocity_m_s, basis, .. } => {
-            let _ = writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s), basis.words());
+            let _ =
+                writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s, 6), basis.words());
         }
         Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
@@ -127,7 +124,7 @@ fn head(page: &mut String, report: &Report) {
             page,
             "margin          {:+.1} % relative to the scene's {}: {side}",
             100.0 * margin,
-            velocity(own)
+            velocity(own, 6)
         );
     }
     page.push('\n');

@@ -94,7 +94,7 @@ fn page(name: &str, report: &Report) -> String {
     let early = if report.is_complete { "" } else { ", stopped early" };
     let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
-        let unit = tolerance.variable().unit().trim_matches('-');
+        let unit = tolerance.variable().unit();
         let again = match redrawn {
             0 => String::new(),
             count => format!("   truncated: {count} impossible samples drawn again"),

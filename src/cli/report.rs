@@ -124,7 +124,7 @@ fn head(computed: &Computed, scene: &Scene) -> Document {
     let usual = Scene::default();
     let changed = |one: &&Variable| is_used(one, scene) && one.show(scene) != one.show(&usual);
     let row = |one: &Variable| {
-        let unit = one.unit().trim_matches('-').to_owned();
+        let unit = one.unit().to_owned();
         vec![one.symbol.to_owned(), one.meaning.to_owned(), one.show(scene), one.show(&usual), unit]
     };
     let rows: Vec<Vec<String>> = VARIABLES.iter().filter(changed).map(row).collect();
@@ -156,7 +156,7 @@ fn results(document: &mut Document, run: &Run) {
     let head = ["result", "value", "relative error", "key"].map(str::to_owned).to_vec();
     let mut blocks = vec![Block::Table { head, rows: of_runs().filter_map(row).collect() }];
     let events = run.events.iter().map(|event| {
-        let time = units::Engineering { value: event.t_s, unit: "s", digits: DIGITS };
+        let time = units::engineering(event.t_s, "s", DIGITS);
         format!("{time}: {}", event.kind.words())
     });
     let events: Vec<String> = events.collect();
@@ -173,7 +173,7 @@ fn ballistic_limit(scene: &Scene, threads: usize) -> Result<Vec<Block>, CliError
     let report = progress::study(threads, "shots or so", |it| limit::find(&scene, effort, it))?;
     let mut lines = Vec::new();
     match report.limit.velocity_m_s() {
-        Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),
+        Some(velocity) => lines.push(units::velocity(velocity, DIGITS)),
         None => lines.extend(report.limit.absence()),
     }
     lines.push(format!("criterion: {}", report.criterion.label()));

@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
@@ -138,10 +138,9 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
 
 /// The map, and the largest step of the scene.
 fn map_page(map: &Map, scene: &str) -> String {
-    let largest = map.largest_stable_dt_s.map_or_else(
-        || "no limit".to_owned(),
-        |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
-    );
+    let largest = map
+        .largest_stable_dt_s
+        .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
     let picture = draw::map(&tables::picture(map), draw::MAP, Theme::PLAIN);
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",

@@ -10,7 +10,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::files::validation;
 use crate::model::scene::Closure;
-use crate::model::units::{Engineering, fixed_significant};
+use crate::model::units::{engineering, fixed_significant};
 use crate::report::validation as tables;
 use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
 
@@ -42,7 +42,7 @@ fn page(report: &[Row]) -> String {
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
             Quantity::Ratio => fixed_significant(value, 4),
-            _ => Engineering { value, unit, digits: 4 }.to_string(),
+            _ => engineering(value, unit, 4),
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();
@@ -81,7 +81,7 @@ fn page(report: &[Row]) -> String {
                 format!(
                     "{}; invalid if the projectile yields below {}",
                     case.projectile,
-                    Engineering { value: row.pressure_pa, unit: "Pa", digits: 4 }
+                    engineering(row.pressure_pa, "Pa", 4)
                 ),
             ),
             ("caution", case.caution.to_owned()),

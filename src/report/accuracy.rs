@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::accuracy::method::Knob;
@@ -113,7 +113,7 @@ pub fn percent(part: f64) -> String {
 
 /// A run time, in a few characters.
 pub fn seconds(value: f64) -> String {
-    Engineering { value, unit: "s", digits: 2 }.to_string()
+    engineering(value, "s", 2)
 }
 
 /// A list with one object a scene.
