@@ -23,7 +23,6 @@ use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::theme::Theme;
 
 /// Columns by which the further lines of a sentence are indented.
 const INDENT: usize = 2;
@@ -221,7 +220,7 @@ fn map_page(name: &str, map: &Map) -> String {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
-    page.push_str(&draw::map(&drawn, MAP, Theme::PLAIN));
+    page.push_str(&draw::map(&drawn, MAP));
     line_of_one(&mut page, map);
     page
 }

@@ -15,7 +15,6 @@ use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
 use crate::study::stability::map::{self, Axis, FixedStep, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
-use crate::tui::theme::Theme;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
@@ -141,7 +140,7 @@ fn map_page(map: &Map, scene: &str) -> String {
     let largest = map
         .largest_stable_dt_s
         .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
-    let picture = draw::map(&tables::picture(map), draw::MAP, Theme::PLAIN);
+    let picture = draw::map(&tables::picture(map), draw::MAP);
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
         map.method.name(),
