@@ -13,7 +13,9 @@ use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
 use crate::model::units::engineering;
-use crate::report::accuracy::{self, Named, TARGETS, by, error_over_time, methods, seconds};
+use crate::report::accuracy::{
+    self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
+};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Effort, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
@@ -31,8 +33,6 @@ const KEYS: [&str; 8] = [
     "run_time_spread",
     "cheapest",
 ];
-/// The accuracies answered below the table of methods.
-const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {

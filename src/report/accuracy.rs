@@ -116,6 +116,9 @@ pub fn seconds(value: f64) -> String {
     engineering(value, "s", 2)
 }
 
+/// The errors for which the run time is answered.
+pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
+
 /// A list with one object a scene.
 pub fn json(reports: &[Named]) -> Value {
     reports.iter().map(scene).collect()
@@ -132,7 +135,7 @@ fn scene(named: &Named) -> Value {
             "uncertainty": reference.uncertainty,
         })
     });
-    let answers = [1e-4, 1e-6, 1e-9, 1e-12].map(|target| {
+    let answers = ANSWERS.map(|target| {
         let found = report.cheapest(target);
         json!({
             "error": target,
