@@ -33,7 +33,7 @@ pub(super) struct MonteCarloArguments {
                 lengths, strength, density, drag, spring and damper, each lognormal by 2 %]"
     )]
     vary: Vec<String>,
-    /// Results, separated by commas [default: all but those about the computation]
+    /// Quantities, separated by commas [default: all but those about the computation]
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Number of samples
@@ -74,7 +74,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
-    arguments.study.say_if_long(&space(&preset.scene, &task)?, task.samples as u64);
+    arguments.study.announce_if_long(&space(&preset.scene, &task)?, task.samples as u64);
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let answer = Answer {

@@ -41,7 +41,7 @@ pub(super) enum Laws {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "RESULT is any quantity: `cmra explain quantities` lists all. \
+#[command(after_help = "QUANTITY is any quantity: `cmra explain quantities` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
     Only feasible designs count (`--no-feasibility` switches this off): the interface demand is at most 1, no beam yields, no spring \
     leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\
@@ -52,15 +52,15 @@ pub(super) struct OptimiseArguments {
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Quantities to minimise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "minimize")]
     minimise: Vec<String>,
     /// Quantities to maximise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "maximize")]
     maximise: Vec<String>,
     /// A bound to keep; may be repeated.
     #[arg(
         long,
-        value_name = "RESULT<=VALUE",
+        value_name = "QUANTITY<=VALUE",
         allow_hyphen_values = true,
         help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
     )]
@@ -123,7 +123,7 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
         .map(|(name, value)| (name, value, true))
         .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
         .ok_or_else(|| {
-            refuse("write RESULT<=VALUE or RESULT>=VALUE, for example 'stroke_m<=50mm'")
+            refuse("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")
         })?;
     let measure = named(name)?;
     let bound = measure.parse(value).map_err(|why| refuse(&why))?;
@@ -139,7 +139,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    arguments.study.say_if_long(&space, task.runs() as u64);
+    arguments.study.announce_if_long(&space, task.runs() as u64);
     let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();

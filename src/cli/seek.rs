@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{Answer, StudyArguments, be_cautious};
+use crate::cli::study::{Answer, StudyArguments, on_plastic};
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, output, progress};
 use crate::model::units::{shortest, significant};
@@ -19,19 +19,19 @@ use crate::study::validity;
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is located by root finding. \
     Solutions closer together than the points of the scan may be missed: raise COUNT.\n\
-    RESULT is any quantity: `cmra explain quantities` lists all.\n\
+    QUANTITY is any quantity: `cmra explain quantities` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
     /// The variable and its bounds; COUNT points of the scan [default: 65]
     #[arg(long, value_name = "NAME=LO..HI[:COUNT][:log]", allow_hyphen_values = true)]
     over: String,
-    /// The result and the value it should have.
+    /// The quantity and the value it should have.
     #[arg(
         long,
-        value_name = "RESULT=VALUE",
+        value_name = "QUANTITY=VALUE",
         allow_hyphen_values = true,
-        help = "The result and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
+        help = "The quantity and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
     )]
     goal: String,
     #[command(flatten)]
@@ -42,7 +42,7 @@ impl SeekArguments {
     fn goal(&self) -> Result<Goal, CliError> {
         let refuse = |why: &str| CliError::Option(format!("--goal {}: {why}", self.goal));
         let (name, value) = self.goal.split_once('=').ok_or_else(|| {
-            refuse("write RESULT=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
+            refuse("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
         })?;
         let column = named(name)?;
         let target = column.parse(value).map_err(|why| refuse(&why))?;
@@ -55,9 +55,9 @@ impl SeekArguments {
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.study.load()?;
-    let law = be_cautious(&arguments.study.scene, &mut preset.scene);
+    let law = on_plastic(&arguments.study.scene, &mut preset.scene);
     let space = Plan::for_designs(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    arguments.study.say_if_long(&space, goal.axis.count());
+    arguments.study.announce_if_long(&space, goal.axis.count());
     let report = arguments.study.run("runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     if let Some(law) = &law {

@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let preset = arguments.study.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
     if let Ok(space) = Plan::for_designs(&preset.scene, axes.clone(), &[&arguments.output]) {
-        arguments.study.say_if_long(&space, effort.runs(axes.len()) as u64);
+        arguments.study.announce_if_long(&space, effort.runs(axes.len()) as u64);
     }
     let report = arguments
         .study

@@ -3,7 +3,7 @@
 use clap::Args;
 use serde_json::Value;
 
-use crate::cli::outlook::say_if_long;
+use crate::cli::outlook::announce_if_long;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
@@ -45,8 +45,8 @@ impl StudyArguments {
     }
 
     /// Announces the time of that many runs within the bounds, if it is long.
-    pub(super) fn say_if_long(&self, space: &Plan, runs: u64) {
-        say_if_long(space, runs, "runs", self.threads.count());
+    pub(super) fn announce_if_long(&self, space: &Plan, runs: u64) {
+        announce_if_long(space, runs, "runs", self.threads.count());
     }
 
     /// Runs a study, and shows its progress.
@@ -69,7 +69,7 @@ impl StudyArguments {
 
 /// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
 /// loaded beyond what it can carry. Gives the note to print.
-pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
+pub(super) fn on_plastic(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
     let chosen = arguments.changes.set_of(|key| key == "interface.law").is_some();
     if chosen || !has_unlimited_interface(scene) {
         return None;
