@@ -78,7 +78,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
     let map = arguments
         .study
-        .run("rows", |context| map::map(&preset.scene, (arguments.method, axis), cells, context));
+        .run("rows", |context| map::map(&preset.scene, arguments.method, axis, cells, context));
     let name = preset.name.as_str();
     let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
     let table = arguments.study.table.of(&arguments.study.scene, &preset.scene);
