@@ -156,7 +156,7 @@ fn valid_probability_of_perforation() {
     let (low, high) = (limit - 50.0, limit + 50.0);
     let velocity = Tolerance::new("v_i", Distribution::Uniform { low, high }).unwrap();
     let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
-    let (part, (low, high)) = report.perforated.unwrap();
+    let Estimate { value: part, low_95: low, high_95: high } = report.perforated.unwrap();
     assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
     assert_eq!(report.outcomes.perforated + report.summaries[0].sorted.len() as u64, 4000);
 }
