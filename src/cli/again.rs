@@ -34,7 +34,7 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
         }
     }
     // In the order in which they were typed; groups have an id too.
-    let option = |id| command.get_opts().chain(flags(command)).find(|it| it.get_id() == id);
+    let option = |id| command.get_arguments().find(|it| it.get_id() == id && !it.is_positional());
     for option in typed.ids().filter_map(option) {
         let Some(long) = option.get_long() else { continue };
         let is_dropped = RESULTS.contains(&long) || scene.is_some() && CHANGES.contains(&long);
@@ -45,10 +45,6 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
     }
     words.push("--csv -".to_owned());
     words.join(" ")
-}
-
-fn flags(command: &Command) -> impl Iterator<Item = &Arg> {
-    command.get_arguments().filter(|it| !it.is_positional() && !it.get_action().takes_values())
 }
 
 /// What was typed for an argument: a text for each time, in which values that commas separate are together again.
