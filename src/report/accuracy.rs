@@ -140,9 +140,9 @@ fn scene(named: &Named) -> Value {
         json!({
             "error": target,
             "method": found.map(|it| it.method.name()),
-            "knob": found.and_then(|it| it.knob.value()),
+            "parameter": found.and_then(|it| it.knob.value()),
             "run_time_s": found.map(|it| it.min_s),
-            "nothing_left_out_s": report.cheapest_in_full(target).map(|it| it.min_s),
+            "no_term_omitted_s": report.cheapest_in_full(target).map(|it| it.min_s),
         })
     });
     json!({
