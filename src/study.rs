@@ -63,8 +63,7 @@ fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
 
 /// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
-    let settings = Settings { series: false, estimate: false };
-    simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
+    simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()
 }
 
 /// The entries of a file of one list.

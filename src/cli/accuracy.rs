@@ -12,8 +12,10 @@ use crate::cli::text::width;
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
-use crate::model::units::Engineering;
-use crate::report::accuracy::{self, Named, TARGETS, by, error_over_time, methods, seconds};
+use crate::model::units::engineering;
+use crate::report::accuracy::{
+    self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
+};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Effort, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
@@ -31,8 +33,6 @@ const KEYS: [&str; 8] = [
     "run_time_spread",
     "cheapest",
 ];
-/// The accuracies answered below the table of methods.
-const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
@@ -189,7 +189,7 @@ fn references(page: &mut String, report: &Report) {
             .map(|method| method.method.letter())
             .collect();
         let depth = match reference.ending {
-            Ending::Arrest => length(reference.depth_m),
+            Ending::Arrest => engineering(reference.depth_m, "m", 6),
             Ending::Perforation => "perforated".to_owned(),
         };
         let sure = reference
@@ -199,14 +199,10 @@ fn references(page: &mut String, report: &Report) {
             page,
             "  {:<23}{depth}, {}, to {sure}{}",
             reference.basis.words(),
-            Engineering { value: reference.t_s, unit: "s", digits: 6 },
+            engineering(reference.t_s, "s", 6),
             if letters.is_empty() { String::new() } else { format!(": {letters}") }
         );
     }
-}
-
-fn length(value: f64) -> String {
-    Engineering { value, unit: "m", digits: 6 }.to_string()
 }
 
 fn refusals(page: &mut String, report: &Report) {

@@ -8,10 +8,9 @@ use clap::Args;
 
 use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::all_threads;
+use crate::cli::study::{Answer, StudyArguments};
 use crate::cli::sweep::axes::range;
-use crate::cli::table::{TableArguments, at_top};
+use crate::cli::table::at_top;
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
@@ -24,7 +23,6 @@ use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::theme::Theme;
 
 /// Columns by which the further lines of a sentence are indented.
 const INDENT: usize = 2;
@@ -40,8 +38,6 @@ const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
                   Above the line of 1 the armour is lighter than the solid plate that stops the same shot."
 )]
 pub(super) struct CompareArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// Velocity at which the candidates are sized and compared, m/s or with a unit [default: the scene's]
     #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, value_parser = above_zero(Quantity::Velocity, "230m/s"))]
     design_velocity: Option<f64>,
@@ -71,19 +67,18 @@ pub(super) struct CompareArguments {
     #[command(flatten)]
     pictures: PictureArguments,
     #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 /// Runs the comparison; a mechanism that does not pay is a valid result.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
-    arguments.pictures.check(&arguments.table)?;
+    arguments.pictures.check(&arguments.study.table)?;
     let hardware = Hardware {
         spring_kg: arguments.spring_mass,
         mount_kg: arguments.mount_mass,
         stroke_m: arguments.stroke,
     };
-    let mut preset = arguments.scene.load()?;
+    let mut preset = arguments.study.load()?;
     if let Some(velocity_m_s) = arguments.design_velocity {
         preset.scene.projectile.velocity_m_s = velocity_m_s;
     }
@@ -100,12 +95,15 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
-    let report = progress::study(1, "candidates", |context| compare(&scene, hardware, context))?;
+    let report = arguments.study.run("candidates", |it| compare(&scene, hardware, it))?;
     let name = preset.name.as_str();
-    let (page, object) = (page(name, &report), tables::json(name, &report));
-    let warnings = validity::of_scene(&scene);
-    let table = arguments.table.of(&arguments.scene, &scene);
-    table.deliver_warned(&warnings, &page, object, tables::table(name, &report))?;
+    let answer = Answer {
+        warnings: validity::of_scene(&scene),
+        page: page(name, &report),
+        object: tables::json(name, &report),
+        rows: tables::table(name, &report),
+    };
+    arguments.study.deliver(&scene, answer)?;
     Ok(progress::exit_code(true))
 }
 
@@ -116,18 +114,18 @@ impl CompareArguments {
         axes: &[Axis; 2],
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
-        let map = progress::study(all_threads(), "points", |context| {
-            Map::compute(&preset.scene, axes, hardware, context)
-        })?;
+        let map = self
+            .study
+            .run("points", |context| Map::compute(&preset.scene, axes, hardware, context))?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
         let page = at_top(&map_page(name, &map), &warnings);
-        let table = self.table.of(&self.scene, &preset.scene);
+        let table = self.study.table.of(&self.study.scene, &preset.scene);
         if !self.pictures.is_stdout() {
             table.deliver(&page, &tables::map_table(name, &map))?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
-        self.pictures.write(&self.table, drawn)?;
+        self.pictures.write(&self.study.table, drawn)?;
         Ok(progress::exit_code(map.is_complete()))
     }
 }
@@ -222,7 +220,7 @@ fn map_page(name: &str, map: &Map) -> String {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
-    page.push_str(&draw::map(&drawn, MAP, Theme::PLAIN));
+    page.push_str(&draw::map(&drawn, MAP));
     line_of_one(&mut page, map);
     page
 }

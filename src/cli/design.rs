@@ -11,7 +11,7 @@ use crate::cli::table::{TableArguments, at_top};
 use crate::model::design;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
-use crate::model::units::{Engineering, significant};
+use crate::model::units::{engineering, significant};
 use crate::model::variables;
 use crate::report::table::Table;
 use crate::report::thesis;
@@ -72,25 +72,30 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene);
     let mut page = format!("{}: by formulas alone\n\n", preset.name);
-    for (name, value, unit, meaning) in &found {
+    for Formula { name, value, unit, source } in &found {
         // A prefix before `kg` reads badly.
         let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
-        let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
-        let _ = writeln!(page, "{shown:>14}  {name} ({meaning})");
+        let shown = engineering(scale * value, unit, 4);
+        let _ = writeln!(page, "{shown:>14}  {name} ({source})");
     }
     let rows = Table::of(&found)
-        .with("name", "name", "", |it| it.0)
-        .with("value", "value", "", |it| it.1)
-        .with("unit", "unit", "", |it| it.2)
-        .with("source", "source", "", |it| it.3);
+        .with("name", "name", "", |it| it.name)
+        .with("value", "value", "", |it| it.value)
+        .with("unit", "unit", "", |it| it.unit)
+        .with("source", "source", "", |it| it.source);
     let breaches = envelope::of_scene(&preset.scene);
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
     arguments.table.alone().deliver(&at_top(&page, &warnings), &rows.with_warnings(&warnings))
 }
 
-/// Name, value, unit, and where the formula is from.
-type Formula = (&'static str, f64, &'static str, &'static str);
+/// A value by a formula, and where that is from.
+struct Formula {
+    name: &'static str,
+    value: f64,
+    unit: &'static str,
+    source: &'static str,
+}
 
 fn formulas(scene: &Scene) -> Vec<Formula> {
     let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
@@ -105,31 +110,27 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
         scene.target.density_kg_m3,
         1.0,
     );
+    let formula = |name, value, unit, source| Formula { name, value, unit, source };
+    let critical_deg = design::Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
+    let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
+    let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
+    let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
+    let square = "eq. 2.4; c_t must be the square of a speed";
     vec![
-        (
-            "critical obliquity",
-            design::Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3),
-            "deg",
-            "Tate, eq. 2.3; rho_p and Y_p are assumptions",
+        formula("critical obliquity", critical_deg, "deg", tate),
+        formula(
+            "effective thickness",
+            scene.effective_thickness_m(),
+            "m",
+            "h/cos(theta), Figure 4.1",
         ),
-        ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
-        ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
-        ("energy after it", left, "J", "kinetic energy of both bodies together"),
-        ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
-        ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
-        (
-            "energy stored by cocking",
-            drawn,
-            "J",
-            "the integral of its force; k d^(n+1)/(n+1) of a power law",
-        ),
-        (
-            "least mass of a steel coil for both",
-            spring,
-            "kg",
-            "4 rho G U/tau^2, 700 MPa, section 9.5.1",
-        ),
-        ("Stone's depth times c_t", at_one, "m3/s2", "eq. 2.4; c_t must be the square of a speed"),
+        formula("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
+        formula("energy after it", left, "J", "kinetic energy of both bodies together"),
+        formula("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
+        formula("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
+        formula("energy stored by cocking", drawn, "J", integral),
+        formula("least mass of a steel coil for both", spring, "kg", coil),
+        formula("Stone's depth times c_t", at_one, "m3/s2", square),
     ]
 }
 

@@ -20,7 +20,7 @@ pub(super) const MAP: Size = (78, 26);
 pub(super) fn picture(picture: &Picture) -> String {
     match picture {
         Picture::Chart(it) => chart(it, CHART, Theme::PLAIN),
-        Picture::Map(it) => map(it, MAP, Theme::PLAIN),
+        Picture::Map(it) => map(it, MAP),
     }
 }
 
@@ -30,10 +30,10 @@ pub(super) fn chart(chart: &Chart<'_>, (width, height): Size, theme: Theme) -> S
 }
 
 /// A map, the key of its bands, and what its letters mean.
-pub(super) fn map(map: &Map<'_>, (width, height): Size, theme: Theme) -> String {
+pub(super) fn map(map: &Map<'_>, (width, height): Size) -> String {
     let title = format!("{}, up: {}", map.title, map.y.label).into();
     let drawn = Map { title, ..map.clone() };
-    let mut text = drawn.to_lines(width, height, theme).join("\n") + "\n";
+    let mut text = drawn.to_lines(width, height, Theme::PLAIN).join("\n") + "\n";
     if let Some(levels) = &map.levels {
         let range = ViewRange::of(Scale::Linear, map.values()).unwrap_or_default();
         let unit = Unit::with_prefix(range.size(), map.unit);

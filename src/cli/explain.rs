@@ -61,7 +61,7 @@ fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
     line("default", &variables::default_of(variable));
     line("allowed", &variable.allowed());
     if let Some((low, high)) = variables::thesis_range(variable) {
-        let unit = variable.unit().trim_matches('-');
+        let unit = variable.unit();
         line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
     }
     line("used", &used_when(variable));

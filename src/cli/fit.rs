@@ -11,7 +11,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::text::{labelled, width};
 use crate::cli::{CliError, output, progress};
 use crate::files::{clean, shots};
-use crate::model::units::{Engineering, fixed_significant};
+use crate::model::units::{engineering, fixed_significant, velocity};
 use crate::numerics::statistics::sorted_by;
 use crate::report::fit as tables;
 use crate::report::fit::table;
@@ -82,15 +82,19 @@ fn page(file: &str, report: &Report, calibration: Option<(&str, &Calibration)>) 
     labelled(
         &mut page,
         "V50",
-        &format!("{}, 95 % confidence {}", velocity(fit.v50_m_s), range(fit.range_m_s, velocity)),
+        &format!(
+            "{}, 95 % confidence {}",
+            velocity(fit.v50_m_s, 5),
+            range(fit.range_m_s, |it| velocity(it, 5))
+        ),
     );
     labelled(
         &mut page,
         "curve",
         &format!(
             "10 % perforate at {}, 90 % at {} (logistic, {})",
-            velocity(fit.quantile_m_s(0.1)),
-            velocity(fit.quantile_m_s(0.9)),
+            velocity(fit.quantile_m_s(0.1), 5),
+            velocity(fit.quantile_m_s(0.9), 5),
             fit.method.words()
         ),
     );
@@ -109,7 +113,7 @@ fn page(file: &str, report: &Report, calibration: Option<(&str, &Calibration)>) 
 
 fn results(report: &Report) -> String {
     let (stopped, through) =
-        (velocity(report.highest_stopped_m_s), velocity(report.lowest_perforated_m_s));
+        (velocity(report.highest_stopped_m_s, 5), velocity(report.lowest_perforated_m_s, 5));
     if report.has_mixed_results() {
         return format!("mixed from {through} (slowest perforation) to {stopped} (fastest stop)");
     }
@@ -136,17 +140,18 @@ fn residual(report: &Report) -> String {
                 "v_r = a (v^p - v_l^p)^(1/p): a = {}, p = {}, v_l = {}; RMS error {} over {count} shots",
                 fixed_significant(law.a, 4),
                 fixed_significant(law.p, 4),
-                velocity(law.limit_m_s),
-                velocity(law.misfit_m_s)
+                velocity(law.limit_m_s, 5),
+                velocity(law.misfit_m_s, 5)
             )
         },
     )
 }
 
 fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
-    let own = found
-        .own_limit_m_s
-        .map_or_else(|| "has no limit".to_owned(), |v| format!("has a limit of {}", velocity(v)));
+    let own = found.own_limit_m_s.map_or_else(
+        || "has no limit".to_owned(),
+        |v| format!("has a limit of {}", velocity(v, 5)),
+    );
     labelled(
         page,
         "scene",
@@ -191,12 +196,8 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
     }
 }
 
-fn velocity(value: f64) -> String {
-    format!("{} m/s", fixed_significant(value, 5))
-}
-
 fn strength(value: f64) -> String {
-    Engineering { value, unit: "Pa", digits: 4 }.to_string()
+    engineering(value, "Pa", 4)
 }
 
 fn range((low, high): (Option<f64>, Option<f64>), show: impl Fn(f64) -> String) -> String {

@@ -8,13 +8,12 @@ use clap::Args;
 
 use crate::cli::amount::{count, deviation, part};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, all_threads};
-use crate::cli::table::TableArguments;
+use crate::cli::study::{Answer, Random, StudyArguments};
+use crate::cli::table::choice;
 use crate::cli::text::hanging;
 use crate::cli::{CliError, draw, progress};
 use crate::model::mechanism::Mechanism;
-use crate::model::units::fixed_significant;
+use crate::model::units::velocity;
 use crate::report::limit::{self, remarks, residual};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
@@ -26,8 +25,6 @@ const SAMPLES_MAX: u64 = 1_000_000;
 
 #[derive(Debug, Args)]
 pub(super) struct LimitArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 skips this
     #[arg(long, alias = "scatter", value_name = "FRACTION", allow_negative_numbers = true, default_value = "0.02", value_parser = deviation)]
     monte_carlo: f64,
@@ -42,19 +39,13 @@ pub(super) struct LimitArguments {
     samples: usize,
     #[command(flatten)]
     random: Random,
-    /// What counts as a perforation: `passage` (the nose is clear of the rear face, navy criterion) or `protrusion` (the nose stands
-    /// out of it, army criterion)
-    #[arg(long, value_name = "WORD", default_value = "passage", value_parser = criterion)]
+    /// What counts as a perforation
+    #[arg(long, value_name = "WORD", default_value = "passage", value_parser = choice(&Criterion::ALL, Criterion::word, Criterion::label))]
     criterion: Criterion,
     #[command(flatten)]
     pictures: PictureArguments,
     #[command(flatten)]
-    table: TableArguments,
-}
-
-fn criterion(text: &str) -> Result<Criterion, String> {
-    let found = Criterion::ALL.into_iter().find(|criterion| criterion.word() == text);
-    found.ok_or_else(|| "use passage or protrusion".to_owned())
+    study: StudyArguments,
 }
 
 fn bias(text: &str) -> Result<f64, String> {
@@ -73,24 +64,23 @@ impl LimitArguments {
 
 /// Finds the limit; "no limit" is a valid result. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
-    arguments.pictures.check(&arguments.table)?;
+    let LimitArguments { study, pictures, .. } = arguments;
+    pictures.check(&study.table)?;
     let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling() };
-    let preset = arguments.scene.load()?;
+    let preset = study.load()?;
     let scene = Arc::new(preset.scene);
-    let report =
-        progress::study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
+    let report = study.run("shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
     // They are those of the shot at the limit; without a limit, of the scene's own.
     let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
     let warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
-    if !arguments.pictures.is_stdout() {
-        let table = arguments.table.of(&arguments.scene, &report.scene);
+    if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
-        table.deliver_warned(&warnings, &page, object, limit::shots(name, &report))?;
+        let answer = Answer { warnings, page, object, rows: limit::shots(name, &report) };
+        study.deliver(&report.scene, answer)?;
     }
     let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
-    arguments.pictures.write(&arguments.table, chart)?;
+    pictures.write(&study.table, chart)?;
     Ok(progress::exit_code(true))
 }
 
@@ -116,15 +106,12 @@ fn page(name: &str, report: &Report) -> String {
     page
 }
 
-fn velocity(value_m_s: f64) -> String {
-    format!("{} m/s", fixed_significant(value_m_s, 6))
-}
-
 fn head(page: &mut String, report: &Report) {
     let own = report.scene.projectile.velocity_m_s;
     match report.limit {
         Limit::Found { velocity_m_s, basis, .. } => {
-            let _ = writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s), basis.words());
+            let _ =
+                writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s, 6), basis.words());
         }
         Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
@@ -137,7 +124,7 @@ fn head(page: &mut String, report: &Report) {
             page,
             "margin          {:+.1} % relative to the scene's {}: {side}",
             100.0 * margin,
-            velocity(own)
+            velocity(own, 6)
         );
     }
     page.push('\n');

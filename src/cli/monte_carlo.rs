@@ -5,10 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads};
-use crate::cli::table::TableArguments;
+use crate::cli::study::{Answer, Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
@@ -27,8 +24,6 @@ use crate::study::validity;
     Memory: eight bytes for each sample and result; at most 10 million samples."
 )]
 pub(super) struct MonteCarloArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// An input and how it scatters; may be repeated.
     #[arg(
         long,
@@ -38,7 +33,7 @@ pub(super) struct MonteCarloArguments {
                 lengths, strength, density, drag, spring and damper, each lognormal by 2 %]"
     )]
     vary: Vec<String>,
-    /// Results, separated by commas [default: all but those about the computation]
+    /// Quantities, separated by commas [default: all but those about the computation]
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Number of samples
@@ -47,9 +42,7 @@ pub(super) struct MonteCarloArguments {
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 impl MonteCarloArguments {
@@ -79,17 +72,18 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 
 /// Draws the samples; exit status 1 when a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
-    let preset = arguments.scene.load()?;
+    let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
-    let threads = arguments.threads.count();
-    say_if_long(&space(&preset.scene, &task)?, task.samples as u64, "runs", threads);
-    let report = progress::study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
+    arguments.study.announce_if_long(&space(&preset.scene, &task)?, task.samples as u64);
+    let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let (page, object) = (page(name, &report), monte_carlo::json(name, &report));
-    let warnings = validity::of_scene(&preset.scene);
-    let delivery = arguments.table.of(&arguments.scene, &preset.scene);
-    delivery.deliver_warned(&warnings, &page, object, table(name, &report))?;
+    let answer = Answer {
+        warnings: validity::of_scene(&preset.scene),
+        page: page(name, &report),
+        object: monte_carlo::json(name, &report),
+        rows: table(name, &report),
+    };
+    arguments.study.deliver(&preset.scene, answer)?;
     if report.outcomes.failed > 0 {
         output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
     }
@@ -100,7 +94,7 @@ fn page(name: &str, report: &Report) -> String {
     let early = if report.is_complete { "" } else { ", stopped early" };
     let mut page = format!("{name}: {} samples, seed {}{early}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
-        let unit = tolerance.variable().unit().trim_matches('-');
+        let unit = tolerance.variable().unit();
         let again = match redrawn {
             0 => String::new(),
             count => format!("   truncated: {count} impossible samples drawn again"),

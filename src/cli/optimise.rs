@@ -7,10 +7,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::amount::count;
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, bounds};
-use crate::cli::table::TableArguments;
+use crate::cli::study::{Answer, Random, StudyArguments, bounds};
 use crate::cli::text::width;
 use crate::cli::{CliError, progress};
 use crate::model::scene::{InterfaceLaw, Scene};
@@ -44,28 +41,26 @@ pub(super) enum Laws {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "RESULT is any quantity: `cmra explain quantities` lists all. \
+#[command(after_help = "QUANTITY is any quantity: `cmra explain quantities` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
     Only feasible designs count (`--no-feasibility` switches this off): the interface demand is at most 1, no beam yields, no spring \
     leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\
     Several objectives: NSGA-II finds the Pareto front. One objective: NSGA-II, then COBYLA from the best design.\n\
     Exit status 1 when no design satisfies every constraint.")]
 pub(super) struct OptimiseArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Quantities to minimise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "minimize")]
     minimise: Vec<String>,
     /// Quantities to maximise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "maximize")]
     maximise: Vec<String>,
     /// A bound to keep; may be repeated.
     #[arg(
         long,
-        value_name = "RESULT<=VALUE",
+        value_name = "QUANTITY<=VALUE",
         allow_hyphen_values = true,
         help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
     )]
@@ -85,9 +80,7 @@ pub(super) struct OptimiseArguments {
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 impl OptimiseArguments {
@@ -130,7 +123,7 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
         .map(|(name, value)| (name, value, true))
         .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
         .ok_or_else(|| {
-            refuse("write RESULT<=VALUE or RESULT>=VALUE, for example 'stroke_m<=50mm'")
+            refuse("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")
         })?;
     let measure = named(name)?;
     let bound = measure.parse(value).map_err(|why| refuse(&why))?;
@@ -139,18 +132,15 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
 
 /// Runs the search; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
-    let preset = arguments.scene.load()?;
+    let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
     let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    let threads = arguments.threads.count();
-    say_if_long(&space, task.runs() as u64, "runs", threads);
-    let fronts =
-        progress::study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
+    arguments.study.announce_if_long(&space, task.runs() as u64);
+    let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {
@@ -166,9 +156,8 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         }
     }
     let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
-    let rows = front::table(name, &task, &fronts);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, &page, object, rows)?;
+    let answer = Answer { warnings, page, object, rows: front::table(name, &task, &fronts) };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(fronts.iter().all(|front| !front.designs.is_empty())))
 }
 

@@ -21,7 +21,7 @@ const GROWTH: u64 = 4;
 
 /// Announces the time that runs of this number of designs within the bounds will take, if it is long: tries some of them, in the way and
 /// on the threads all of them will take.
-pub(super) fn say_if_long(space: &Plan, runs: u64, what: &str, threads: usize) {
+pub(super) fn announce_if_long(space: &Plan, runs: u64, what: &str, threads: usize) {
     // An interrupt of the trial counts for the study after it.
     interruptible();
     let start = Instant::now();

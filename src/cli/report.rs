@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::all_threads;
+use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
 use crate::cli::{CliError, draw, output, progress};
 use crate::files::atomic::{self, Existing};
@@ -46,6 +46,8 @@ pub(super) struct ReportArguments {
     /// Replace an existing file
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    threads: Threads,
 }
 
 /// Whether a report of this name is HTML; it is Markdown otherwise.
@@ -75,8 +77,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     results(&mut document, &computed.run);
     let charts = selected(&computed.run).into_iter().map(Picture::Chart).map(block);
     section(&mut document, "Charts", charts.collect());
-    section(&mut document, "Ballistic limit", ballistic_limit(&scene)?);
-    section(&mut document, "Sweep", own_sweep(&scene)?);
+    section(&mut document, "Ballistic limit", ballistic_limit(&scene, arguments.threads.count())?);
+    section(&mut document, "Sweep", own_sweep(&scene, arguments.threads.count())?);
     section(&mut document, "Run it again", again(&computed, &scene));
     if progress::exit_code(true) != ExitCode::SUCCESS {
         output::note("no report was written");
@@ -122,7 +124,7 @@ fn head(computed: &Computed, scene: &Scene) -> Document {
     let usual = Scene::default();
     let changed = |one: &&Variable| is_used(one, scene) && one.show(scene) != one.show(&usual);
     let row = |one: &Variable| {
-        let unit = one.unit().trim_matches('-').to_owned();
+        let unit = one.unit().to_owned();
         vec![one.symbol.to_owned(), one.meaning.to_owned(), one.show(scene), one.show(&usual), unit]
     };
     let rows: Vec<Vec<String>> = VARIABLES.iter().filter(changed).map(row).collect();
@@ -154,7 +156,7 @@ fn results(document: &mut Document, run: &Run) {
     let head = ["result", "value", "relative error", "key"].map(str::to_owned).to_vec();
     let mut blocks = vec![Block::Table { head, rows: of_runs().filter_map(row).collect() }];
     let events = run.events.iter().map(|event| {
-        let time = units::Engineering { value: event.t_s, unit: "s", digits: DIGITS };
+        let time = units::engineering(event.t_s, "s", DIGITS);
         format!("{time}: {}", event.kind.words())
     });
     let events: Vec<String> = events.collect();
@@ -165,13 +167,13 @@ fn results(document: &mut Document, run: &Run) {
 }
 
 /// The ballistic limit with its curve.
-fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
+fn ballistic_limit(scene: &Scene, threads: usize) -> Result<Vec<Block>, CliError> {
     let effort = Effort { criterion: Criterion::Passage, sampling: None };
     let scene = Arc::new(scene.clone());
-    let report = progress::study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
+    let report = progress::study(threads, "shots or so", |it| limit::find(&scene, effort, it))?;
     let mut lines = Vec::new();
     match report.limit.velocity_m_s() {
-        Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),
+        Some(velocity) => lines.push(units::velocity(velocity, DIGITS)),
         None => lines.extend(report.limit.absence()),
     }
     lines.push(format!("criterion: {}", report.criterion.label()));
@@ -187,14 +189,14 @@ fn ballistic_limit(scene: &Scene) -> Result<Vec<Block>, CliError> {
 }
 
 /// The pictures of the sweep that is kept with the scene.
-fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
+fn own_sweep(scene: &Scene, threads: usize) -> Result<Vec<Block>, CliError> {
     if scene.sweep.is_none() {
         return Ok(Vec::new());
     }
     let plan = Arc::new(Plan::of(scene)?);
     let grid = Grid::new(Arc::clone(&plan)).filter(|_| plan.points() <= KEPT_MAX);
     let Some(grid) = grid else { return Ok(Vec::new()) };
-    let grid = progress::study(all_threads(), "points", |context| grid.fill(PIECE, context));
+    let grid = progress::study(threads, "points", |context| grid.fill(PIECE, context));
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&grid, output));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
     let warnings = validity::of_axes(plan.base(), plan.axes());

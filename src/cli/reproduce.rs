@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::progress::was_interrupted;
-use crate::cli::search::all_threads;
+use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::report::thesis as tables;
@@ -18,6 +18,8 @@ use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
 )]
 pub(super) struct ReproduceArguments {
     #[command(flatten)]
+    threads: Threads,
+    #[command(flatten)]
     table: TableArguments,
     /// Show only the rows whose name, place, sentence or verdict contains this text
     #[arg(long, value_name = "TEXT")]
@@ -28,7 +30,9 @@ pub(super) struct ReproduceArguments {
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let check = |claims: &[&'static Claim]| {
-        progress::study(all_threads(), "rows", |context| thesis::check_all(claims, context))
+        progress::study(arguments.threads.count(), "rows", |context| {
+            thesis::check_all(claims, context)
+        })
     };
     let all: Vec<&Claim> = thesis::claims().iter().collect();
     let shown = match &arguments.only {

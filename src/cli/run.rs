@@ -23,7 +23,7 @@ use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
 use crate::model::simulate::{self, Settings};
-use crate::model::units::{Engineering, Quantity};
+use crate::model::units::{Quantity, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
@@ -92,7 +92,7 @@ fn at_equal_steps(preset: Preset, dt_s: f64) -> Result<Computed, CliError> {
     let end_s = run.series.last().map_or(0.0, |row| row.t_s);
     run.series = window.rows();
     if run.series.len() >= DT_ROWS_MAX {
-        let least = Engineering { value: end_s / (DT_ROWS_MAX as f64), unit: "s", digits: 2 };
+        let least = engineering(end_s / (DT_ROWS_MAX as f64), "s", 2);
         return Err(CliError::Option(format!(
             "--dt: more than {DT_ROWS_MAX} rows; write {least} or more"
         )));
@@ -112,7 +112,7 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
             return ControlFlow::Continue(());
         }
         line.update(|elapsed_s| {
-            let at = Engineering { value: t_s, unit: "s", digits: 4 };
+            let at = engineering(t_s, "s", 4);
             format!("t = {at} after {}, {steps} steps", duration(elapsed_s))
         })
     };

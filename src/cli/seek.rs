@@ -5,11 +5,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, be_cautious};
+use crate::cli::study::{Answer, StudyArguments, on_plastic};
 use crate::cli::sweep::axes::range;
-use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress};
 use crate::model::units::{shortest, significant};
 use crate::report::seek::{self, remarks, solution};
@@ -22,34 +19,30 @@ use crate::study::validity;
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is located by root finding. \
     Solutions closer together than the points of the scan may be missed: raise COUNT.\n\
-    RESULT is any quantity: `cmra explain quantities` lists all.\n\
+    QUANTITY is any quantity: `cmra explain quantities` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// The variable and its bounds; COUNT points of the scan [default: 65]
     #[arg(long, value_name = "NAME=LO..HI[:COUNT][:log]", allow_hyphen_values = true)]
     over: String,
-    /// The result and the value it should have.
+    /// The quantity and the value it should have.
     #[arg(
         long,
-        value_name = "RESULT=VALUE",
+        value_name = "QUANTITY=VALUE",
         allow_hyphen_values = true,
-        help = "The result and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
+        help = "The quantity and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
     )]
     goal: String,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 impl SeekArguments {
     fn goal(&self) -> Result<Goal, CliError> {
         let refuse = |why: &str| CliError::Option(format!("--goal {}: {why}", self.goal));
         let (name, value) = self.goal.split_once('=').ok_or_else(|| {
-            refuse("write RESULT=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
+            refuse("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
         })?;
         let column = named(name)?;
         let target = column.parse(value).map_err(|why| refuse(&why))?;
@@ -60,14 +53,12 @@ impl SeekArguments {
 
 /// Runs the goal seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
     let goal = arguments.goal()?;
-    let mut preset = arguments.scene.load()?;
-    let law = be_cautious(&arguments.scene, &mut preset.scene);
+    let mut preset = arguments.study.load()?;
+    let law = on_plastic(&arguments.study.scene, &mut preset.scene);
     let space = Plan::for_designs(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    let threads = arguments.threads.count();
-    say_if_long(&space, goal.axis.count(), "runs", threads);
-    let report = progress::study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
+    arguments.study.announce_if_long(&space, goal.axis.count());
+    let report = arguments.study.run("runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     if let Some(law) = &law {
         output::note(law);
@@ -78,8 +69,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         warnings.extend(texts.iter().map(|text| format!("solution ({at}): {text}")));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, &page, object, seek::table(name, &report))?;
+    let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 

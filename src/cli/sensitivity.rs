@@ -8,10 +8,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::count;
-use crate::cli::outlook::say_if_long;
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Random, Threads, bounds};
-use crate::cli::table::TableArguments;
+use crate::cli::study::{Answer, Random, StudyArguments, bounds};
 use crate::cli::text::width;
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
@@ -28,8 +25,6 @@ const TRAJECTORIES_MAX: u64 = 100_000;
 
 #[derive(Debug, Args)]
 pub(super) struct SensitivityArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
     /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
@@ -45,9 +40,7 @@ pub(super) struct SensitivityArguments {
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
-    threads: Threads,
-    #[command(flatten)]
-    table: TableArguments,
+    study: StudyArguments,
 }
 
 fn samples(text: &str) -> Result<usize, String> {
@@ -61,26 +54,27 @@ fn samples(text: &str) -> Result<usize, String> {
 }
 
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_beside()?;
     let effort = Effort {
         rows: arguments.samples,
         trajectories: arguments.trajectories,
         seed: arguments.random.seed,
     };
-    let preset = arguments.scene.load()?;
+    let preset = arguments.study.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
-    let threads = arguments.threads.count();
     if let Ok(space) = Plan::for_designs(&preset.scene, axes.clone(), &[&arguments.output]) {
-        say_if_long(&space, effort.runs(axes.len()) as u64, "runs", threads);
+        arguments.study.announce_if_long(&space, effort.runs(axes.len()) as u64);
     }
-    let report = progress::study(threads, "runs", |context| {
-        study(&preset.scene, axes, &arguments.output, effort, context)
-    })?;
+    let report = arguments
+        .study
+        .run("runs", |context| study(&preset.scene, axes, &arguments.output, effort, context))?;
     let name = preset.name.as_str();
-    let (page, object) = (page(name, &report), sensitivity::json(name, &report));
-    let warnings = validity::of_axes(&preset.scene, &report.axes);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_warned(&warnings, &page, object, sensitivity::table(name, &report))?;
+    let answer = Answer {
+        warnings: validity::of_axes(&preset.scene, &report.axes),
+        page: page(name, &report),
+        object: sensitivity::json(name, &report),
+        rows: table(name, &report),
+    };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(true))
 }
 

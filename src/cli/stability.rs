@@ -6,17 +6,15 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::scene::SceneArguments;
-use crate::cli::search::all_threads;
-use crate::cli::table::{TableArguments, choice};
+use crate::cli::study::StudyArguments;
+use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
 use crate::study::stability::map::{self, Axis, FixedStep, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
-use crate::tui::theme::Theme;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
@@ -28,10 +26,6 @@ const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
     after_help = "Without --map, runs stiff and extreme scenes of its own with the default solver (`auto`). Exit status 1 if it fails on any of them.\nSCENE and --set are for --map."
 )]
 pub(super) struct StabilityArguments {
-    #[command(flatten)]
-    scene: SceneArguments,
-    #[command(flatten)]
-    rows: TableArguments,
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
     #[arg(long, value_name = "k|n|b", value_parser = choice(&Axis::ALL, Axis::symbol, Axis::about))]
     map: Option<Axis>,
@@ -41,14 +35,16 @@ pub(super) struct StabilityArguments {
     /// Check a fifth of the stiff scenes, or compute a coarser map
     #[arg(long)]
     quick: bool,
+    #[command(flatten)]
+    study: StudyArguments,
 }
 
 pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
-    arguments.rows.check()?;
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
-    if arguments.scene.is_given() {
+    arguments.study.table.check()?;
+    if arguments.study.scene.is_given() {
         return Err(CliError::Option(
             "SCENE and --set belong to --map: the check of stiff scenes has its own scenes; add --map k (or n, b), or omit SCENE and --set"
                 .to_owned(),
@@ -57,12 +53,10 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let cases = stability::battery(arguments.quick);
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let rows = progress::study(all_threads(), "scenes", |context| {
-        stability::run(&cases, &now_s, context)
-    })?;
+    let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.rows.alone().deliver_report(&page, &object, &table(&rows))?;
+    arguments.study.table.alone().deliver_report(&page, &object, &table(&rows))?;
     let mut good = true;
     for row in &rows {
         if let Some(shortfall) = row.shortfall {
@@ -79,16 +73,15 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
-    arguments.rows.check_beside()?;
-    let preset = arguments.scene.load()?;
+    let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
-    let map = progress::study(1, "rows", |context| {
-        map::map(&preset.scene, (arguments.method, axis), cells, context)
-    });
+    let map = arguments
+        .study
+        .run("rows", |context| map::map(&preset.scene, arguments.method, axis, cells, context));
     let name = preset.name.as_str();
     let (page, object) = (map_page(&map, name), tables::map_json(name, &map));
-    let table = arguments.rows.of(&arguments.scene, &preset.scene);
+    let table = arguments.study.table.of(&arguments.study.scene, &preset.scene);
     table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
     Ok(progress::exit_code(true))
 }
@@ -144,11 +137,10 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
 
 /// The map, and the largest step of the scene.
 fn map_page(map: &Map, scene: &str) -> String {
-    let largest = map.largest_stable_dt_s.map_or_else(
-        || "no limit".to_owned(),
-        |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
-    );
-    let picture = draw::map(&tables::picture(map), draw::MAP, Theme::PLAIN);
+    let largest = map
+        .largest_stable_dt_s
+        .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
+    let picture = draw::map(&tables::picture(map), draw::MAP);
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
         map.method.name(),

@@ -12,11 +12,11 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::outlook::say_if_long;
+use crate::cli::outlook::announce_if_long;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::Threads;
+use crate::cli::study::Threads;
 use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
@@ -87,7 +87,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         Target::File(to) => Some(to.begin()?),
         Target::None | Target::Stdout => None,
     };
-    job.say_if_long();
+    job.announce_if_long();
     let start = Instant::now();
     let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
@@ -215,9 +215,9 @@ impl Job<'_> {
     }
 
     /// Reports that the points will take long, if so.
-    fn say_if_long(&self) {
+    fn announce_if_long(&self) {
         let points = self.points();
-        say_if_long(self.plan, points.end - points.start, "points", self.threads);
+        announce_if_long(self.plan, points.end - points.start, "points", self.threads);
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -154,18 +154,6 @@ impl Delivery<'_> {
         self.deliver_texts(page, &|| pretty(object), &|| rows.csv())
     }
 
-    /// The same with warnings: at the top of the page, as `warnings` in the object and in every row.
-    pub(super) fn deliver_warned<R>(
-        &self,
-        warnings: &[String],
-        page: &str,
-        mut object: Value,
-        rows: Table<'_, R>,
-    ) -> Result<(), CliError> {
-        object["warnings"] = warnings.into();
-        self.deliver_report(&at_top(page, warnings), &object, &rows.with_warnings(warnings))
-    }
-
     fn deliver_texts(
         &self,
         page: &str,

@@ -5,17 +5,19 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::search::all_threads;
+use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::files::validation;
 use crate::model::scene::Closure;
-use crate::model::units::{Engineering, fixed_significant};
+use crate::model::units::{engineering, fixed_significant};
 use crate::report::validation as tables;
 use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
 
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -23,7 +25,7 @@ pub(super) struct ValidateArguments {
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let report = progress::study(all_threads(), "measurements", validation::report)?;
+    let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
@@ -40,7 +42,7 @@ fn page(report: &[Row]) -> String {
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
             Quantity::Ratio => fixed_significant(value, 4),
-            _ => Engineering { value, unit, digits: 4 }.to_string(),
+            _ => engineering(value, unit, 4),
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();
@@ -79,7 +81,7 @@ fn page(report: &[Row]) -> String {
                 format!(
                     "{}; invalid if the projectile yields below {}",
                     case.projectile,
-                    Engineering { value: row.pressure_pa, unit: "Pa", digits: 4 }
+                    engineering(row.pressure_pa, "Pa", 4)
                 ),
             ),
             ("caution", case.caution.to_owned()),

@@ -32,7 +32,7 @@ pub(super) fn rows(variables: &[Variable]) -> Table<'_, &Variable> {
         .with("key", "key", "", |it| it.key)
         .with("group", "group", "", |it| it.group.title())
         .with("meaning", "meaning", "", |it| it.meaning)
-        .with("unit", "unit", "", |it| it.unit().trim_matches('-'))
+        .with("unit", "unit", "", |it| it.unit())
         .with("default", "default", "", |it| it.show(&Scene::default()))
         .with("allowed", "allowed", "", |it| it.allowed())
         .with("thesis_low", "thesis from", "", |it| Some(thesis_range(it)?.0))
@@ -52,7 +52,7 @@ pub(super) fn thesis_range(variable: &Variable) -> Option<(f64, f64)> {
 pub(super) fn default_of(variable: &Variable) -> String {
     let value = variable.show(&Scene::default());
     // A word in the place of a number has no unit.
-    let unit = if value.parse::<f64>().is_ok() { variable.unit().trim_matches('-') } else { "" };
+    let unit = if value.parse::<f64>().is_ok() { variable.unit() } else { "" };
     format!("{value} {unit}").trim_end().to_owned()
 }
 

@@ -235,7 +235,7 @@ pub fn inline_scene(
 /// A variable's unit behind its value: ` (kg)`; nothing for a pure number.
 pub fn unit_behind(variable: &Variable) -> String {
     match variable.unit() {
-        "-" => String::new(),
+        "" => String::new(),
         unit => format!(" ({unit})"),
     }
 }

@@ -13,7 +13,7 @@ use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
 use crate::model::run::{Mode, Warning};
 use crate::model::scene::{ContactModel as Kind, Scene};
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 
 mod flow_strength;
 mod half_sine;
@@ -134,7 +134,7 @@ pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
 /// A parameter for readers, with a note where it was left open.
 fn shown(value: f64, unit: &'static str, given: Option<f64>) -> String {
     let auto = if given.is_none() { " (auto)" } else { "" };
-    format!("{}{auto}", Engineering { value, unit, digits: 4 })
+    format!("{}{auto}", engineering(value, unit, 4))
 }
 
 /// The parameters of the models, with what was left open filled in.

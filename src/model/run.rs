@@ -27,6 +27,13 @@ pub struct Settings {
     pub estimate: bool,
 }
 
+impl Settings {
+    /// The results alone.
+    pub const BARE: Self = Self { series: false, estimate: false };
+    /// The series too.
+    pub const SERIES: Self = Self { series: true, estimate: false };
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self { series: true, estimate: true }

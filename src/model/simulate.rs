@@ -57,7 +57,7 @@ pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, Variabl
     own.run.horizon_s = None;
     let own = Arc::new(own);
     Ok(if own.contact.model == ContactModel::Appendix {
-        listing::run(&own, Settings { series: false, estimate: false }, observer)
+        listing::run(&own, Settings::BARE, observer)
     } else {
         impact::follow(&own, observer)
     })
@@ -66,7 +66,6 @@ pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, Variabl
 /// A run without series and estimate, for tests.
 #[cfg(test)]
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
-    let settings = Settings { series: false, estimate: false };
     let go_on = &mut |_: f64| std::ops::ControlFlow::Continue(());
-    simulate(&Arc::new(scene.clone()), &settings, go_on).expect("a valid scene")
+    simulate(&Arc::new(scene.clone()), &Settings::BARE, go_on).expect("a valid scene")
 }

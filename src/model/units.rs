@@ -3,8 +3,6 @@
 //! Everything inside the program is SI. This file turns text into SI numbers and back, and knows which
 //! unit belongs to which kind of quantity. It knows nothing about scenes or screens.
 
-use std::fmt;
-
 use thiserror::Error;
 
 mod table;
@@ -41,7 +39,7 @@ impl Quantity {
     /// text that would do.
     fn row(self) -> (&'static str, &'static [Unit], &'static str) {
         match self {
-            Self::Number => ("-", table::NUMBER_UNITS, "1.5"),
+            Self::Number => ("", table::NUMBER_UNITS, "1.5"),
             Self::Mass => ("kg", table::MASS_UNITS, "29.5g"),
             Self::Length => ("m", table::LENGTH_UNITS, "25.4mm"),
             Self::Velocity => ("m/s", table::VELOCITY_UNITS, "100 m/s"),
@@ -327,26 +325,18 @@ pub fn significant(value: f64, digits: usize) -> String {
     shortest(rounded)
 }
 
-/// A quantity with an SI prefix that a person reads at a glance: `7.113 mm`, `19.26 kN`, `113.4 us`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Engineering {
-    /// The value in the SI unit.
-    pub value: f64,
-    /// The SI unit without prefix, for example `m`.
-    pub unit: &'static str,
-    /// Significant figures.
-    pub digits: usize,
+/// A value of an SI unit, with a prefix that a person reads at a glance: `7.113 mm`, `19.26 kN`, `113.4 us`.
+pub fn engineering(value: f64, unit: &str, digits: usize) -> String {
+    if !value.is_finite() {
+        return NO_NUMBER.to_owned();
+    }
+    let prefix = Prefix::of(value);
+    format!("{} {}{unit}", fixed_significant(value / prefix.size, digits), prefix.letter)
 }
 
-impl fmt::Display for Engineering {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !self.value.is_finite() {
-            return f.write_str(NO_NUMBER);
-        }
-        let prefix = Prefix::of(self.value);
-        let text = fixed_significant(self.value / prefix.size, self.digits);
-        write!(f, "{text} {}{}", prefix.letter, self.unit)
-    }
+/// A velocity: `230.0 m/s`.
+pub fn velocity(value_m_s: f64, digits: usize) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, digits))
 }
 
 /// An SI prefix.
@@ -422,7 +412,7 @@ mod tests {
                 fixed_significant(value, 4),
                 decimals(value, 2),
                 scientific(value, 1),
-                Engineering { value, unit: "J", digits: 4 }.to_string(),
+                engineering(value, "J", 4),
             ];
             assert_eq!(shown, [NO_NUMBER; 6]);
         }
@@ -542,7 +532,7 @@ mod tests {
 
     #[test]
     fn engineering_picks_the_prefix() {
-        let show = |value, unit| Engineering { value, unit, digits: 4 }.to_string();
+        let show = |value, unit| engineering(value, unit, 4);
         assert_eq!(show(0.007_113_055, "m"), "7.113 mm");
         assert_eq!(show(19_257.0, "N"), "19.26 kN");
         assert_eq!(show(113.407e-6, "s"), "113.4 us");

@@ -164,10 +164,8 @@ impl Allowed {
 
     /// The rule in words, with the unit: `greater than 0 kg`.
     pub fn describe(self, quantity: Quantity) -> String {
-        let unit = match quantity {
-            Quantity::Number => String::new(),
-            other => format!(" {}", other.unit()),
-        };
+        let unit = format!(" {}", quantity.unit());
+        let unit = unit.trim_end();
         let show = units::shortest;
         match self {
             Self::Positive => format!("a number greater than 0{unit}"),
@@ -296,11 +294,11 @@ impl Variable {
         }
     }
 
-    /// The stored unit's name, `-` for pure numbers and words.
+    /// The stored unit's name; empty for pure numbers and words.
     pub fn unit(&self) -> &'static str {
         match &self.kind {
             Kind::Number(number) => number.quantity.unit(),
-            Kind::Choice(_) | Kind::Switch { .. } => "-",
+            Kind::Choice(_) | Kind::Switch { .. } => "",
         }
     }
 
@@ -363,12 +361,12 @@ impl Variable {
             }
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
-        let value = format!("{written} {unit}");
         let (value, allowed) =
-            (value.trim_end_matches(" -"), number.allowed.describe(number.quantity));
+            (format!("{written} {unit}"), number.allowed.describe(number.quantity));
         let Self { symbol, key, meaning, .. } = self;
         VariableError(format!(
-            "{symbol} ({key}) = {value} is impossible: {meaning} must be {allowed}; {cure}"
+            "{symbol} ({key}) = {} is impossible: {meaning} must be {allowed}; {cure}",
+            value.trim_end()
         ))
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::accuracy::method::Knob;
@@ -113,8 +113,11 @@ pub fn percent(part: f64) -> String {
 
 /// A run time, in a few characters.
 pub fn seconds(value: f64) -> String {
-    Engineering { value, unit: "s", digits: 2 }.to_string()
+    engineering(value, "s", 2)
 }
+
+/// The errors for which the run time is answered.
+pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
 /// A list with one object a scene.
 pub fn json(reports: &[Named]) -> Value {
@@ -132,14 +135,14 @@ fn scene(named: &Named) -> Value {
             "uncertainty": reference.uncertainty,
         })
     });
-    let answers = [1e-4, 1e-6, 1e-9, 1e-12].map(|target| {
+    let answers = ANSWERS.map(|target| {
         let found = report.cheapest(target);
         json!({
             "error": target,
             "method": found.map(|it| it.method.name()),
-            "knob": found.and_then(|it| it.knob.value()),
+            "parameter": found.and_then(|it| it.knob.value()),
             "run_time_s": found.map(|it| it.min_s),
-            "nothing_left_out_s": report.cheapest_in_full(target).map(|it| it.min_s),
+            "no_term_omitted_s": report.cheapest_in_full(target).map(|it| it.min_s),
         })
     });
     json!({

@@ -11,6 +11,7 @@ use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
 use crate::study::compare::{Candidate, Entry, Report};
+use crate::study::limit::RANGE_M_S;
 
 /// The meaning of the contour on a map.
 const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
@@ -40,7 +41,7 @@ const LINES: [&str; 20] = [
 
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
-    let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
+    let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let has_layers = report.entries.iter().any(|it| it.scene.stack.base_thickness_m.is_some());
     let thickness = if has_layers { "front plate thickness" } else { "thickness" };
     Table::of(&report.entries)

@@ -19,7 +19,7 @@ const LIST_CELLS: u32 = 60;
 pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
     let (from, to) = axis.ends();
     let view = ViewRange::new(from, to);
-    let unit = Unit::with_prefix(view.size(), axis.variable().unit().trim_matches('-'));
+    let unit = Unit::with_prefix(view.size(), axis.variable().unit());
     Axis::new(axis.symbol(), view).scale(scale_of(axis)).unit(unit)
 }
 

@@ -154,7 +154,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
             ("name".to_owned(), candidate.name.into()),
             ("source".to_owned(), candidate.source.into()),
             ("standing".to_owned(), row.outcome.into()),
-            ("beaten_by".to_owned(), by.into()),
+            ("dominated_by".to_owned(), by.into()),
         ]);
         list.push(object);
     }

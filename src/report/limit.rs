@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use crate::model::units::{Engineering, fixed_significant, significant};
+use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
@@ -19,16 +19,11 @@ const OWN_IN_VIEW: f64 = 4.0;
 /// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
 
-/// A velocity with its unit, to four digits.
-pub fn velocity(value_m_s: f64) -> String {
-    format!("{} m/s", fixed_significant(value_m_s, 4))
-}
-
 /// Everything but the limit itself, in words.
 pub fn remarks(report: &Report) -> Vec<Remark> {
     let mut remarks = Vec::new();
     if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
-        let again = velocity(again);
+        let again = velocity(again, 4);
         let text = format!("no single limit: {again} is stopped again; the lowest is given");
         remarks.push(Remark::caution("warning", text));
     }
@@ -51,7 +46,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     }
     if let Some(law) = report.lambert_jonas {
         let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
-        let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
+        let (limit, misfit) = (velocity(law.limit_m_s, 4), significant(law.misfit_m_s, 2));
         let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
         remarks.push(Remark::new("Lambert-Jonas", text));
     }
@@ -72,9 +67,8 @@ fn carried(report: &Report) -> Option<String> {
 
 /// The load of the mechanism at the limit; `None` if unknown.
 fn load(load: &Load) -> Option<String> {
-    let part = |name: &str, value: Option<f64>, unit: &'static str| {
-        let value = Engineering { value: value?, unit, digits: 4 };
-        Some(format!("{name} {value}"))
+    let part = |name: &str, value: Option<f64>, unit| {
+        Some(format!("{name} {}", engineering(value?, unit, 4)))
     };
     let parts = [
         part("stroke", load.stroke_m, "m"),
@@ -87,7 +81,7 @@ fn load(load: &Load) -> Option<String> {
 
 /// The band between the closures.
 fn closures(closures: &Closures) -> String {
-    let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), velocity);
+    let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
     let each = format!(
         "2 Y with dishing {}, cavity without dishing and with twice the C_d {}",
         shown(closures.double_yield_m_s),
@@ -95,7 +89,7 @@ fn closures(closures: &Closures) -> String {
     );
     closures.band_m_s().map_or_else(
         || each.clone(),
-        |(low, high)| format!("{} to {}: {each}", fixed_significant(low, 4), velocity(high)),
+        |(low, high)| format!("{} to {}: {each}", fixed_significant(low, 4), velocity(high, 4)),
     )
 }
 
@@ -105,10 +99,10 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let (low, high) = found.range90_m_s;
     let mut v50 = format!(
         "{}, spread {}; 90 % in {} to {}",
-        velocity(found.v50_m_s),
-        velocity(found.deviation_m_s),
+        velocity(found.v50_m_s, 4),
+        velocity(found.deviation_m_s, 4),
         fixed_significant(low, 4),
-        velocity(high),
+        velocity(high, 4),
     );
     if found.without > 0 {
         let _ = write!(v50, "; {} samples have no limit in the searched range", found.without);
@@ -116,7 +110,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let through = format!(
         "{} % of shots at the scene's {} (95 %: {} to {} %)",
         percent(found.perforated),
-        velocity(report.scene.projectile.velocity_m_s),
+        velocity(report.scene.projectile.velocity_m_s, 4),
         percent(found.perforated95.0.max(0.0)),
         percent(found.perforated95.1),
     );

@@ -1,7 +1,7 @@
 //! A comparison of the interaction models, or of the variants of Appendix A.
 
 use crate::model::run::{Outcome, Run};
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::report::table::Table;
 use crate::study::models::{Comparison, Row, depth_m};
 use crate::study::quantities;
@@ -57,9 +57,7 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
         })
         .with("energy_residual", "energy residual", "", |it| Some(it.run()?.ledger.residual()))
         .with("run_time_s", "time", "", |it| it.row.map(|row| row.took_s))
-        .shown(|_, value| {
-            Some(Engineering { value: value.as_f64()?, unit: "s", digits: 3 }.to_string())
-        })
+        .shown(|_, value| Some(engineering(value.as_f64()?, "s", 3)))
         .with("steps", "steps", "", |it| it.run().map(|run| run.cost.steps))
         .with("with", "with", "", |it| it.row.map(|row| row.with.clone()))
         .with("strength", "strength", "", |it| it.row.map(|row| row.judged.0))

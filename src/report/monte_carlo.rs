@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::model::units::significant;
 use crate::report::table::Table;
-use crate::study::monte_carlo::{Quantile, Report, Summary};
+use crate::study::monte_carlo::{Estimate, Report, Summary};
 
 const DIGITS: usize = 4;
 /// Columns of the quantiles: key, heading, part of the values below it.
@@ -29,11 +29,11 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
         .with("nominal", "nominal", "", |it| it.nominal)
         .shown(in_unit)
         .with("count", "values", "", |it| it.sorted.len())
-        .with("mean", "mean", "", |it| it.mean.map(|mean| mean.0))
+        .with("mean", "mean", "", |it| it.mean.map(|mean| mean.value))
         .shown(in_unit)
-        .with("mean_low_95", "mean from", "", |it| it.mean.map(|mean| mean.1.0))
+        .with("mean_low_95", "mean from", "", |it| it.mean.map(|mean| mean.low_95))
         .shown(in_unit)
-        .with("mean_high_95", "mean to", "", |it| it.mean.map(|mean| mean.1.1))
+        .with("mean_high_95", "mean to", "", |it| it.mean.map(|mean| mean.high_95))
         .shown(in_unit)
         .with("deviation", "std dev", "", |it| it.deviation)
         .shown(in_unit);
@@ -45,9 +45,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
 
 /// How probable a perforation is, where that is known.
 pub fn perforation(report: &Report) -> Option<String> {
-    let (part, (low, high)) = report.perforated?;
-    let percent = |share: f64| significant(100.0 * share, 3);
-    let (part, low, high) = (percent(part), percent(low), percent(high));
+    let found = report.perforated?;
+    let [part, low, high] =
+        [found.value, found.low_95, found.high_95].map(|part| significant(100.0 * part, 3));
     Some(format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"))
 }
 
@@ -68,15 +68,15 @@ pub fn json(name: &str, report: &Report) -> Value {
         let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');
         let mut object = table.object(summary, is_own);
         let quantiles = QUANTILES.iter().filter_map(|(_, _, share)| {
-            let Quantile { value, range95: (low, high) } = summary.quantile(*share)?;
-            Some(json!({ "share": share, "value": value, "low_95": low, "high_95": high }))
+            let Estimate { value, low_95, high_95 } = summary.quantile(*share)?;
+            Some(json!({ "share": share, "value": value, "low_95": low_95, "high_95": high_95 }))
         });
         object.insert("quantiles".to_owned(), quantiles.collect());
         object
     });
-    let perforation = report
-        .perforated
-        .map(|(part, (low, high))| json!({ "probability": part, "low_95": low, "high_95": high }));
+    let perforation = report.perforated.map(|Estimate { value, low_95, high_95 }| {
+        json!({ "probability": value, "low_95": low_95, "high_95": high_95 })
+    });
     json!({
         "scene": name,
         "inputs": inputs.collect::<Vec<_>>(),

@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use crate::numerics::statistics::sorted_by;
 use crate::report::table::Table;
+use crate::study::monte_carlo::Estimate;
 use crate::study::sensitivity::Report;
-use crate::study::sensitivity::indices::Index;
 
 /// The variables, the one that matters most first; a row is a variable's place in the report.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
@@ -31,11 +31,11 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("morris_mu", "mu", unit, move |at| effect(at).mean)
         .with("morris_sigma", "sigma", unit, move |at| effect(at).deviation)
         .with("sobol_first", "first", "", move |at| Some(first(at)?.value))
-        .with("sobol_first_low_95", "from", "", move |at| Some(first(at)?.range95.0))
-        .with("sobol_first_high_95", "to", "", move |at| Some(first(at)?.range95.1))
+        .with("sobol_first_low_95", "from", "", move |at| Some(first(at)?.low_95))
+        .with("sobol_first_high_95", "to", "", move |at| Some(first(at)?.high_95))
         .with("sobol_total", "total", "", move |at| Some(total(at)?.value))
-        .with("sobol_total_low_95", "from", "", move |at| Some(total(at)?.range95.0))
-        .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.range95.1))
+        .with("sobol_total_low_95", "from", "", move |at| Some(total(at)?.low_95))
+        .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.high_95))
 }
 
 /// The effect of each variable alone, the greatest first, with a column `bar` of a given number of cells at most.
@@ -53,9 +53,9 @@ pub fn tornado(report: &Report, bar: usize) -> Table<'_, usize> {
 /// Effects and indices in brief: half the interval of an index stands behind it.
 pub fn indices(report: &Report) -> Table<'_, usize> {
     let index = |at: &usize| report.sobol.as_ref().map(|sobol| sobol.inputs[*at]);
-    let brief = |index: Option<Index>| {
+    let brief = |index: Option<Estimate>| {
         let index = index?;
-        let half = 0.5 * (index.range95.1 - index.range95.0);
+        let half = 0.5 * (index.high_95 - index.low_95);
         Some(format!("{:.3} +-{half:.3}", index.value))
     };
     Table::of(report.order())

@@ -204,11 +204,10 @@ mod tests {
     /// projectile needs half of the spring's force k x.
     #[test]
     fn valid_the_contact_force_falls_at_the_first_arrest() {
-        let settings = Settings { series: true, estimate: false };
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 1e5;
         let scene = Arc::new(scene);
-        let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let run = simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
         let arrest = run.first_arrest.unwrap();
         let points = Quantity::ContactForce.points(&run, &run.series);
         let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::model::run::Outcome;
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{self, LINE, Tone};
@@ -60,7 +60,7 @@ pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> 
         .with("steps", "steps", "", |row| row.run.cost.steps)
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)
         .with("run_time_s", "time", "", |row| row.took_s)
-        .shown(|row, _| Some(Engineering { value: row.took_s, unit: "s", digits: 2 }.to_string()))
+        .shown(|row, _| Some(engineering(row.took_s, "s", 2)))
         .with("stiffness", "stiff", "", |row| row.stiffness.largest())
         .shown(|_, value| Some(brief(value.as_f64()?)))
         .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
@@ -120,7 +120,7 @@ pub fn map_json(scene: &str, map: &Map) -> Value {
 /// The map as a picture.
 pub fn picture(found: &Map) -> map::Map<'static> {
     let symbol = found.axis.symbol();
-    let unit = find(symbol).map_or("", |variable| variable.unit().trim_matches('-'));
+    let unit = find(symbol).map_or("", |variable| variable.unit());
     let axis = |label: &'static str, unit: &'static str, values: &[f64]| {
         let ends = values.first().zip(values.last());
         let view = ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high));

@@ -3,15 +3,14 @@
 //! Axis values first, then what was requested; an empty field (JSON: null) where a quantity does not exist; `error` last, which
 //! says why a point failed. No column has the time a point took: files of the same sweep are equal.
 
-use std::fmt::Write as _;
 use std::ops::Range;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Scene, Sweep};
-use crate::model::{units, variables};
-use crate::report::table::Table;
+use crate::model::variables;
+use crate::report::table::{Object, Table, pretty};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, PointOutcome, Rows, Shard, Spacing};
 use crate::study::validity;
@@ -134,24 +133,21 @@ impl Sheet<'_> {
 
     /// The head of the JSON: the sweep itself, up to the rows.
     pub fn json_head(&self, shard: Shard) -> String {
-        let mut text = String::from("{\n");
-        let _ = writeln!(text, "  \"scene\": {},", quoted(self.scene));
-        let _ = writeln!(text, "  \"design\": {},", quoted(self.plan.design().sampling.word()));
-        let seed = self.plan.design().seed().map_or_else(|| "null".to_owned(), |it| it.to_string());
-        let _ = writeln!(text, "  \"seed\": {seed},");
-        let _ = writeln!(text, "  \"points\": {},", self.plan.points());
         let part = shard.of(self.plan.points());
-        let _ = writeln!(text, "  \"from_point\": {}, \"to_point\": {},", part.start, part.end);
-        let axes: Vec<String> = self.plan.axes().iter().map(axis_json).collect();
-        let _ = writeln!(text, "  \"axes\": [{}],", axes.join(", "));
-        let outputs: Vec<String> =
-            self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
-        let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
-        let _ = writeln!(text, "  \"version\": {},", quoted(env!("CARGO_PKG_VERSION")));
-        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        let warnings: Vec<String> = warnings.iter().map(|text| quoted(text)).collect();
-        let _ = writeln!(text, "  \"warnings\": [{}],", warnings.join(", "));
-        text + "  \"rows\": [\n"
+        let outputs: Vec<&str> = self.plan.outputs().iter().map(|output| output.name).collect();
+        let head = Object(vec![
+            ("scene", self.scene.into()),
+            ("design", self.plan.design().sampling.word().into()),
+            ("seed", self.plan.design().seed().into()),
+            ("points", self.plan.points().into()),
+            ("from_point", part.start.into()),
+            ("to_point", part.end.into()),
+            ("axes", self.plan.axes().iter().map(axis_json).collect()),
+            ("outputs", outputs.into()),
+            ("version", env!("CARGO_PKG_VERSION").into()),
+            ("warnings", validity::of_axes(self.plan.base(), self.plan.axes()).into()),
+        ]);
+        pretty(&head).trim_end_matches(['\n', '}']).to_owned() + ",\n  \"rows\": [\n"
     }
 }
 
@@ -166,28 +162,16 @@ pub fn grid_csv(scene: &str, grid: &Grid) -> String {
 /// The end of the JSON, after the rows.
 pub const JSON_TAIL: &str = "\n  ]\n}\n";
 
-fn axis_json(axis: &Axis) -> String {
-    let (from, to) = axis.ends();
+fn axis_json(axis: &Axis) -> Value {
     if axis.spacing() == Spacing::Listed {
-        let values: Vec<String> = axis.list().iter().map(|value| units::shortest(*value)).collect();
-        let values = values.join(", ");
-        return format!("{{ \"name\": {}, \"values\": [{values}] }}", quoted(axis.symbol()));
+        return json!({ "name": axis.symbol(), "values": axis.list() });
     }
-    format!(
-        "{{ \"name\": {}, \"from\": {}, \"to\": {}, \"count\": {}, \"log\": {} }}",
-        quoted(axis.symbol()),
-        units::shortest(from),
-        units::shortest(to),
-        axis.count(),
-        axis.spacing() == Spacing::Log
-    )
+    let (from, to) = axis.ends();
+    let is_log = axis.spacing() == Spacing::Log;
+    json!({ "name": axis.symbol(), "from": from, "to": to, "count": axis.count(), "log": is_log })
 }
 
 /// The word of a variable in a scene.
 fn word(scene: &Scene, key: &str) -> Option<String> {
     variables::find(key).ok().map(|variable| variable.show(scene))
-}
-
-fn quoted(text: &str) -> String {
-    Value::from(text).to_string()
 }

@@ -110,8 +110,7 @@ pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison
             continue;
         }
         let run = simulate(&own, Settings::default())?;
-        let quiet = Settings { series: false, estimate: false };
-        let took_s = time(clock, PATIENCE, || simulate(&own, quiet)).min_s;
+        let took_s = time(clock, PATIENCE, || simulate(&own, Settings::BARE)).min_s;
         rows.push(Row {
             name: plan.name,
             with: (own.contact.model.about().parameters)(&own),

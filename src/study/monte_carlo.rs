@@ -39,13 +39,15 @@ pub struct Task {
     pub seed: u64,
 }
 
-/// A quantile and where it lies with 95 % confidence.
+/// An estimate and its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quantile {
+pub struct Estimate {
     /// The estimate.
     pub value: f64,
-    /// The interval, from order statistics.
-    pub range95: (f64, f64),
+    /// The lower end of the interval.
+    pub low_95: f64,
+    /// Its upper end.
+    pub high_95: f64,
 }
 
 /// How one measure scatters.
@@ -55,8 +57,8 @@ pub struct Summary {
     pub measure: &'static Quantity,
     /// Its value for the scene itself.
     pub nominal: Option<f64>,
-    /// Mean and its 95 % interval; there is one where there is a deviation.
-    pub mean: Option<(f64, (f64, f64))>,
+    /// Mean; there is one where there is a deviation.
+    pub mean: Option<Estimate>,
     /// Standard deviation; `None` without two values.
     pub deviation: Option<f64>,
     /// All values, rising.
@@ -78,8 +80,8 @@ pub struct Report {
     pub outcomes: OutcomeCounts,
     /// The outcome of the scene itself.
     pub nominal: Option<PointOutcome>,
-    /// Part of the samples that perforate, of those that came to an end, and its 95 % interval (Wilson's); `None` without any.
-    pub perforated: Option<(f64, (f64, f64))>,
+    /// Part of the samples that perforate, of those that came to an end (interval: Wilson's); `None` without any.
+    pub perforated: Option<Estimate>,
     /// Measure by measure.
     pub summaries: Vec<Summary>,
     /// Whether it was done to its end.
@@ -277,14 +279,14 @@ impl<'t> Draw<'t> {
 }
 
 /// The part that perforates, of all that came to an end.
-fn perforated(counts: OutcomeCounts) -> Option<(f64, (f64, f64))> {
+fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
     let ended = (counts.arrested + counts.perforated + counts.separated) as f64;
     let part = counts.perforated as f64 / ended;
     (ended > 0.0).then(|| {
         let (low, high) = wilson(part, ended);
         // None and all leave nothing on that side but rounding.
-        let low = if counts.perforated == 0 { 0.0 } else { low };
-        (part, (low, if part < 1.0 { high } else { 1.0 }))
+        let low_95 = if counts.perforated == 0 { 0.0 } else { low };
+        Estimate { value: part, low_95, high_95: if part < 1.0 { high } else { 1.0 } }
     })
 }
 
@@ -294,7 +296,7 @@ impl Summary {
         let n = values.len() as f64;
         let mean = |(mean, deviation)| {
             let half = Z95 * deviation / n.sqrt();
-            (mean, (mean - half, mean + half))
+            Estimate { value: mean, low_95: mean - half, high_95: mean + half }
         };
         let moments = moments(&values);
         let deviation = moments.map(|(_, deviation)| deviation);
@@ -303,11 +305,11 @@ impl Summary {
 
     /// The value below which a given part lies, with the order statistics that enclose it with 95 % confidence (normal
     /// approximation of the binomial); `None` without two values.
-    pub fn quantile(&self, share: f64) -> Option<Quantile> {
+    pub fn quantile(&self, share: f64) -> Option<Estimate> {
         self.deviation?;
         let half = Z95 * (share * (1.0 - share) / self.sorted.len() as f64).sqrt();
         let at = |share: f64| quantile(&self.sorted, share.clamp(0.0, 1.0));
-        Some(Quantile { value: at(share), range95: (at(share - half), at(share + half)) })
+        Some(Estimate { value: at(share), low_95: at(share - half), high_95: at(share + half) })
     }
 }
 

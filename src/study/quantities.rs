@@ -8,7 +8,7 @@
 use crate::model::mechanism::load;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Mount, Scene};
-use crate::model::units::{self, Bare, Engineering};
+use crate::model::units::{self, Bare, engineering};
 use crate::study::compare::load::impulse_n_s;
 use crate::study::compare::{Hardware, WIDTH, areal_mass_of_run, mass_efficiency};
 use crate::study::limit;
@@ -265,11 +265,9 @@ impl Quantity {
             "" => units::significant(value, digits),
             "%" => format!("{} %", units::significant(value, digits)),
             // A prefix stands before grams, not before kilograms.
-            "kg" if value.abs() < 1e3 => {
-                Engineering { value: 1e3 * value, unit: "g", digits }.to_string()
-            }
+            "kg" if value.abs() < 1e3 => engineering(1e3 * value, "g", digits),
             unit @ ("kg" | "kg/m2") => format!("{} {unit}", units::significant(value, digits)),
-            unit => Engineering { value, unit, digits }.to_string(),
+            unit => engineering(value, unit, digits),
         }
     }
 

@@ -31,25 +31,17 @@ pub struct Concept {
     pub preset: &'static str,
 }
 
-const fn concept(
-    (name, section, preset): (&'static str, &'static str, &'static str),
-    ratings: [f64; 7],
-    (total, rank): (f64, usize),
-) -> Concept {
-    Concept { name, ratings, total, rank, section, preset }
-}
-
 /// The concepts, in the table's order.
 #[rustfmt::skip]
 pub const CONCEPTS: [Concept; 8] = [
-    concept(("Emergent four-bar", "6.2.1", "concept-emergent-four-bar"), [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], (3.0, 4)),
-    concept(("Buckling four-bar", "6.2.1", "concept-buckling-four-bar"), [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], (2.02, 8)),
-    concept(("Buckling cantilever", "6.2.2", "concept-buckling-cantilever"), [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], (2.47, 5)),
-    concept(("Cocked four-bar", "6.2.3", "concept-cocked-four-bar"), [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], (3.23, 3)),
-    concept(("Cocked cantilever", "6.2.4", "concept-cocked-cantilever"), [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], (3.78, 1)),
-    concept(("Bistable shuttle", "6.2.5", "concept-bistable-shuttle"), [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], (2.34, 6)),
-    concept(("Buckling tube", "6.2.6", "concept-buckling-tube"), [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], (2.07, 7)),
-    concept(("Helical rotating spring", "6.2.7", "concept-helical-spring"), [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], (3.3, 2)),
+    Concept { name: "Emergent four-bar", ratings: [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], total: 3.0, rank: 4, section: "6.2.1", preset: "concept-emergent-four-bar" },
+    Concept { name: "Buckling four-bar", ratings: [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], total: 2.02, rank: 8, section: "6.2.1", preset: "concept-buckling-four-bar" },
+    Concept { name: "Buckling cantilever", ratings: [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], total: 2.47, rank: 5, section: "6.2.2", preset: "concept-buckling-cantilever" },
+    Concept { name: "Cocked four-bar", ratings: [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], total: 3.23, rank: 3, section: "6.2.3", preset: "concept-cocked-four-bar" },
+    Concept { name: "Cocked cantilever", ratings: [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], total: 3.78, rank: 1, section: "6.2.4", preset: "concept-cocked-cantilever" },
+    Concept { name: "Bistable shuttle", ratings: [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], total: 2.34, rank: 6, section: "6.2.5", preset: "concept-bistable-shuttle" },
+    Concept { name: "Buckling tube", ratings: [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], total: 2.07, rank: 7, section: "6.2.6", preset: "concept-buckling-tube" },
+    Concept { name: "Helical rotating spring", ratings: [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], total: 3.3, rank: 2, section: "6.2.7", preset: "concept-helical-spring" },
 ];
 
 /// A concept's place under some weights.

@@ -298,11 +298,11 @@ impl Peaks {
     fn of(scene: &Arc<Scene>, run: &Run) -> Result<Self, EndReason> {
         let arrest_s = run.first_arrest.map(|arrest| arrest.t_s);
         let contact_s = arrest_s.or(run.exit_time_s).ok_or(run.end)?;
-        let settings = Settings { series: true, estimate: false };
         let watch = &mut |t_s| {
             if t_s > contact_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let run = simulate(scene, &settings, watch).map_err(|_invalid| EndReason::NonFinite)?;
+        let run =
+            simulate(scene, &Settings::SERIES, watch).map_err(|_invalid| EndReason::NonFinite)?;
         let holds = run.omitted.contains(&STILL_WITHIN_CONTACT);
         let mechanism = Mechanism::of(scene);
         let mass_kg = moving_plate_kg(scene);

@@ -8,8 +8,7 @@ use crate::model::units;
 pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     let mut lines = vec![stack.sentence()];
     if let Some(left) = stack.residual_velocity_m_s {
-        lines
-            .push(format!("residual velocity behind it {} m/s", units::fixed_significant(left, 5)));
+        lines.push(format!("residual velocity behind it {}", units::velocity(left, 5)));
     }
     lines.push(format!(
         "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",

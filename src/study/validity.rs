@@ -43,9 +43,8 @@ fn run_while(scene: &Scene, steps_max: usize, goes_on: &mut dyn FnMut() -> bool)
     }
     let mut own = scene.clone();
     own.sweep = None;
-    let settings = Settings { series: false, estimate: false };
     let mut steps = 0;
-    let run = simulate(&Arc::new(own), &settings, &mut |_| {
+    let run = simulate(&Arc::new(own), &Settings::BARE, &mut |_| {
         steps += 1;
         let is_cut = steps > steps_max || steps.is_multiple_of(LOOK) && !goes_on();
         if is_cut { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

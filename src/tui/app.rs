@@ -278,5 +278,5 @@ impl App {
 
 /// How long the computation took, in a few characters: `0.21 ms`.
 pub fn show_duration(took: Duration) -> String {
-    crate::model::units::Engineering { value: took.as_secs_f64(), unit: "s", digits: 2 }.to_string()
+    crate::model::units::engineering(took.as_secs_f64(), "s", 2)
 }

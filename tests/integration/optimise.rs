@@ -60,7 +60,7 @@ fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
     assert!(page.contains("no design satisfies every constraint"), "{page}");
     for (arguments, told) in [
         (&["--population", "7"][..], "even number"),
-        (&["--subject-to", "stroke_m<5"], "RESULT<=VALUE"),
+        (&["--subject-to", "stroke_m<5"], "QUANTITY<=VALUE"),
         (&["--subject-to", "stroke_m<=5kg"], "`kg` is not a unit"),
         (&["--minimise", "depth"], "output depth"),
         (&["--over", "gamma=2..2"], "both ends are 2"),

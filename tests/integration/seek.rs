@@ -62,7 +62,7 @@ fn bad_goals_and_bounds_are_refused_with_the_cure() {
             ["--over", "k=0..1e6", "--goal", "depth=3"],
             &["output depth", "did you mean `final_penetration_m`"][..],
         ),
-        (["--over", "k=0..1e6", "--goal", "stroke_m"], &["RESULT=VALUE"]),
+        (["--over", "k=0..1e6", "--goal", "stroke_m"], &["QUANTITY=VALUE"]),
         (["--over", "k=0..1e6", "--goal", "stroke_m=3kg"], &["`kg` is not a unit", "mm"]),
         (["--over", "k=1..1", "--goal", "stroke_m=3mm"], &["both ends are 1"]),
         (["--over", "k=0..1:log", "--goal", "stroke_m=3mm"], &["equal ratios"]),

@@ -7,7 +7,7 @@ use crate::cli::draw;
 use crate::cli::text::width;
 use crate::files::export;
 use crate::files::preset::Preset;
-use crate::model::units::{self, Engineering};
+use crate::model::units::{self, engineering};
 use crate::report::figures::sweeps::picture;
 use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
@@ -85,12 +85,12 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option
 
 fn axis_words(axis: &Axis) -> String {
     if axis.spacing() == Spacing::Listed {
-        let unit = axis.variable().unit().trim_start_matches('-');
+        let unit = axis.variable().unit();
         let values = format!("{} = {} {unit}", axis.symbol(), axis.range().replace(',', ", "));
         return format!("{}, {} points", values.trim_end(), axis.count());
     }
     let (from, to) = axis.ends();
-    let unit = axis.variable().unit().trim_start_matches('-');
+    let unit = axis.variable().unit();
     let log = if axis.spacing() == Spacing::Log { " at equal ratios" } else { "" };
     let ends = format!("{} to {} {unit}", units::shortest(from), units::shortest(to));
     format!("{} {}{log}, {} points", axis.symbol(), ends.trim_end(), axis.count())
@@ -121,7 +121,7 @@ fn table(page: &mut String, grid: &Grid, axis: &Axis) {
     let count = even.map_or_else(|| TABLE_ROWS.min(axis.count()), |steps| steps + 1);
     let places = (0..count).map(|row| row * last / (count - 1));
     let shown = places.filter_map(|at| usize::try_from(at).ok());
-    let unit = axis.variable().unit().trim_matches('-');
+    let unit = axis.variable().unit();
     let table = Table::of(shown)
         .with("axis", axis.symbol(), unit, |at| axis.value(*at as u64))
         .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::word));
@@ -148,7 +148,7 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
             let value = match column.unit() {
                 "" => units::significant(value, 6),
                 "%" => format!("{} %", units::fixed_significant(value, 5)),
-                unit => Engineering { value, unit, digits: 5 }.to_string(),
+                unit => engineering(value, unit, 5),
             };
             let _ = writeln!(page, "{word:<8} {}  {value} at {}", column.title(), place.join(" "));
         }
@@ -158,7 +158,7 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
 /// A time in readable units: `0.31 s`, `12 min`, `5.2 h`.
 pub(in crate::cli) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
-        s if s < 60.0 => return Engineering { value: s, unit: "s", digits: 2 }.to_string(),
+        s if s < 60.0 => return engineering(s, "s", 2),
         s if s < 5400.0 => (s / 60.0, "min"),
         s if s < 172_800.0 => (s / 3600.0, "h"),
         s => (s / 86_400.0, "days"),

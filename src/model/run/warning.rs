@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
-use crate::model::units::{self, Engineering};
+use crate::model::units::{self, engineering};
 use crate::model::worded::worded;
 
 /// A warning about a run.
@@ -73,7 +73,7 @@ fn still_moving(outcome: Outcome, at_least: &AtLeast) -> String {
 }
 
 fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> String {
-    let time = |value| Engineering { value, unit: "s", digits: 4 };
+    let time = |value| engineering(value, "s", 4);
     format!(
         "the horizon of {} was not reached: the run stopped at t = {} ({})",
         time(horizon_s),

@@ -60,11 +60,12 @@ pub fn nearest(name: &str) -> String {
         .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra run --help` lists all"))
 }
 
-/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name; `None` when none is close.
+/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name; `None` when none is close. Of those as
+/// near as each other the first ones are named.
 pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
-    const SHOWN_MAX: usize = 3;
+    const SHOWN_MAX: usize = 4;
     let limit = (name.chars().count() / 3).max(1);
-    candidates.sort_unstable();
+    candidates.sort_by_key(|(distance, _)| *distance);
     let close = candidates.iter().take_while(|(distance, _)| *distance <= limit).take(SHOWN_MAX);
     let close: Vec<String> = close.map(|(_, candidate)| format!("`{candidate}`")).collect();
     (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))

@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
 use crate::model::scene::{Mount, Scene};
-use crate::model::units::{self, Engineering, fixed_significant};
+use crate::model::units::{self, engineering, fixed_significant};
 use crate::report::figures::run::event_letter;
 use crate::report::run::{EnergyTerm, energy_terms};
 use crate::study::quantities;
@@ -14,12 +14,8 @@ use crate::study::quantities;
 /// Columns of a label before its value.
 pub const LABEL: usize = 24;
 
-fn value(value: f64, unit: &'static str) -> String {
-    Engineering { value, unit, digits: 6 }.to_string()
-}
-
-fn short(value: f64, unit: &'static str) -> String {
-    Engineering { value, unit, digits: 4 }.to_string()
+fn short(value: f64, unit: &str) -> String {
+    engineering(value, unit, 4)
 }
 
 /// A label, and a text beside it.
@@ -99,7 +95,7 @@ fn arrested(run: &Run, depth: &str) -> String {
 
 /// The results, a line each; what does not exist has none.
 pub fn results(run: &Run) -> Vec<String> {
-    let known = |result: Option<f64>, unit| result.map(|result| value(result, unit));
+    let known = |result: Option<f64>, unit| result.map(|result| engineering(result, unit, 6));
     let rounded = |result: Option<f64>, words: &str| {
         result.map(|result| format!("{}{words}", fixed_significant(result, 4)))
     };
@@ -162,7 +158,7 @@ fn no_displacement(scene: &Scene) -> &'static str {
 /// The events with their letters in the charts.
 pub fn events(run: &Run) -> Vec<String> {
     let line = |(index, event): (usize, &Event)| {
-        let (letter, time) = (event_letter(index), value(event.t_s, "s"));
+        let (letter, time) = (event_letter(index), engineering(event.t_s, "s", 6));
         format!("{letter:<2}{time:>10}  {}", event.kind.words())
     };
     run.events.iter().enumerate().map(line).collect()

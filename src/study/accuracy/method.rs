@@ -235,8 +235,7 @@ impl Job {
 }
 
 fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
+    let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
     answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
 }
 

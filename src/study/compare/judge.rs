@@ -45,7 +45,10 @@ impl Judge<'_, '_> {
         let built = Built::of(&scene, &self.hardware, sizing);
         let failure = fastest.as_ref().and_then(|(_, run)| built.failure(run));
         let (limit_m_s, failure) = match (&fastest, failure) {
-            (Some((top_m_s, _)), Some(failure)) => self.limit(*top_m_s, failure, &built)?,
+            (Some((top_m_s, _)), Some(failure)) => {
+                let (limit_m_s, failure) = self.limit(*top_m_s, failure, &built)?;
+                (limit_m_s, Some(failure))
+            }
             (_, _) => (plate_m_s, None),
         };
         let limit_load = match (limit_m_s, &fastest) {
@@ -85,10 +88,10 @@ impl Judge<'_, '_> {
 
     /// One run, with its series for the mount force; `None` when it was stopped.
     fn fire(&mut self, velocity_m_s: f64) -> Option<Run> {
-        let settings = Settings { series: true, estimate: false };
         let mut aimed = (*self.scene).clone();
         aimed.projectile.velocity_m_s = velocity_m_s;
-        let run = simulate(&Arc::new(aimed), &settings, &mut self.context.observer()).ok()?;
+        let run =
+            simulate(&Arc::new(aimed), &Settings::SERIES, &mut self.context.observer()).ok()?;
         (run.end != EndReason::Cancelled).then_some(run)
     }
 
@@ -102,7 +105,7 @@ impl Judge<'_, '_> {
         top_m_s: f64,
         mut failure: Failure,
         built: &Built,
-    ) -> Option<(Option<f64>, Option<Failure>)> {
+    ) -> Option<(Option<f64>, Failure)> {
         let design_m_s = self.scene.projectile.velocity_m_s;
         let (mut holds, mut fails) = (0.0, top_m_s);
         let mut look = |velocity_m_s: f64, holds: &mut f64, fails: &mut f64| {
@@ -119,12 +122,11 @@ impl Judge<'_, '_> {
             }
         }
         if holds >= design_m_s && fails <= design_m_s * (1.0 + JUST_BELOW) {
-            return Some((Some(design_m_s), Some(failure)));
+            return Some((Some(design_m_s), failure));
         }
         while fails - holds > WIDTH * fails && fails > limit::RANGE_M_S.0 {
             look(0.5 * (holds + fails), &mut holds, &mut fails)?;
         }
-        let limit_m_s = (fails > limit::RANGE_M_S.0).then_some(fails);
-        Some((limit_m_s, Some(failure)))
+        Some(((fails > limit::RANGE_M_S.0).then_some(fails), failure))
     }
 }

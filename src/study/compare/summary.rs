@@ -2,13 +2,13 @@
 
 use crate::model::run::envelope;
 use crate::model::scene::{PlateSize, Scene, SpringKind};
-use crate::model::units::{fixed_significant, significant};
+use crate::model::units::{fixed_significant, significant, velocity};
 use crate::study::compare::sized::THINNEST_M;
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
 /// Whether the mechanism pays, and by how much.
 pub fn verdict(report: &Report) -> String {
-    let design = velocity(report.scene.projectile.velocity_m_s);
+    let design = velocity(report.scene.projectile.velocity_m_s, 4);
     let Some(own) = report.of(Candidate::Scene) else {
         return "cancelled before the scene itself was computed".to_owned();
     };
@@ -55,7 +55,7 @@ pub fn reasons(report: &Report) -> Vec<String> {
              below {} with {} J/kg{dishing}",
             fixed_significant(closed.mass_efficiency, 4),
             significant(closed.needed_j_per_kg, 4),
-            velocity(closed.pays_below_m_s),
+            velocity(closed.pays_below_m_s, 4),
             significant(report.scene.mechanism.specific_energy_j_kg(), 4)
         ));
     }
@@ -145,7 +145,7 @@ fn sized(own: &Entry, verdict: Verdict) -> String {
 fn as_built(own: &Entry) -> Option<String> {
     let ratio = own.as_built?;
     let thickness = fixed_significant(1e3 * own.scene.target.thickness_m, 4);
-    let limit = velocity(own.limit_m_s?);
+    let limit = velocity(own.limit_m_s?, 4);
     let factor = own.sized.as_ref().ok().map(|sized| 1.0 / sized.factor);
     let needs = factor.map_or_else(String::new, |factor| {
         format!(
@@ -167,11 +167,11 @@ fn limits(report: &Report) -> Vec<String> {
         if let (Some(failure), Some(limit)) = (entry.failure, entry.limit_m_s) {
             let plate = entry.perforation.velocity_m_s().map_or_else(
                 || "beyond the searched range".to_owned(),
-                |plate| format!("at {}", velocity(plate)),
+                |plate| format!("at {}", velocity(plate, 4)),
             );
             lines.push(format!(
                 "{word}: limit velocity {}, where {}; the plate is perforated {plate}",
-                velocity(limit),
+                velocity(limit, 4),
                 failure.words()
             ));
         }
@@ -181,8 +181,4 @@ fn limits(report: &Report) -> Vec<String> {
         }
     }
     lines
-}
-
-fn velocity(value_m_s: f64) -> String {
-    format!("{} m/s", fixed_significant(value_m_s, 4))
 }

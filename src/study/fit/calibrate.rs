@@ -107,8 +107,7 @@ fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Opti
 }
 
 fn depth_of(scene: &Scene, context: &mut Context<'_>) -> Option<f64> {
-    let settings = Settings { series: false, estimate: false };
-    let run = simulate(&Arc::new(scene.clone()), &settings, &mut context.observer()).ok()?;
+    let run = simulate(&Arc::new(scene.clone()), &Settings::BARE, &mut context.observer()).ok()?;
     // A shot that goes through has no depth; it counts as one as deep as the plate is thick.
     if run.outcome == Outcome::Perforated {
         return Some(scene.target.thickness_m);

@@ -125,9 +125,8 @@ impl Range<'_, '_, '_> {
         if !self.goes_on() {
             return None;
         }
-        let settings = Settings { series: true, estimate: false };
         let own = aimed(self.scene, limit_m_s * (1.0 - JUST_BELOW));
-        let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
         // The page of a limit has no depth to compare.
         run.warnings.retain(|warning| *warning != Warning::NoBaseline);
         (run.end != EndReason::Cancelled).then(|| AtLimit {
@@ -323,9 +322,8 @@ fn shoot(
     impact_m_s: f64,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> (Shot, Verdict) {
-    let settings = Settings { series: false, estimate: false };
     let own = aimed(scene, impact_m_s);
-    let mut run = simulate(&own, &settings, observer);
+    let mut run = simulate(&own, &Settings::BARE, observer);
     if run
         .as_ref()
         .is_ok_and(|run| run.stack.is_none() && Verdict::of(run, criterion) == Verdict::Undecided)

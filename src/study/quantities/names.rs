@@ -1,5 +1,6 @@
 //! Quantities by name: lookup, hints for unknown names, and the list of all.
 
+use crate::model::variables;
 use crate::study::quantities::{QUANTITIES, Quantity};
 use crate::study::sweep::SweepError;
 
@@ -34,33 +35,24 @@ const USUAL: [&str; 6] = [
     "system_mass_kg",
     "limit_velocity_m_s",
 ];
-const NEAREST_MAX: usize = 4;
 const WIDTH: usize = 78;
 
 /// A hint for an unknown name: the quantities whose name or meaning is nearest, else the usual ones.
 pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
-    let limit = (lower.chars().count() / 3).max(1);
-    let mut ranked: Vec<(usize, &str)> = QUANTITIES
-        .iter()
-        .map(|quantity| {
-            // `depth` is a word of meanings, not of names.
-            let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric());
-            let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
-            let far = distance(&lower, quantity.name);
-            (if is_meant { far.min(1) } else { far }, quantity.name)
-        })
-        .filter(|(distance, _)| *distance <= limit)
-        .collect();
+    let ranked = |quantity: &'static Quantity| {
+        // `depth` is a word of meanings, not of names.
+        let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric());
+        let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
+        let far = distance(&lower, quantity.name);
+        (if is_meant { far.min(1) } else { far }, quantity.name)
+    };
     // Of those as near as each other the ones requested most come first.
-    ranked.sort_by_key(|(distance, name)| (*distance, !USUAL.contains(name)));
-    let close: Vec<String> =
-        ranked.iter().take(NEAREST_MAX).map(|(_, name)| format!("`{name}`")).collect();
-    if !close.is_empty() && !lower.is_empty() {
-        return format!("did you mean {}?", close.join(" or "));
-    }
-    let usual = USUAL.join(", ");
-    format!("the usual ones are {usual}; `cmra explain quantities` lists all")
+    let mut all: Vec<&Quantity> = QUANTITIES.iter().collect();
+    all.sort_by_key(|quantity| !USUAL.contains(&quantity.name));
+    variables::close(&lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
+        format!("the usual ones are {}; `cmra explain quantities` lists all", USUAL.join(", "))
+    })
 }
 
 /// How far a name is from a quantity's, or from some words of it that stand together.
@@ -81,16 +73,9 @@ fn distance(name: &str, quantity: &str) -> usize {
 
 /// The names of all quantities in lines that fit a screen, for people.
 pub fn listing() -> String {
-    let mut text = String::new();
-    let mut line = String::new();
-    for quantity in QUANTITIES {
-        if line.len() + 2 + quantity.name.len() > WIDTH {
-            text = text + &line + "\n";
-            line.clear();
-        }
-        line = line + "  " + quantity.name;
-    }
-    text + &line + "\n"
+    let names: Vec<&str> = QUANTITIES.iter().map(|quantity| quantity.name).collect();
+    let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
+    textwrap::fill(&names.join("  "), options) + "\n"
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence.
 
 use crate::numerics::random::Random;
+use crate::study::monte_carlo::Estimate;
 use crate::study::sensitivity::Function;
 use crate::study::sweep::sequence;
 
@@ -14,22 +15,13 @@ pub const INPUTS_MAX: usize = 6;
 const RESAMPLINGS: usize = 400;
 const BATCH: usize = 1024;
 
-/// An index and its 95 % confidence interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Index {
-    /// The estimate: 0 to 1 up to its error.
-    pub value: f64,
-    /// Where 95 % of the resampled estimates lie.
-    pub range95: (f64, f64),
-}
-
-/// The indices of one input; `None` where the function does not vary or has too few values.
+/// The indices of one input, 0 to 1 up to their error, each with what encloses 95 % of its resampled estimates; `None` where the function does not vary or has too few values.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Indices {
     /// Part of the variance the input explains alone.
-    pub first: Option<Index>,
+    pub first: Option<Estimate>,
     /// Part of the variance that goes with the input, interactions included.
-    pub total: Option<Index>,
+    pub total: Option<Estimate>,
 }
 
 /// Its outcome.
@@ -125,9 +117,10 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
     }
     let resampled = bootstrap(&all, seed);
     for (input, indices) in result.inputs.iter_mut().enumerate() {
-        let index = |order: usize| Index {
-            value: found[input][order],
-            range95: range95(resampled.iter().map(|sample| sample[input][order]).collect()),
+        let index = |order: usize| {
+            let samples = resampled.iter().map(|sample| sample[input][order]).collect();
+            let (low_95, high_95) = range95(samples);
+            Estimate { value: found[input][order], low_95, high_95 }
         };
         *indices = Indices { first: Some(index(0)), total: Some(index(1)) };
     }
@@ -195,7 +188,7 @@ mod tests {
                 {
                     let index = index.unwrap();
                     assert!((index.value - exact).abs() < 0.01, "{seed} {input} {index:?} {exact}");
-                    let (low, high) = index.range95;
+                    let Estimate { low_95: low, high_95: high, .. } = index;
                     assert!(low - 0.01 < exact && exact < high + 0.01, "{input} {index:?}");
                     assert!(low <= index.value && index.value <= high && high - low < 0.2);
                 }
@@ -206,8 +199,8 @@ mod tests {
     #[test]
     fn intervals_narrow_with_the_root_of_the_rows_and_a_seed_gives_its_digits() {
         let width = |rows: usize| {
-            let (low, high) = indices(3, rows, 5, ishigami).inputs[0].first.unwrap().range95;
-            high - low
+            let first = indices(3, rows, 5, ishigami).inputs[0].first.unwrap();
+            first.high_95 - first.low_95
         };
         let ratio = width(512) / width(8192);
         assert!((2.5..6.5).contains(&ratio), "{ratio}");

@@ -199,7 +199,8 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 /// rest is waiting.
 pub fn map(
     scene: &Scene,
-    (method, axis): (FixedStep, Axis),
+    method: FixedStep,
+    axis: Axis,
     (rows, columns): (usize, usize),
     context: &mut Context<'_, Map>,
 ) -> Map {
@@ -391,7 +392,7 @@ mod tests {
     fn a_map_has_a_cell_for_every_row_and_column() {
         let mut watch = to_its_end;
         let context = &mut Context::new(1, &mut watch);
-        let map = map(&Scene::default(), (FixedStep::Rk4, Axis::B), (4, 5), context);
+        let map = map(&Scene::default(), FixedStep::Rk4, Axis::B, (4, 5), context);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -418,7 +419,7 @@ mod tests {
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let context = &mut Context::new(1, stop);
-        let map = map(&Scene::default(), (FixedStep::Rk4, Axis::B), (40, 5), context);
+        let map = map(&Scene::default(), FixedStep::Rk4, Axis::B, (40, 5), context);
         assert_eq!(map.cells.len(), 200);
         assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
         assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));

@@ -188,7 +188,7 @@ impl Axis {
 
     /// A value with its unit: `0.24 m`, `1.5e6 N/m^n`.
     pub fn show(&self, value: f64, digits: usize) -> String {
-        let unit = self.variable.unit().trim_matches('-');
+        let unit = self.variable.unit();
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
     }
 
@@ -369,7 +369,7 @@ fn nearest_short(value: f64) -> f64 {
 }
 
 fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepError {
-    let unit = if number.quantity.unit() == "-" { "" } else { number.quantity.unit() };
+    let unit = number.quantity.unit();
     let limit = match number.allowed {
         Allowed::Positive => Some("a value above 0".to_owned()),
         Allowed::NonNegative => Some("0".to_owned()),

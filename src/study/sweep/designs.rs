@@ -106,8 +106,8 @@ mod tests {
         assert_eq!(found, with(3).0);
         for (design, found) in designs.iter().zip(&found) {
             let scene = Arc::new(space.scene_of(design));
-            let settings = Settings { series: true, estimate: false };
-            let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+            let run =
+                simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
             let close = |value: Option<f64>, exact: Option<f64>| {
                 let (value, exact) = (value.unwrap(), exact.unwrap());
                 assert!((value - exact).abs() <= 1e-7 * exact, "{design:?}: {value} {exact}");

@@ -117,10 +117,8 @@ fn settings(query: &Query) -> Evaluated<String> {
     let own: Vec<String> = VARIABLES
         .iter()
         .filter(|it| it.value(&scene) != it.value(&base))
-        .map(|it| {
-            let unit = if it.unit() == "-" { String::new() } else { format!(" {}", it.unit()) };
-            format!("{} = {}{unit}", it.symbol, it.show(&scene))
-        })
+        .map(|it| format!("{} = {} {}", it.symbol, it.show(&scene), it.unit()))
+        .map(|text| text.trim_end().to_owned())
         .collect();
     Ok(if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) })
 }

@@ -38,89 +38,69 @@ enum Apply {
 
 use Apply::{Numbers, Points, Property, Test, Whole};
 
-const fn of_numbers(name: &'static str, arguments: usize, it: fn(&[f64]) -> f64) -> Function {
-    Function { name, arguments, apply: Numbers(it) }
+/// A row for each function: the kind of its arguments, its name, how many it takes, and what it does.
+macro_rules! functions {
+    ($($kind:ident $name:literal $arguments:literal $it:expr;)*) => {
+        pub(super) static FUNCTIONS: &[Function] =
+            &[$(Function { name: $name, arguments: $arguments, apply: $kind($it) }),*];
+    };
 }
 
-const fn test(name: &'static str, arguments: usize, it: fn(&[f64]) -> bool) -> Function {
-    Function { name, arguments, apply: Test(it) }
-}
-
-const fn of_points(
-    name: &'static str,
-    arguments: usize,
-    it: fn(&[Point], &[f64]) -> f64,
-) -> Function {
-    Function { name, arguments, apply: Points(it) }
-}
-
-const fn property(name: &'static str, it: fn(&[Point]) -> bool) -> Function {
-    Function { name, arguments: 1, apply: Property(it) }
-}
-
-const fn of_values(
-    name: &'static str,
-    arguments: usize,
-    it: fn(&[Value]) -> Result<Value, String>,
-) -> Function {
-    Function { name, arguments, apply: Whole(it) }
-}
-
-pub(super) static FUNCTIONS: &[Function] = &[
-    of_numbers("abs", 1, |it| it[0].abs()),
-    of_numbers("sqrt", 1, |it| it[0].sqrt()),
-    of_numbers("ln", 1, |it| it[0].ln()),
-    of_numbers("exp", 1, |it| it[0].exp()),
-    of_numbers("cos", 1, |it| it[0].cos()),
-    of_numbers("acos", 1, |it| it[0].acos()),
-    test("finite", 1, |it| it[0].is_finite()),
+functions! {
+    Numbers "abs" 1 |it| it[0].abs();
+    Numbers "sqrt" 1 |it| it[0].sqrt();
+    Numbers "ln" 1 |it| it[0].ln();
+    Numbers "exp" 1 |it| it[0].exp();
+    Numbers "cos" 1 |it| it[0].cos();
+    Numbers "acos" 1 |it| it[0].acos();
+    Test "finite" 1 |it| it[0].is_finite();
     // A value, the stated one, and their greatest relative distance.
-    test("near", 3, |it| (it[0] / it[1] - 1.0).abs() <= it[2]),
+    Test "near" 3 |it| (it[0] / it[1] - 1.0).abs() <= it[2];
     // A condition, and the values where it holds and where it does not.
-    of_values("choose", 3, |it| Ok(it[if it[0].holds()? { 1 } else { 2 }].clone())),
+    Whole "choose" 3 |it| Ok(it[if it[0].holds()? { 1 } else { 2 }].clone());
     // The first of a list for which a condition holds.
-    of_values("where", 2, first_where),
+    Whole "where" 2 first_where;
     // Every product of a value of one list and one of another.
-    of_values("outer", 2, outer),
-    of_points("length", 1, |points, _| points.len() as f64),
+    Whole "outer" 2 outer;
+    Points "length" 1 |points, _| points.len() as f64;
     // Of conditions: how many hold.
-    of_points("sum", 1, |points, _| points.iter().map(|it| it.1).sum()),
-    of_points("mean", 1, |points, _| {
+    Points "sum" 1 |points, _| points.iter().map(|it| it.1).sum();
+    Points "mean" 1 |points, _| {
         points.iter().map(|it| it.1).sum::<f64>() / points.len() as f64
-    }),
-    of_points("max", 1, |points, _| greatest(points)),
-    of_points("min", 1, |points, _| least(points)),
+    };
+    Points "max" 1 |points, _| greatest(points);
+    Points "min" 1 |points, _| least(points);
     // Where a curve is greatest.
-    of_points("argmax", 1, |points, _| {
+    Points "argmax" 1 |points, _| {
         points.iter().find(|it| it.1 >= greatest(points)).map_or(f64::NAN, |it| it.0)
-    }),
-    of_points("first", 1, |points, _| points.first().map_or(f64::NAN, |it| it.1)),
-    of_points("last", 1, |points, _| points.last().map_or(f64::NAN, |it| it.1)),
-    of_points("range", 1, |points, _| range(points)),
+    };
+    Points "first" 1 |points, _| points.first().map_or(f64::NAN, |it| it.1);
+    Points "last" 1 |points, _| points.last().map_or(f64::NAN, |it| it.1);
+    Points "range" 1 |points, _| range(points);
     // The value at a place, on the straight line between the points around it.
-    of_points("at", 2, |points, numbers| at(points, numbers[0])),
+    Points "at" 2 |points, numbers| at(points, numbers[0]);
     // The slope of the least-squares line.
-    of_points("slope", 1, |points, _| slope(points)),
+    Points "slope" 1 |points, _| slope(points);
     // How far a curve is from the straight line through its ends, relative to its range.
-    of_points("curvature", 1, |points, _| curvature(points)),
+    Points "curvature" 1 |points, _| curvature(points);
     // Where a falling curve crosses the middle between its ends.
-    of_points("edge", 1, |points, _| edge(points).unwrap_or(f64::NAN)),
+    Points "edge" 1 |points, _| edge(points).unwrap_or(f64::NAN);
     // The greatest step between neighbours.
-    of_points("step", 1, |points, _| {
+    Points "step" 1 |points, _| {
         points.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).fold(0.0, larger)
-    }),
+    };
     // Where a curve is no greater than a number for the first time.
-    of_points("first_below", 2, |points, numbers| {
+    Points "first_below" 2 |points, numbers| {
         points.iter().find(|it| it.1 <= numbers[0]).map_or(f64::NAN, |it| it.0)
-    }),
-    property("rises", rises),
-    property("falls", falls),
-    property("flattens", flattens),
+    };
+    Property "rises" 1 rises;
+    Property "falls" 1 falls;
+    Property "flattens" 1 flattens;
     // Velocities after an elastic collision at 100 m/s with a plate of some masses of the projectile.
-    of_numbers("elastic_projectile", 1, |it| design::elastic((1.0, 100.0), (it[0], 0.0)).0),
-    of_numbers("elastic_plate", 1, |it| design::elastic((1.0, 100.0), (it[0], 0.0)).1),
+    Numbers "elastic_projectile" 1 |it| design::elastic((1.0, 100.0), (it[0], 0.0)).0;
+    Numbers "elastic_plate" 1 |it| design::elastic((1.0, 100.0), (it[0], 0.0)).1;
     // Tate's angle, degrees, of a rod as thick as the thesis's projectile: density, strength, velocity, length.
-    of_numbers("ricochet_angle", 4, |it| {
+    Numbers "ricochet_angle" 4 |it| {
         let rod = Rod {
             density_kg_m3: it[0],
             strength_pa: it[1],
@@ -129,51 +109,51 @@ pub(super) static FUNCTIONS: &[Function] = &[
             diameter_m: 0.0127,
         };
         rod.critical_obliquity_deg(2710.0)
-    }),
+    };
     // Mass, velocity and radius of the projectile, density of the target, parameter c_t.
-    of_numbers("stone_depth", 5, |it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4])),
+    Numbers "stone_depth" 5 |it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4]);
     // The least mass of a coil of spring steel that stores some energy, kg.
-    of_numbers("coil_mass", 1, |it| design::coil_spring_mass_kg(it[0], &Wire::default())),
+    Numbers "coil_mass" 1 |it| design::coil_spring_mass_kg(it[0], &Wire::default());
     // The beam of Table 9.3.
-    of_numbers("beam_torsional_stiffness", 0, |_| Beam::default().torsional_n_m()),
-    of_numbers("beam_tip_mass", 0, |_| {
+    Numbers "beam_torsional_stiffness" 0 |_| Beam::default().torsional_n_m();
+    Numbers "beam_tip_mass" 0 |_| {
         let spring = Spring { kind: SpringKind::Cantilever, ..Spring::default() };
         spring.moving_part() * spring.beam.mass_kg()
-    }),
+    };
     // Its tip load over the elastic line's, at a displacement over its length.
-    of_numbers("beam_over_elastica", 1, |it| {
+    Numbers "beam_over_elastica" 1 |it| {
         let beam = Beam::default();
         let rigidity = beam.modulus_pa * beam.width_m * beam.height_m.powi(3) / 12.0;
         let load =
             beam.link(1.0).force(it[0] * beam.length_m) * beam.length_m * beam.length_m / rigidity;
         load / elastica::load(it[0])
-    }),
+    };
     // Table 7.1 as printed, and computed by some weights.
-    of_values("screening_weights", 0, |_| Ok(Value::numbers(WEIGHTS_PERCENT))),
-    of_values("printed_totals", 0, |_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.total)))),
-    of_values("printed_ranks", 0, |_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.rank as f64)))),
-    of_values("screening_totals", 1, |it| {
+    Whole "screening_weights" 0 |_| Ok(Value::numbers(WEIGHTS_PERCENT));
+    Whole "printed_totals" 0 |_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.total)));
+    Whole "printed_ranks" 0 |_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.rank as f64)));
+    Whole "screening_totals" 1 |it| {
         Ok(Value::numbers(rank(&weights(&it[0])?).iter().map(|place| place.total)))
-    }),
-    of_values("screening_ranks", 1, |it| {
+    };
+    Whole "screening_ranks" 1 |it| {
         Ok(Value::numbers(rank(&weights(&it[0])?).iter().map(|place| place.rank as f64)))
-    }),
+    };
     // The concepts' names, the first rank first.
-    of_values("screening_order", 1, |it| {
+    Whole "screening_order" 1 |it| {
         let places = ranking(&weights(&it[0])?);
         let names = places.iter().map(|place| Value::Text(CONCEPTS[place.concept].name.to_owned()));
         Ok(Value::List(names.collect()))
-    }),
+    };
     // The concepts with a percentage each, the least first.
-    of_values("concepts_by", 1, |it| {
+    Whole "concepts_by" 1 |it| {
         let points = it[0].points()?;
         let values = points.iter().zip(&CONCEPTS).map(|(point, own)| (point.1, own.name));
         let order = sorted_by(values.collect(), |own: &(f64, &str)| own.0);
         let shown: Vec<String> =
             order.iter().map(|(value, name)| format!("{name} {}", text::percent(*value))).collect();
         Ok(Value::Text(shown.join(", ")))
-    }),
-];
+    };
+}
 
 impl Function {
     /// Its value for these arguments.

@@ -41,103 +41,86 @@ enum Get {
     Several(fn(&Runs<'_>, Algorithm, &Scene) -> Value),
 }
 
-const fn of_run(name: &'static str, unit: &'static str, get: fn(&Run) -> Option<f64>) -> Own {
-    Own { name, unit, get: Get::Run(get) }
+/// A row for each quantity: what it is of, its name, its unit, and how it is computed.
+macro_rules! quantities {
+    ($($of:ident $name:literal $unit:literal $get:expr;)*) => {
+        /// The quantities of this study; SI units but for `percent` and `travel`.
+        static OWN: &[Own] = &[$(Own { name: $name, unit: $unit, get: Get::$of($get) }),*];
+    };
 }
 
-const fn of_words(name: &'static str, get: fn(&Run) -> &'static str) -> Own {
-    Own { name, unit: "-", get: Get::Word(get) }
-}
-
-const fn of_series(name: &'static str, unit: &'static str, get: fn(&Run) -> Value) -> Own {
-    Own { name, unit, get: Get::Series(get) }
-}
-
-const fn of_scene(name: &'static str, unit: &'static str, get: fn(&Scene, f64) -> f64) -> Own {
-    Own { name, unit, get: Get::Scene(get) }
-}
-
-const fn of_several(
-    name: &'static str,
-    unit: &'static str,
-    get: fn(&Runs<'_>, Algorithm, &Scene) -> Value,
-) -> Own {
-    Own { name, unit, get: Get::Several(get) }
-}
-
-/// The quantities of this study; SI units but for `percent` and `travel`.
-static OWN: &[Own] = &[
+quantities! {
     // Depth at the first arrest; infinite for a perforation.
-    of_several("depth", "m", |runs, method, scene| Value::Number(runs.depth_m(method, scene))),
+    Several "depth" "m" |runs, method, scene| Value::Number(runs.depth_m(method, scene));
     // The same over that of the shot on a rigid mount.
-    of_several("percent", "%", |runs, method, scene| Value::Number(runs.percent(method, scene))),
+    Several "percent" "%" |runs, method, scene| Value::Number(runs.percent(method, scene));
     // The plate's greatest displacement, mm; infinite where nothing stops the plate.
-    of_run("travel", "mm", |run| {
+    Run "travel" "mm" |run| {
         Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))
-    }),
+    };
     // When the projectile is at rest: with the plate at its greatest displacement, or where nothing moves at the arrest.
-    of_run("rest_time", "s", |run| {
+    Run "rest_time" "s" |run| {
         let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
         turn.map(|it| it.t_s).or_else(|| run.first_arrest.map(|it| it.t_s))
-    }),
-    of_words("outcome", |run| run.outcome.word()),
-    of_words("end_reason", |run| run.end.words()),
+    };
+    Word "outcome" "-" |run| run.outcome.word();
+    Word "end_reason" "-" |run| run.end.words();
     // Velocities behind the plates of a stack.
-    of_series("arriving", "m/s", |run| {
+    Series "arriving" "m/s" |run| {
         let behind = run.stack.iter().flat_map(|stack| &stack.behind);
         Value::numbers(behind.map(|run| run.scene.projectile.velocity_m_s))
-    }),
-    of_series("start_velocity", "m/s", |run| {
+    };
+    Series "start_velocity" "m/s" |run| {
         Value::optional(run.series.first().map(|row| row.plate_velocity_m_s))
-    }),
+    };
     // Millimetres; not of a plate that is perforated.
-    of_series("displacement_at_end", "mm", series::displacement_at_end_mm),
-    of_series("last_force", "N", series::last_force),
-    of_series("greatest_spring_force", "N", |run| {
+    Series "displacement_at_end" "mm" series::displacement_at_end_mm;
+    Series "last_force" "N" series::last_force;
+    Series "greatest_spring_force" "N" |run| {
         Value::Number(run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger))
-    }),
+    };
     // What the projectile loses, and its force summed over time, N s.
-    of_series("momentum", "N s", series::momentum),
-    of_series("impulse", "N s", series::impulse),
+    Series "momentum" "N s" series::momentum;
+    Series "impulse" "N s" series::impulse;
     // m dv/dt over the force, early in the contact.
-    of_series("acceleration_ratio", "-", series::acceleration_ratio),
+    Series "acceleration_ratio" "-" series::acceleration_ratio;
     // The greatest distance of the force history from a half-sine of its peak and duration, over the peak.
-    of_series("off_half_sine", "-", series::off_half_sine),
-    of_series("velocities_after_contact", "m/s", series::velocities_after_contact),
-    of_series("velocity_at_neutral", "m/s", series::velocity_at_neutral),
+    Series "off_half_sine" "-" series::off_half_sine;
+    Series "velocities_after_contact" "m/s" series::velocities_after_contact;
+    Series "velocity_at_neutral" "m/s" series::velocity_at_neutral;
     // Of projectile and plate, N s.
-    of_series("momentum_at_arrest", "N s", series::momentum_at_arrest),
-    of_series("jump_after_contact", "m", series::jump_after_contact),
-    of_series("turns_in_contact", "-", series::turns_in_contact),
-    of_series("speed_in_contact", "m/s", series::speed_in_contact),
+    Series "momentum_at_arrest" "N s" series::momentum_at_arrest;
+    Series "jump_after_contact" "m" series::jump_after_contact;
+    Series "turns_in_contact" "-" series::turns_in_contact;
+    Series "speed_in_contact" "m/s" series::speed_in_contact;
     // Energy when the plate comes back through neutral, over that at the first turn.
-    of_series("energy_after_return", "-", series::energy_after_return),
+    Series "energy_after_return" "-" series::energy_after_return;
     // The ballistic limit in closed form, of a fixed plate or of a free one.
-    of_scene("limit", "m/s", |scene, _| limit::closed_form(scene).unwrap_or(f64::NAN)),
-    of_scene("flow_strength", "Pa", |scene, _| scene.flow_strength_pa()),
-    of_scene("nose_pressure", "Pa", |scene, _| {
+    Scene "limit" "m/s" |scene, _| limit::closed_form(scene).unwrap_or(f64::NAN);
+    Scene "flow_strength" "Pa" |scene, _| scene.flow_strength_pa();
+    Scene "nose_pressure" "Pa" |scene, _| {
         let v = scene.projectile.velocity_m_s;
         scene.flow_strength_pa() + scene.drag_kg_m3() * v * v
-    }),
-    of_scene("spring_force", "N", |scene, x| spring(scene).force(x)),
-    of_scene("spring_tangent", "N/m", |scene, x| spring(scene).tangent(x)),
-    of_scene("spring_energy", "J", |scene, x| spring(scene).energy(x)),
-    of_scene("yield_displacement", "m", |scene, _| {
+    };
+    Scene "spring_force" "N" |scene, x| spring(scene).force(x);
+    Scene "spring_tangent" "N/m" |scene, x| spring(scene).tangent(x);
+    Scene "spring_energy" "J" |scene, x| spring(scene).energy(x);
+    Scene "yield_displacement" "m" |scene, _| {
         scene.mechanism.spring.yields_at_m().unwrap_or(f64::NAN)
-    }),
+    };
     // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
-    of_several("against_solid", "-", |_, _, scene| against_solid(scene)),
+    Several "against_solid" "-" |_, _, scene| against_solid(scene);
     // Energy drawn into the spring for a fifth less depth than uncocked.
-    of_several("energy_for_a_fifth", "J", energy_for_a_fifth_j),
+    Several "energy_for_a_fifth" "J" energy_for_a_fifth_j;
     // The power law nearest to a spring's force up to where its plate goes: greatest distance over greatest force.
-    of_several("distance_from_power_law", "-", distance_from_power_law),
+    Several "distance_from_power_law" "-" distance_from_power_law;
     // The strength below which the plate is perforated.
-    of_several("least_strength", "Pa", least_strength_pa),
+    Several "least_strength" "Pa" least_strength_pa;
     // The greatest percentage of the baseline over a grid of Table 9.2.
-    of_several("greatest_percent_of_table_9_2", "%", greatest_percent),
+    Several "greatest_percent_of_table_9_2" "%" greatest_percent;
     // The relative velocity with which the listing ends the contact.
-    of_several("listing_overshoot", "m/s", |_, _, scene| listing_overshoot(scene)),
-];
+    Several "listing_overshoot" "m/s" |_, _, scene| listing_overshoot(scene);
+}
 
 impl Quantity {
     pub(super) fn find(name: &str) -> Option<Self> {

@@ -1,6 +1,6 @@
 //! The texts of the claims: numbers in words, and texts with expressions in them.
 
-use crate::model::units::{self, Engineering};
+use crate::model::units::{self, engineering};
 use crate::study::thesis::value::{Curve, Value};
 
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +76,7 @@ impl Format {
                 Style::Percent => percent(*value),
                 Style::Signed if value.is_nan() => "-".to_owned(),
                 Style::Signed => format!("{value:+.1} %"),
-                Style::Unit(unit) => Engineering { value: *value, unit, digits: 4 }.to_string(),
+                Style::Unit(unit) => engineering(*value, unit, 4),
             },
         })
     }

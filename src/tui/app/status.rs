@@ -119,7 +119,7 @@ impl App {
         let variable = self.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
-        let unit = variable.unit().trim_matches('-');
+        let unit = variable.unit();
         let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         let text = format!("{}{note}: {}{unit}", variable.symbol, variable.meaning);
         let range = match &variable.kind {

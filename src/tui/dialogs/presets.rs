@@ -98,7 +98,7 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
         let variable = &VARIABLES[index];
         let brief = |scene| shown_value(variable, scene, 24);
         let (old, new) = (brief(&app.scene), brief(&scene));
-        let unit = variable.unit().trim_matches('-');
+        let unit = variable.unit();
         let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
         lines.push((clip(&text, usize::from(width)), Role::Text));
     }

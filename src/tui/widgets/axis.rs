@@ -30,7 +30,7 @@ impl Part {
         let variable = variables::find(&axis.name).ok();
         let end = |label: &str, value: f64| Line {
             text: Some(units::shortest(value)),
-            unit: variable.map_or("", |found| found.unit().trim_matches('-')),
+            unit: variable.map_or("", |found| found.unit()),
             takes_unit: true,
             ..Line::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
         };

@@ -47,7 +47,7 @@ fn waiting(app: &App, title: &'static str, area: Rect, canvas: &mut Canvas<'_>) 
 
 /// An axis of the sweep of which a part is in view.
 fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
-    let unit = axis.variable().unit().trim_matches('-');
+    let unit = axis.variable().unit();
     chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 

@@ -123,7 +123,7 @@ impl App {
         let shown = shown_value(variable, &self.scene, usize::from(VALUE_WIDTH));
         let is_used = variables::is_used(variable, &self.scene);
         Line {
-            unit: if is_number { variable.unit().trim_matches('-') } else { "" },
+            unit: if is_number { variable.unit() } else { "" },
             text: Some(variable.show(&self.scene)),
             takes_unit: true,
             is_changed: variable.value(&self.scene) != variable.value(&self.base.scene),

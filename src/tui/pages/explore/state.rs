@@ -7,7 +7,7 @@
 use std::time::Duration;
 
 use crate::model::scene::{Sweep, SweepAxis};
-use crate::model::units::{self, Engineering};
+use crate::model::units::{self, engineering};
 use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
@@ -331,6 +331,6 @@ pub fn output_value(output: &Quantity, value: f64) -> String {
     match output.unit() {
         "" => significant(value, 5),
         "%" => format!("{} %", units::fixed_significant(value, 4)),
-        unit => Engineering { value, unit, digits: 4 }.to_string(),
+        unit => engineering(value, unit, 4),
     }
 }

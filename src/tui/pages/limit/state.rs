@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use crate::model::run::Outcome;
-use crate::model::units::fixed_significant;
+use crate::model::units::{self, fixed_significant};
 use crate::report::Remark;
-use crate::report::limit::{remarks, residual, velocity};
+use crate::report::limit::{remarks, residual};
 use crate::study::compare::map::Map;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
@@ -231,12 +231,16 @@ impl App {
             };
             let mut parts = Vec::new();
             if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
-                parts.push(format!("no single limit: {} is stopped again", velocity(again)));
+                parts.push(format!(
+                    "no single limit: {} is stopped again",
+                    units::velocity(again, 4)
+                ));
             }
             parts.extend(report.caution());
             let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
             if let Some(found) = &report.sampled {
-                let (v50, spread) = (velocity(found.v50_m_s), velocity(found.deviation_m_s));
+                let (v50, spread) =
+                    (units::velocity(found.v50_m_s, 4), units::velocity(found.deviation_m_s, 4));
                 parts.push(format!("V50 {v50}, spread {spread} (inputs alone)"));
             }
             let crowded = self.limit_pages().is_some();
@@ -253,7 +257,7 @@ impl App {
             ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
             ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
         ];
-        let mut text = format!("{}: {}", velocity(v), ends(shot));
+        let mut text = format!("{}: {}", units::velocity(v, 4), ends(shot));
         for (name, left) in laws {
             if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
                 let _ = write!(text, "; {name} {}", fixed_significant(left, 4));

@@ -4,7 +4,7 @@ pub(crate) mod draw;
 
 use crate::model::contact_phase::Ending;
 use crate::model::scene::ContactModel;
-use crate::model::units::Engineering;
+use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, curve, percent, seconds};
 use crate::study::accuracy::method::{Knob, Method};
@@ -244,7 +244,7 @@ impl App {
             let words = first.basis.words();
             let long = format!("reference {words}, uncertainty {sure}");
             parts.push((Severity::Note, long, format!("ref. {words}")));
-            let depth = Engineering { value: first.depth_m, unit: "m", digits: 7 };
+            let depth = engineering(first.depth_m, "m", 7);
             let ending = match first.ending {
                 Ending::Arrest => format!("{depth} deep"),
                 Ending::Perforation => "perforated".to_owned(),

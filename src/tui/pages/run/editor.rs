@@ -215,7 +215,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
         let start = flag.saturating_sub(columns(&text)).max(value);
         let end = canvas.put(line, (start, 0), &text, role);
         if matches!(variable.value(&app.scene), Value::Number(_)) && end <= flag {
-            canvas.put(line, (unit, 0), variable.unit().trim_matches('-'), Role::Dim);
+            canvas.put(line, (unit, 0), variable.unit(), Role::Dim);
         }
     }
     if warned {
@@ -236,7 +236,7 @@ fn open_field(variable: &Variable, field: &Field, line: Rect, canvas: &mut Canva
     let room = if long { line.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
     field.draw_boxed(canvas, line, value, room);
     if !long {
-        canvas.put(line, (unit + 1, 0), variable.unit().trim_matches('-'), Role::Dim);
+        canvas.put(line, (unit + 1, 0), variable.unit(), Role::Dim);
     }
 }
 

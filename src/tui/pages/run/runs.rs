@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use crate::model::run::{Run, Warning, envelope};
-use crate::model::units::{self, Engineering};
+use crate::model::units;
 use crate::model::variables::{self, VARIABLES};
 use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison, no_depth};
@@ -122,7 +122,7 @@ pub fn engineering(value: f64, unit: &'static str) -> String {
     if unit.is_empty() {
         return significant(value, 4);
     }
-    Engineering { value, unit, digits: 4 }.to_string()
+    units::engineering(value, unit, 4)
 }
 
 /// Columns of marker, letter and a blank before the name.

@@ -205,7 +205,7 @@ impl App {
                 objective.means(quantity_meaning(USUAL[at]))
             }
             Row::Stroke => {
-                let shown = |value| units::Engineering { value, unit: "m", digits: 4 }.to_string();
+                let shown = |value| units::engineering(value, "m", 4);
                 let bound = setup.stroke_m.map_or_else(|| "none".to_owned(), shown);
                 Line { takes_unit: true, ..Line::typed("stroke at most", bound) }
                     .means("designs with a greater stroke are infeasible; none: no bound")

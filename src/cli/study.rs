@@ -1,0 +1,121 @@
+//! Common parts of the commands that study a scene: their arguments, their course, and the bounds of their variables.
+
+use clap::Args;
+use serde_json::Value;
+
+use crate::cli::outlook::announce_if_long;
+use crate::cli::scene::SceneArguments;
+use crate::cli::sweep::axes::range;
+use crate::cli::table::{TableArguments, at_top};
+use crate::cli::{CliError, progress};
+use crate::files::preset::Preset;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::report::table::Table;
+use crate::study::context::Context;
+use crate::study::parallel::cores;
+use crate::study::search::seek::has_unlimited_interface;
+use crate::study::sensitivity::thesis_axes;
+use crate::study::sweep::{Axis, COUNTS, Plan};
+
+/// What every study of a scene takes.
+#[derive(Debug, Args)]
+pub(super) struct StudyArguments {
+    #[command(flatten)]
+    pub(super) scene: SceneArguments,
+    #[command(flatten)]
+    pub(super) threads: Threads,
+    #[command(flatten)]
+    pub(super) table: TableArguments,
+}
+
+/// What a study found.
+pub(super) struct Answer<'a, R> {
+    /// They head the page, and are in the object and in every row.
+    pub(super) warnings: Vec<String>,
+    pub(super) page: String,
+    pub(super) object: Value,
+    pub(super) rows: Table<'a, R>,
+}
+
+impl StudyArguments {
+    /// The scene, once it is certain that the table can be written where it is to go.
+    pub(super) fn load(&self) -> Result<Preset, CliError> {
+        self.table.check_beside()?;
+        self.scene.load()
+    }
+
+    /// Announces the time of that many runs within the bounds, if it is long.
+    pub(super) fn announce_if_long(&self, space: &Plan, runs: u64) {
+        announce_if_long(space, runs, "runs", self.threads.count());
+    }
+
+    /// Runs a study, and shows its progress.
+    pub(super) fn run<P: ?Sized, T>(
+        &self,
+        what: &str,
+        study: impl FnOnce(&mut Context<'_, P>) -> T,
+    ) -> T {
+        progress::study(self.threads.count(), what, study)
+    }
+
+    /// Prints the page or the object, and writes the rows.
+    pub(super) fn deliver<R>(&self, scene: &Scene, answer: Answer<'_, R>) -> Result<(), CliError> {
+        let Answer { warnings, page, mut object, rows } = answer;
+        object["warnings"] = warnings.as_slice().into();
+        let (page, rows) = (at_top(&page, &warnings), rows.with_warnings(&warnings));
+        self.table.of(&self.scene, scene).deliver_report(&page, &object, &rows)
+    }
+}
+
+/// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
+/// loaded beyond what it can carry. Gives the note to print.
+pub(super) fn on_plastic(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
+    let chosen = arguments.changes.set_of(|key| key == "interface.law").is_some();
+    if chosen || !has_unlimited_interface(scene) {
+        return None;
+    }
+    scene.interface.law = InterfaceLaw::Plastic;
+    Some(
+        "searched with interface=plastic: a fused interface has no limit of strength; --set interface=fused \
+         searches with fused"
+            .to_owned(),
+    )
+}
+
+/// `--threads`.
+#[derive(Debug, Args)]
+pub(super) struct Threads {
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Threads {
+    /// The number given, or one for each core.
+    pub(super) fn count(&self) -> usize {
+        self.threads.map_or_else(cores, usize::from)
+    }
+}
+
+/// `--seed`.
+#[derive(Debug, Args)]
+pub(super) struct Random {
+    /// Random seed: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
+    pub(super) seed: u64,
+}
+
+/// Variables and their bounds; without any those of Table 9.2.
+pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
+    if !texts.is_empty() {
+        return texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect();
+    }
+    let axes = thesis_axes(scene)?;
+    if axes.is_empty() {
+        return Err(CliError::Option(
+            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
+                .to_owned(),
+        ));
+    }
+    Ok(axes)
+}
