@@ -76,7 +76,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 }
                 Scale::CockingDistance => {
                     let shared = larger(ROUNDING, SHARED * run.scene.run.tolerance);
-                    shared * run.start_m().abs() / other.abs()
+                    shared * run.scene.start_m().abs() / other.abs()
                 }
             };
             let relative = difference(value, other, larger(floor, rounding))? * factor;

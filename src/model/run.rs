@@ -403,15 +403,7 @@ impl Run {
 
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
     pub fn stroke_m(&self) -> Option<f64> {
-        Some(self.max_plate_displacement_m? + self.start_m().abs())
-    }
-
-    /// The plate's displacement at the start, -d, m (0 on a rigid mount).
-    pub fn start_m(&self) -> f64 {
-        match self.scene.plate.mount {
-            crate::model::scene::Mount::Sprung => -self.scene.plate.cocking_m,
-            crate::model::scene::Mount::Rigid => 0.0,
-        }
+        Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
     }
 
     /// The end of the contact window: first arrest, perforation, or the end of the run, s.

@@ -47,7 +47,7 @@ struct Work<'a> {
 /// Simulate a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let mut run = simulate(scene, settings, observer);
-    if scene.plate.mount == Mount::Rigid {
+    if scene.is_rigid() {
         run.baseline_penetration_m = run.final_penetration_m;
     } else if run.end.is_complete() {
         let mut rigid = Scene::clone(scene);

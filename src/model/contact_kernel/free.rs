@@ -12,7 +12,7 @@ use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::expansion::Constants;
 use crate::model::contact_kernel::{Contact, ContactEnd};
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::exponential::{NEAR, bernoulli, bernoulli_near};
 use crate::numerics::larger;
 use crate::numerics::quadrature::GAUSS_16;
@@ -93,15 +93,14 @@ pub(super) fn at_travel(
 
 /// The contact of a scene whose plate is rigid or free; `None` where it is not, or the rule for the time does not converge.
 pub(super) fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
-    let moves = scene.plate.mount == Mount::Sprung;
+    let moves = !scene.is_rigid();
     if (moves && !scene.mechanism.is_nothing()) || scene.contact.model != ContactModel::Hydrodynamic
     {
         return None;
     }
     let geometry = Geometry::of(scene);
     let constants = Constants::of(scene, geometry.nose.cos, moves);
-    let start_m = if moves { 0.0 - scene.plate.cocking_m } else { 0.0 };
-    closed(&geometry, &constants, start_m, tolerance)
+    closed(&geometry, &constants, scene.start_m(), tolerance)
 }
 
 impl Contact {

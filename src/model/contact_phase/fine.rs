@@ -167,7 +167,7 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
     if scene.projectile.obliquity_deg != 0.0 {
         return Err(Refusal::NoReference);
     }
-    let rigid = scene.plate.mount == Mount::Rigid;
+    let rigid = scene.is_rigid();
     if !rigid && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
@@ -176,8 +176,7 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
     }
     let problem = Problem::of(scene);
     let scale_s = scene.projectile.tip_radius_m / scene.projectile.velocity_m_s;
-    let start = if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m };
-    let state = [0.0, scene.projectile.velocity_m_s, start, 0.0].map(Number::from);
+    let state = [0.0, scene.projectile.velocity_m_s, scene.start_m(), 0.0].map(Number::from);
     let (t_s, state) = problem.leave_zero(state, scale_s)?;
     let unit_s = if t_s > Number::ZERO { t_s.nearest() } else { 0.1 * scale_s };
     let mut walk = Walk { problem: &problem, truncation, t_s, state, piece: 0, unit_s, passed: 0 };
@@ -307,7 +306,7 @@ impl Problem {
             thickness_m: h,
             lag_m,
         };
-        if scene.plate.mount == Mount::Rigid {
+        if scene.is_rigid() {
             (problem.spring, problem.damper) = (Law::NONE, Law::NONE);
         }
         // Depths at which a face's section changes its formula.

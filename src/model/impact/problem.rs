@@ -7,7 +7,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactModel};
 use crate::model::impact::contact::PlateResponse;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -78,14 +78,14 @@ impl Problem {
         let contact = contact_models::of(scene, &geometry);
         let flows = scene.contact.model == ContactKind::Hydrodynamic;
         let mechanism = Mechanism::of(scene);
-        let rigid = scene.plate.mount == Mount::Rigid;
+        let rigid = scene.is_rigid();
         let cos = geometry.nose.cos;
         let inertia = Inertia::of(scene);
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = scene.plate_mass_kg() + inertia.added_kg();
         let joined_kg = plate_kg + projectile_kg * cos * cos;
         let velocity_m_s = scene.projectile.velocity_m_s;
-        let start_m = if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m };
+        let start_m = scene.start_m();
         let energy_j =
             0.5 * projectile_kg * velocity_m_s * velocity_m_s + mechanism.spring.energy(start_m);
         let mut problem = Self {

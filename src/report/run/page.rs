@@ -105,7 +105,7 @@ pub fn results(run: &Run) -> Vec<String> {
     };
     let (arrest, separation) = (run.first_arrest, run.separation);
     let (so_far, load) = (run.at_least, &run.mechanism);
-    let start_m = run.start_m();
+    let start_m = run.scene.start_m();
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
     let displacement = known(run.max_plate_displacement_m, "m");
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
