@@ -241,6 +241,11 @@ impl Geometry {
         })
     }
 
+    /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.
+    pub fn piece_behind(&self, q_m: f64) -> Option<&Piece> {
+        self.pieces().iter().rev().find(|piece| piece.from_m < q_m)
+    }
+
     /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
     pub fn swept_m3(&self, q_m: f64) -> f64 {
         let mut volume = 0.0;
@@ -274,10 +279,10 @@ impl Geometry {
         if self.nose.is_normal() {
             // Tip and cylinder are met at one and the same depth.
             let r = joints.cap_to_m;
-            self.cut_at(&joints, &[0.0, smaller(r, h), larger(r, h), end]);
+            self.cut_at(&joints, &[smaller(r, h), larger(r, h), end]);
         } else {
             let (r, f) = (joints.cap_to_m, joints.full_from_m);
-            let mut depths = [0.0, r, f, h, h + r, h + f, end];
+            let mut depths = [r, f, h, h + r, h + f, end];
             depths.sort_unstable_by(f64::total_cmp);
             self.cut_at(&joints, &depths);
         }
@@ -285,7 +290,7 @@ impl Geometry {
 
     fn cut_at(&mut self, joints: &Joints, depths: &[f64]) {
         let mut from_m = 0.0;
-        for depth in &depths[1..] {
+        for depth in depths {
             let to_m = self.travel_m(*depth);
             if to_m > from_m {
                 let law = self.law(joints, from_m, to_m);

@@ -47,8 +47,8 @@ const ESTIMATED: [Estimated; 13] = [
     ("stroke_m", Scale::CockingDistance, Run::stroke_m),
     ("residual_velocity_m_s", Scale::LimitVelocity, |run| run.residual_velocity_m_s),
     ("exit_time_s", Scale::LimitVelocity, |run| run.exit_time_s),
-    ("separation_time_s", Scale::Own, |run| Some(run.separation?.0)),
-    ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.1)),
+    ("separation_time_s", Scale::Own, |run| Some(run.separation?.t_s)),
+    ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.velocity_m_s)),
     ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
 ];
 

@@ -59,6 +59,11 @@ impl PowerLaw {
         if acts { self } else { Self { coefficient: 0.0, ..self } }
     }
 
+    /// Whether it cannot be expanded at zero.
+    pub fn is_singular(self) -> bool {
+        self.kind() == PowerKind::General
+    }
+
     /// Whether its tangent at zero is infinite.
     pub fn is_steep_at_zero(self) -> bool {
         !self.is_absent() && self.exponent < 1.0

@@ -33,6 +33,13 @@ pub(crate) struct State {
     pub(crate) plate_m_s: f64,
 }
 
+impl State {
+    /// The projectile's own velocity, m/s.
+    pub(crate) fn projectile_m_s(&self, cos: f64) -> f64 {
+        self.slip_m_s + self.plate_m_s * cos
+    }
+}
+
 /// The equations between two events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<'a> {
@@ -46,8 +53,8 @@ pub(crate) struct Motion<'a> {
     pub(crate) coupling: f64,
     pub(crate) spring: Elastic<'a>,
     pub(crate) damper: PowerLaw,
-    /// The elastic stop in contact, all zero without: stiffness N/m, damping N s/m, position m.
-    pub(crate) stop: StopForce,
+    /// The elastic stop in contact, all zero without.
+    pub(crate) stop: ElasticForce,
     /// The side of zero on which x is, or to which it is going: 1 or -1.
     pub(crate) side_x: f64,
     /// The same for w.
@@ -62,15 +69,6 @@ pub(crate) enum Force {
     Push,
     /// The same backwards.
     Pull,
-}
-
-/// An elastic stop in contact.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-#[expect(clippy::struct_field_names, reason = "they end in their units")]
-pub(crate) struct StopForce {
-    pub(crate) stiffness_n_m: f64,
-    pub(crate) damping_n_s_m: f64,
-    pub(crate) position_m: f64,
 }
 
 /// The expansion of a solution: coefficient j belongs to s^j, s = time since the start over the time unit.
@@ -110,15 +108,12 @@ impl<const N: usize> Expansion<N> {
     }
 }
 
-impl StopForce {
-    /// The force on the plate, N, positive backwards.
-    pub(crate) fn force(&self, state: &State) -> f64 {
-        self.stiffness_n_m * (state.plate_m - self.position_m)
-            + self.damping_n_s_m * state.plate_m_s
-    }
-}
-
 impl Motion<'_> {
+    /// The force of the elastic stop in contact on the plate, N, positive backwards.
+    pub(crate) fn stop_force(&self, state: &State) -> f64 {
+        self.stop.force(state.plate_m, state.plate_m_s)
+    }
+
     pub(crate) fn contact_force(&self, state: &State) -> f64 {
         self.contact.force(state)
     }
@@ -126,7 +121,7 @@ impl Motion<'_> {
     pub(crate) fn mechanism_force(&self, state: &State) -> f64 {
         self.spring.force(state.plate_m)
             + self.damper.force(state.plate_m_s)
-            + self.stop.force(state)
+            + self.stop_force(state)
     }
 
     pub(crate) fn force(&self, force: Force, state: &State) -> f64 {
@@ -140,8 +135,8 @@ impl Motion<'_> {
     /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of
     /// the forces there the whole and the damper's are given, N; the spring's is the rest.
     pub(crate) fn mechanism_size(&self, state: &State, mechanism_n: f64, damper_n: f64) -> f64 {
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
-        let stop_n = stiffness_n_m * (state.plate_m.abs() + position_m.abs())
+        let ElasticForce { stiffness_n_m, damping_n_s_m, slack_m } = self.stop;
+        let stop_n = stiffness_n_m * (state.plate_m.abs() + slack_m.abs())
             + damping_n_s_m * state.plate_m_s.abs();
         mechanism_n.abs() + 2.0 * (damper_n.abs() + stop_n)
     }
@@ -270,14 +265,14 @@ impl Motion<'_> {
         e.slip[0] = state.slip_m_s;
         e.plate[0] = state.plate_m;
         e.plate_speed[0] = state.plate_m_s;
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
+        let ElasticForce { stiffness_n_m, damping_n_s_m, slack_m } = self.stop;
         for j in 0..N {
             let f = contact.coefficient(&e.travel, &e.slip, j);
             let d = damper.coefficient(&e.plate_speed, j);
             let mut g = spring.coefficient(&e.plate, j) + d;
             g += stiffness_n_m * e.plate[j] + damping_n_s_m * e.plate_speed[j];
             if j == 0 {
-                g -= stiffness_n_m * position_m;
+                g -= stiffness_n_m * slack_m;
             }
             (e.contact[j], e.mechanism[j], e.damper[j]) = (f, g, d);
             if j + 1 < N {
@@ -317,10 +312,7 @@ mod tests {
             contact: ContactForce::Flow(FlowForce {
                 nose: geometry.nose,
                 area: geometry.piece(q).law,
-                pressure: Pressure {
-                    strength_pa: scene.flow_strength_pa(),
-                    drag_kg_m3: scene.drag_kg_m3(),
-                },
+                pressure: Pressure::of(scene),
             }),
             slip_mobility: 1.0 / m1 + cos * cos / m2,
             plate_mobility: 1.0 / m2,
@@ -333,7 +325,7 @@ mod tests {
                 coefficient: mechanism.damper.coefficient,
                 exponent: mechanism.damper.exponent,
             },
-            stop: StopForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, position_m: 0.001 },
+            stop: ElasticForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, slack_m: 0.001 },
             side_x: 1.0,
             side_w: 1.0,
         }

@@ -63,8 +63,8 @@ pub struct Run {
     pub residual_velocity_m_s: Option<f64>,
     /// When the nose was clear of the rear face, s.
     pub exit_time_s: Option<f64>,
-    /// When the projectile left through the entry face, and its velocity then, (s, m/s).
-    pub separation: Option<(f64, f64)>,
+    /// When the projectile left through the entry face, and its velocity then.
+    pub separation: Option<Departure>,
     /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
     pub interface_demand_ratio: Option<f64>,
     /// Relative error estimate of the final penetration, and where it comes from.
@@ -145,6 +145,15 @@ pub struct Arrest {
     pub plate_displacement_m: f64,
     /// Plate velocity, m/s.
     pub plate_velocity_m_s: f64,
+}
+
+/// A projectile that leaves the plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// Time since first contact, s.
+    pub t_s: f64,
+    /// Velocity of the projectile then, m/s.
+    pub velocity_m_s: f64,
 }
 
 worded! {

@@ -4,8 +4,8 @@ use crate::model::contact_models::Hole;
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Setting;
-use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
-use crate::model::motion::{Motion, State, StopForce};
+use crate::model::mechanism::{Elastic, PowerLaw, sign};
+use crate::model::motion::{ElasticForce, Motion, State};
 use crate::model::run::Mode;
 
 mod active_events;
@@ -147,10 +147,10 @@ impl<'a> Body<'a> {
                 _ => Elastic::Power(self.spring().only_if(!(self.x_zero.omitted || still))),
             },
             damper: mechanism.damper.only_if(!(self.w_zero.omitted || still)),
-            stop: stop.map_or_else(StopForce::default, |stop| StopForce {
+            stop: stop.map_or_else(ElasticForce::default, |stop| ElasticForce {
                 stiffness_n_m: stop.stiffness_n_m,
                 damping_n_s_m: stop.damping_n_s_m,
-                position_m: mechanism.stop_at_m,
+                slack_m: mechanism.stop_at_m,
             }),
             side_x: self.x_zero.side,
             side_w: self.w_zero.side,
@@ -183,10 +183,6 @@ impl<'a> Body<'a> {
     /// Whether the spring is a whole power, which changes its form exactly at zero.
     pub(super) fn spring_is_whole(&self) -> bool {
         self.problem.mechanism.spring.power().is_some_and(|law| law.exponent.fract() == 0.0)
-    }
-
-    pub(super) fn damper_is_singular(&self) -> bool {
-        self.problem.mechanism.damper.kind() == PowerKind::General
     }
 
     /// The compressive strength of the interface at the present travel, N.
@@ -248,9 +244,8 @@ impl<'a> Body<'a> {
                 self.state.travel_m = if end.is_finite() { end } else { before.travel_m };
             }
             EventId::PieceStart => {
-                let behind = geometry.pieces().iter().rev();
-                let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
-                self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
+                self.state.travel_m =
+                    geometry.piece_behind(before.travel_m).map_or(0.0, |piece| piece.from_m);
             }
             EventId::HoleBottom => self.state.travel_m = self.deepest_m,
             EventId::SlipZero => self.state.slip_m_s = 0.0,
@@ -260,7 +255,9 @@ impl<'a> Body<'a> {
             EventId::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
             EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
             EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
-            EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
+            EventId::PlateSpeedZero if !self.problem.mechanism.damper.is_singular() => {
+                self.state.plate_m_s = 0.0
+            }
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
             _ => {}
         }

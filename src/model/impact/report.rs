@@ -72,8 +72,8 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
         max_plate_displacement_m: max_displacement,
         at_least,
         penetration_at_most_m,
-        residual_velocity_m_s: record.exit.map(|exit| exit.1),
-        exit_time_s: record.exit.map(|exit| exit.0),
+        residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
+        exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.push_ratio,
         error_estimate: None,
@@ -104,7 +104,7 @@ fn max_displacement_m(simulation: &Simulation<'_>) -> Option<f64> {
 fn ledger(problem: &Problem, simulation: &Simulation<'_>) -> EnergyLedger {
     let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
     let state = &simulation.body.state;
-    let speed = state.slip_m_s + state.plate_m_s * problem.cos;
+    let speed = state.projectile_m_s(problem.cos);
     let spring = &problem.mechanism.spring;
     let (spring_j, crush_j) = simulation.spring_energies();
     let added_kg = problem.inertia.added_kg();

@@ -12,10 +12,9 @@ use crate::model::impact::body::Body;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Record;
 use crate::model::impact::report;
-use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::termination::Termination;
-use crate::model::mechanism::{PowerKind, sign};
+use crate::model::mechanism::sign;
 use crate::model::motion::{Motion, State};
 use crate::model::run::Observer;
 use crate::model::run::{EndReason, Mode};
@@ -80,10 +79,7 @@ impl<'a> Simulation<'a> {
             self.body.restore_omitted();
             self.come_to_rest();
             self.unload_absorbers();
-            if let Some(Crossed(detected)) = self.cross_singularity() {
-                if let Some(event) = detected {
-                    self.apply_transition(event);
-                }
+            if self.cross_singularity() {
                 continue;
             }
             self.keep_off_singularities();
@@ -95,8 +91,7 @@ impl<'a> Simulation<'a> {
                 if self.control.stiff { self.stiff_step() } else { self.taylor_step::<N>() };
             match advanced {
                 ControlFlow::Break(reason) => return self.end_early(reason),
-                ControlFlow::Continue(None) => {}
-                ControlFlow::Continue(Some(event)) => self.apply_transition(event),
+                ControlFlow::Continue(detected) => self.apply_detected(detected),
             }
         }
     }
@@ -112,6 +107,13 @@ impl<'a> Simulation<'a> {
 
     pub(super) fn active_events(&self) -> ActiveEvents {
         self.body.active_events(self.control.stiff, self.record.noted())
+    }
+
+    /// The transition after the event that ended a step, if one did.
+    pub(super) fn apply_detected(&mut self, detected: Option<EventId>) {
+        if let Some(event) = detected {
+            self.apply_transition(event);
+        }
     }
 
     /// The transition after an event, and the method that continues.
@@ -152,7 +154,7 @@ impl<'a> Simulation<'a> {
         if mechanism.spring.is_singular() && self.body.state.plate_m == 0.0 {
             self.omit_spring();
         }
-        if mechanism.damper.kind() == PowerKind::General && self.body.state.plate_m_s == 0.0 {
+        if mechanism.damper.is_singular() && self.body.state.plate_m_s == 0.0 {
             self.omit_damper();
         }
     }

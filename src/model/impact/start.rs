@@ -7,8 +7,7 @@
 use crate::model::contact_models::Scales;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
-use crate::model::impact::singular_crossing::Crossed;
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::mechanism::PowerLaw;
 use crate::model::motion::{Expansion, Motion};
 use crate::numerics::{larger, smaller};
 
@@ -81,14 +80,11 @@ impl Simulation<'_> {
         let problem = self.body.problem;
         let mechanism = &problem.mechanism;
         let spring_singular = mechanism.spring.is_singular() && self.body.state.plate_m == 0.0;
-        let damper_singular = mechanism.damper.kind() == PowerKind::General;
+        let damper_singular = mechanism.damper.is_singular();
         if self.body.rests_on_stop || problem.rigid || !(spring_singular || damper_singular) {
             return;
         }
-        if !spring_singular && let Some(Crossed(detected)) = self.cross_singularity() {
-            if let Some(event) = detected {
-                self.apply_transition(event);
-            }
+        if !spring_singular && self.cross_singularity() {
             return;
         }
         self.body.x_zero.omitted = spring_singular;
@@ -167,5 +163,5 @@ fn drive_n<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
 
 /// Tangent per mass: the square of a frequency for a spring, a rate for a damper.
 fn stiffness_per_s(law: PowerLaw, z: f64, mass_kg: f64) -> f64 {
-    if law.kind() == PowerKind::General { law.tangent(z) / mass_kg } else { 0.0 }
+    if law.is_singular() { law.tangent(z) / mass_kg } else { 0.0 }
 }

@@ -7,7 +7,6 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
-use crate::model::impact::record::Times;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
 use crate::model::motion::{Motion, State};
@@ -162,7 +161,7 @@ impl Simulation<'_> {
             let state = system.state(stage, node * h);
             let push_n = motion.coupling * motion.contact_force(&state)
                 - motion.damper.force(state.plate_m_s)
-                - motion.stop.force(&state);
+                - motion.stop_force(&state);
             gained -= h * weight * push_n * state.plate_m_s;
         }
         gained
@@ -198,7 +197,7 @@ impl Simulation<'_> {
     fn rounding_of_speed_m_s(&self, motion: &Motion<'_>) -> f64 {
         let state = &self.body.state;
         let force_n =
-            larger(motion.spring.force(state.plate_m).abs(), motion.stop.force(state).abs());
+            larger(motion.spring.force(state.plate_m).abs(), motion.stop_force(state).abs());
         let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
         let mobility = motion.plate_mobility * self.control.unit_s;
         f64::EPSILON * force_n * mobility / (1.0 + damping * mobility)
@@ -291,8 +290,7 @@ impl Simulation<'_> {
         });
         let penetrates = self.body.mode == Mode::Penetrating;
         let at = |part: f64| if penetrates { taken.exact(part) } else { taken.dense(part) };
-        let from_s = self.body.state.t_s;
-        record.draw(&setting, Times { from_s, to_s: from_s + h }, POINTS_PER_STEP, at);
+        record.draw(&setting, self.body.state.t_s + h, POINTS_PER_STEP, at);
     }
 }
 

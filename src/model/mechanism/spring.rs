@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerKind, PowerLaw, combine};
+use crate::model::mechanism::{PowerLaw, combine};
 use crate::model::scene::{self, Combination};
 use crate::numerics::larger;
 
@@ -91,7 +91,7 @@ impl Spring {
 
     /// Whether it is a power law that cannot be expanded at zero.
     pub fn is_singular(&self) -> bool {
-        matches!(self, Self::Power(law) if law.kind() == PowerKind::General)
+        matches!(self, Self::Power(law) if law.is_singular())
     }
 
     /// Force at x, N.

@@ -68,7 +68,7 @@ pub fn sentence(run: &Run) -> String {
         Outcome::Separated => {
             let left = run
                 .separation
-                .map_or_else(String::new, |(_, speed)| format!(" at {}", short(speed, "m/s")));
+                .map_or_else(String::new, |it| format!(" at {}", short(it.velocity_m_s, "m/s")));
             let depth =
                 depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
             format!("separated: the projectile leaves through the entry face{left}{depth}")
@@ -129,8 +129,8 @@ pub fn results(run: &Run) -> Vec<String> {
         ("  of the rigid mount's", rounded(run.percent_of_baseline(), " %")),
         ("exit time", known(run.exit_time_s, "s")),
         ("residual velocity", known(run.residual_velocity_m_s, "m/s")),
-        ("separation, time", known(separation.map(|it| it.0), "s")),
-        ("  projectile velocity", known(separation.map(|it| it.1), "m/s")),
+        ("separation, time", known(separation.map(|it| it.t_s), "s")),
+        ("  projectile velocity", known(separation.map(|it| it.velocity_m_s), "m/s")),
         ("peak contact force", known(run.peak_contact_force_n, "N")),
         ("greatest displacement", displacement),
         ("displacement so far", known(so_far.plate_displacement_m, "m")),

@@ -39,7 +39,7 @@ impl Body<'_> {
         let apart_j = if self.mode == Mode::Fused {
             0.0
         } else {
-            let v = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+            let v = self.state.projectile_m_s(self.problem.cos);
             0.5 * self.problem.projectile_kg * v * v
         };
         self.energy_j() + apart_j

@@ -100,7 +100,7 @@ impl Body<'_> {
         if slip_m_s > 0.0 || (apart_m <= 0.0 && slip_m_s == 0.0) {
             return false;
         }
-        let v = slip_m_s + plate_m_s * problem.cos;
+        let v = self.state.projectile_m_s(problem.cos);
         let mechanism = &problem.mechanism;
         let energy = self.energy_j();
         let speed = (2.0 * energy / problem.plate_kg).sqrt();

@@ -1,7 +1,7 @@
 //! The motion with displacement, or velocity, of the plate as the independent variable.
 
 use crate::model::event_function::EventId;
-use crate::model::mechanism::{Elastic, PowerKind, sign};
+use crate::model::mechanism::{Elastic, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
@@ -89,10 +89,10 @@ impl<'a> IndependentVariable<'a> {
         let (cos, w) = (motion.coupling, state.plate_m_s);
         let contact = motion.contact_force(state);
         let slowing = contact * (motion.slip_mobility - cos * cos * motion.plate_mobility);
-        let velocity = state.slip_m_s + cos * w;
+        let velocity = state.projectile_m_s(cos);
         match self.law {
             Law::Spring => {
-                let push = cos * contact - motion.damper.force(w) - motion.stop.force(state);
+                let push = cos * contact - motion.damper.force(w) - motion.stop_force(state);
                 [1.0 / w, velocity / w, -slowing / w, push * motion.plate_mobility]
             }
             Law::Damper => {
@@ -129,8 +129,7 @@ impl<'a> IndependentVariable<'a> {
                 let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
                 let by_damper = motion.damper.at_force(part * others / mobility);
                 let by_spring = (part * others * others / (mobility * stiffness)).sqrt();
-                let broken =
-                    matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
+                let broken = matches!(spring, Elastic::Power(law) if law.is_singular());
                 let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
                 smaller(by_damper, smaller(by_spring, (2.0 * others * back_m).sqrt()))
             }

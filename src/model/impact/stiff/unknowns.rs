@@ -5,7 +5,7 @@
 //! that is lost in the rounding of the displacement itself.
 
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
-use crate::model::motion::{Motion, State, StopForce};
+use crate::model::motion::{ElasticForce, Motion, State};
 use crate::numerics::implicit::{ImplicitSystem, NODES};
 use crate::numerics::{larger, smaller};
 
@@ -68,8 +68,8 @@ impl<'a> Unknowns<'a> {
     pub(super) fn of(motion: &'a Motion<'a>, from: &State, scale: [f64; 4]) -> Self {
         let (stop, plate_m) = (motion.stop, from.plate_m);
         let on_stop =
-            stop.stiffness_n_m > 0.0 && (plate_m - stop.position_m).abs() < ON_STOP * plate_m.abs();
-        let datum_m = if on_stop { stop.position_m } else { 0.0 };
+            stop.stiffness_n_m > 0.0 && (plate_m - stop.slack_m).abs() < ON_STOP * plate_m.abs();
+        let datum_m = if on_stop { stop.slack_m } else { 0.0 };
         let spring = if on_stop {
             Carrier::Argument(motion.spring, datum_m)
         } else {
@@ -107,8 +107,8 @@ impl<'a> Unknowns<'a> {
     }
 
     fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.motion.stop;
-        stiffness_n_m * (x_from_datum - (position_m - self.datum_m)) + damping_n_s_m * w
+        let stop = self.motion.stop;
+        ElasticForce { slack_m: stop.slack_m - self.datum_m, ..stop }.force(x_from_datum, w)
     }
 
     /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
@@ -120,7 +120,7 @@ impl<'a> Unknowns<'a> {
             stage[0] += y[1] * t;
             let state = State { travel_m: stage[0], ..self.state(y, t) };
             let motion = self.motion;
-            let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
+            let others = motion.spring.force(state.plate_m) + motion.stop_force(&state);
             let drive = motion.contact_force(&state) * motion.coupling - others;
             let mut speed = drive * motion.plate_mobility * t;
             if let (Carrier::Force(law), true) = (self.spring, y[2] == 0.0) {
