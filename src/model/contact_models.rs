@@ -20,39 +20,18 @@ mod half_sine;
 mod initial_velocity;
 mod lumped;
 
-/// Passes the table of contact models to a macro: the name of each, its word in files and on screens, and what it is.
-macro_rules! contact_models {
-    ($then:ident) => {
-        $then! {
-            /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-            #[default]
-            Hydrodynamic = "hydrodynamic", flow_strength::ABOUT;
-            /// A prescribed half-sine force history, equation 8.9.
-            HalfSine = "half-sine", half_sine::ABOUT;
-            /// A perfectly inelastic collision at once, equation 8.11.
-            InitialVelocity = "initial-velocity", initial_velocity::ABOUT;
-            /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
-            Lumped = "lumped", lumped::ABOUT;
-            /// The listing of Appendix A.
-            Appendix = "appendix", flow_strength::APPENDIX;
+impl Kind {
+    /// What it is.
+    pub fn about(self) -> &'static About {
+        match self {
+            Self::Hydrodynamic => &flow_strength::ABOUT,
+            Self::HalfSine => &half_sine::ABOUT,
+            Self::InitialVelocity => &initial_velocity::ABOUT,
+            Self::Lumped => &lumped::ABOUT,
+            Self::Appendix => &flow_strength::APPENDIX,
         }
-    };
+    }
 }
-pub(in crate::model) use contact_models;
-
-macro_rules! about {
-    ($($(#[$doc:meta])* $kind:ident = $word:literal, $about:path;)+) => {
-        impl Kind {
-            /// What it is.
-            pub fn about(self) -> &'static About {
-                match self {
-                    $(Self::$kind => &$about,)+
-                }
-            }
-        }
-    };
-}
-contact_models!(about);
 
 /// What a contact model is.
 #[derive(Debug)]
