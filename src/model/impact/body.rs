@@ -3,7 +3,6 @@
 use crate::model::contact_models::Hole;
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::record::Setting;
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
 use crate::model::motion::{ElasticForce, Motion, State};
 use crate::model::run::Mode;
@@ -166,10 +165,6 @@ impl<'a> Body<'a> {
         }
     }
 
-    pub(super) fn setting<'m>(&'m self, motion: &'m Motion<'m>) -> Setting<'m> {
-        Setting { body: self, motion }
-    }
-
     /// The spring as a power law; none where it is a curve.
     pub(super) fn spring(&self) -> PowerLaw {
         self.problem.mechanism.spring.power().unwrap_or(PowerLaw::NONE)
@@ -256,7 +251,7 @@ impl<'a> Body<'a> {
             EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
             EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
             EventId::PlateSpeedZero if !self.problem.mechanism.damper.is_singular() => {
-                self.state.plate_m_s = 0.0
+                self.state.plate_m_s = 0.0;
             }
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
             _ => {}

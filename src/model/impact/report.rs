@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::impact::body::MaximumDisplacement;
-use crate::model::impact::contact::PlateResponse;
+use crate::model::impact::problem::PlateResponse;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};

@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 use crate::model::event_function::{ActiveEvents, EventId};
 use crate::model::impact::body::Body;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::record::Record;
+use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::termination::Termination;
@@ -43,7 +43,9 @@ impl<'a> Simulation<'a> {
     pub(super) fn new(problem: &'a Problem, tolerance: f64, keep_series: bool) -> Self {
         Self {
             body: Body::new(problem, tolerance),
-            control: StepControl::new(0.1 * problem.contact_scale_s()),
+            control: StepControl::new(
+                0.1 * (problem.geometry.nose.radius_m / problem.velocity_m_s),
+            ),
             record: Record {
                 keep_series,
                 max_displacement_m: problem.start_m,
@@ -199,13 +201,13 @@ impl<'a> Simulation<'a> {
 
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
-        self.record.point(&self.body.setting(&motion), &self.body.state, true);
+        self.record.point(&Setting { body: &self.body, motion: &motion }, &self.body.state, true);
     }
 
     /// Records the state at the end of a step, put exactly on the event that ended it.
     pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, detected: Option<EventId>) {
         self.reach(state, detected);
-        self.record.point(&self.body.setting(motion), &self.body.state, true);
+        self.record.point(&Setting { body: &self.body, motion }, &self.body.state, true);
     }
 
     /// Takes a state, put exactly on the event that led to it.

@@ -9,6 +9,7 @@
 //! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
 use crate::model::event_function::{EventFunction, EventId};
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::motion::State;
 use crate::model::run::Mode;
@@ -219,7 +220,7 @@ impl Simulation<'_> {
         let Stretch { graded, states, end, detected } = stretch;
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
-        let setting = self.body.setting(motion);
+        let setting = Setting { body: &self.body, motion };
         for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, variable.rate(state)[0] * point.dz);
             if place % DRAWN_EVERY == DRAWN_EVERY / 2 {

@@ -7,6 +7,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
 use crate::model::motion::{Motion, State};
@@ -275,7 +276,7 @@ impl Simulation<'_> {
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
         let record = &mut self.record;
-        let setting = self.body.setting(motion);
+        let setting = Setting { body: &self.body, motion };
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
             record.worked(&setting, &state, h * weight);

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::motion::{Expansion, Motion};
 use crate::model::run::{EndReason, Mode};
@@ -82,7 +83,7 @@ impl Simulation<'_> {
             self.control.unit_s = FIRST_STIFF_STEP * self.body.state.t_s;
             return ControlFlow::Continue(None);
         }
-        self.record.step(&self.body.setting(&motion), &e, span);
+        self.record.step(&Setting { body: &self.body, motion: &motion }, &e, span);
         self.control.unit_s = h * if detected.is_some() { trusted } else { span };
         self.control.steps += 1;
         self.control.stretch_steps += 1;

@@ -81,10 +81,10 @@ macro_rules! kinds {
         })+
 
         /// Adds the rows of one of the two springs.
-        fn add_rows_of<N: Numbered>(rows: &mut Vec<Variable>) {
-            Spring::add_rows::<N>(rows);
-            $($field::$part::add_rows::<N>(rows);)+
-            Wire::add_rows::<N>(rows);
+        fn add_rows_of<const SECOND: bool>(rows: &mut Vec<Variable>) {
+            Spring::add_rows::<Which<SECOND>>(rows);
+            $($field::$part::add_rows::<Which<SECOND>>(rows);)+
+            Wire::add_rows::<Which<SECOND>>(rows);
         }
     };
 }
@@ -286,37 +286,27 @@ impl SpringPart for Wire {
 }
 
 /// One of the two springs, as a type.
-trait Numbered {
-    const WHICH: WhichSpring;
+enum Which<const SECOND: bool> {}
+
+impl<const SECOND: bool> Which<SECOND> {
+    const WHICH: WhichSpring = if SECOND { WhichSpring::Second } else { WhichSpring::First };
 }
 
-enum First {}
-
-enum Second {}
-
-impl Numbered for First {
-    const WHICH: WhichSpring = WhichSpring::First;
-}
-
-impl Numbered for Second {
-    const WHICH: WhichSpring = WhichSpring::Second;
-}
-
-impl<N: Numbered, T: SpringPart> Place<T> for N {
+impl<const SECOND: bool, T: SpringPart> Place<T> for Which<SECOND> {
     const GROUP: Group = Group::Mechanism;
-    const PATH: [&'static str; 2] = [N::WHICH.key(), T::FIELD];
+    const PATH: [&'static str; 2] = [Self::WHICH.key(), T::FIELD];
 
     fn part(scene: &Scene) -> &T {
-        T::of(scene.mechanism.one(N::WHICH))
+        T::of(scene.mechanism.one(Self::WHICH))
     }
 
     fn part_mut(scene: &mut Scene) -> &mut T {
-        T::of_mut(scene.mechanism.one_mut(N::WHICH))
+        T::of_mut(scene.mechanism.one_mut(Self::WHICH))
     }
 
     fn is_listed(scene: &Scene) -> bool {
         let mechanism = &scene.mechanism;
-        mechanism.acts(N::WHICH) && T::matters(mechanism.one(N::WHICH))
+        mechanism.acts(Self::WHICH) && T::matters(mechanism.one(Self::WHICH))
     }
 
     fn is_used(scene: &Scene) -> bool {
@@ -326,13 +316,13 @@ impl<N: Numbered, T: SpringPart> Place<T> for N {
 
 /// Adds the rows of the first spring.
 pub(in crate::model) fn add_first_rows(rows: &mut Vec<Variable>) {
-    add_rows_of::<First>(rows);
+    add_rows_of::<false>(rows);
 }
 
 /// Adds the rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
 pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
     let first = rows.len();
-    add_rows_of::<Second>(rows);
+    add_rows_of::<true>(rows);
     for row in &mut rows[first..] {
         row.own_name = "";
         row.symbol = [row.symbol, WhichSpring::Second.suffix()].concat().leak();
