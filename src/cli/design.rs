@@ -95,16 +95,13 @@ type Formula = (&'static str, f64, &'static str, &'static str);
 fn formulas(scene: &Scene) -> Vec<Formula> {
     let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
     let m_2 = scene.plate_mass_kg();
-    let common = design::inelastic((m, v), (m_2, 0.0));
-    let (back, forward) = design::elastic((m, v), (m_2, 0.0));
+    let common = design::inelastic(m, v, m_2, 0.0);
+    let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = variables_energy_j(scene);
     let spring = design::coil_spring_mass_kg(left + drawn, &Wire::default());
-    let at_one = design::stone_depth_m(
-        (m, v, scene.projectile.tip_radius_m),
-        scene.target.density_kg_m3,
-        1.0,
-    );
+    let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
+    let at_one = design::stone_depth_m(m, v, r, rho, 1.0);
     vec![
         (
             "critical obliquity",

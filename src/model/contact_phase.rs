@@ -168,6 +168,10 @@ impl Phase {
         }
     }
 
+    fn pressure(&self, slip: f64) -> f64 {
+        self.sigma + self.kappa * slip * slip
+    }
+
     /// A time, s, in the problem's own unit.
     pub fn scaled_time(&self, t_s: f64) -> f64 {
         t_s / self.unit_s

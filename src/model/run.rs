@@ -367,7 +367,7 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
-    /// Times the force on the plate changed its sign, twice a swing: steps are due for each.
+    /// Times the force on the plate changed its sign, twice an oscillation: each takes steps.
     pub turns: usize,
     /// Events that changed what the bodies do: contact, interface and stop.
     pub events: usize,

@@ -246,8 +246,8 @@ impl Work<'_> {
         let springless = self.spring().is_absent();
         let is_free = springless && self.scene.mechanism.damper.is_absent();
         let contact_s = self.t_s;
-        let asked_s = self.scene.run.horizon_s;
-        let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
+        let horizon_s = self.scene.run.horizon_s;
+        let until_s = horizon_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
         let dt_s = self.scheme.listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
@@ -285,7 +285,7 @@ impl Work<'_> {
                 self.run.max_plate_displacement_m = Some(self.max_displacement_m);
                 let kind = EventKind::GreatestDisplacement;
                 self.run.events.push(Event { t_s: self.t_s, kind });
-                if asked_s.is_none() {
+                if horizon_s.is_none() {
                     return EndReason::Decided;
                 }
             }

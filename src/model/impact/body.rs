@@ -18,7 +18,7 @@ pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 
 /// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
-const LOCAL: f64 = 1e-4;
+const LOCAL_TOLERANCE: f64 = 1e-4;
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps: their local
 /// tolerance of the scale that matters to the depth.
 const UNRESOLVED_SPEED: f64 = 1e-7;
@@ -227,7 +227,7 @@ impl<'a> Body<'a> {
 
     /// Error that a step may make, relative to the scales.
     pub(super) fn local_tolerance(&self) -> f64 {
-        self.tolerance * LOCAL
+        self.tolerance * LOCAL_TOLERANCE
     }
 
     pub(super) fn project_onto_event(&mut self, event: EventId, before: &State) {

@@ -19,7 +19,7 @@ use crate::numerics::{larger, maximum, smaller};
 
 mod independent_variable;
 
-use independent_variable::{IndependentVariable, Law, Unknowns};
+use independent_variable::{CrossedLaw, IndependentVariable, Unknowns};
 
 /// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a crossing
 /// step, at tolerance 1, and how it falls with the tolerance: two computations do not share their crossing steps, and with them
@@ -74,10 +74,10 @@ impl Simulation<'_> {
         }
         let mechanism = &self.body.problem.mechanism;
         let (spring, damper) = (mechanism.spring.is_singular(), mechanism.damper.is_singular());
-        spring && self.cross_by(Law::Spring) || damper && self.cross_by(Law::Damper)
+        spring && self.cross_by(CrossedLaw::Spring) || damper && self.cross_by(CrossedLaw::Damper)
     }
 
-    fn cross_by(&mut self, law: Law) -> bool {
+    fn cross_by(&mut self, law: CrossedLaw) -> bool {
         let motion = self.body.motion();
         let variable = IndependentVariable::new(law, &motion, self.body.state);
         let room = variable.room(EXCHANGED_PART * self.body.tolerance.powf(EXCHANGED_POWER));
@@ -109,7 +109,7 @@ impl Simulation<'_> {
             return false;
         };
         self.go(variable, &stretch);
-        if variable.law == Law::Damper && stretch.end.plate_m_s == 0.0 {
+        if variable.law == CrossedLaw::Damper && stretch.end.plate_m_s == 0.0 {
             self.turned_round();
         }
         self.apply_detected(stretch.detected);
@@ -181,7 +181,8 @@ impl Simulation<'_> {
     fn unbroken(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let from = variable.now();
         let scale = self.crossing_scale(variable, to - from);
-        let on_stop = variable.law == Law::Damper && variable.motion.stop.stiffness_n_m > 0.0;
+        let on_stop =
+            variable.law == CrossedLaw::Damper && variable.motion.stop.stiffness_n_m > 0.0;
         if on_stop && scale[3] < STOP_PATH_MIN * self.body.state.plate_m.abs() {
             return None;
         }
@@ -205,8 +206,8 @@ impl Simulation<'_> {
         let duration_s = (way / variable.speed()).abs();
         let path_m = self.body.state.travel_m.abs() + self.body.state.slip_m_s.abs() * duration_s;
         let plate = match variable.law {
-            Law::Spring => variable.energy(),
-            Law::Damper => {
+            CrossedLaw::Spring => variable.energy(),
+            CrossedLaw::Damper => {
                 (0.5 * way).abs() * duration_s
                     + self.body.resolved_part() * self.body.state.travel_m.abs()
             }

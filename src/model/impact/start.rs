@@ -49,9 +49,9 @@ impl Simulation<'_> {
             let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
             let damper =
                 if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
-            let left_out = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
+            let omitted_n = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
             let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
-            inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
+            inside && omitted_n * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
         let scale_s = self.body.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
         let mut t_s = FIRST_GUESS * scale_s;

@@ -301,9 +301,9 @@ mod tests {
         drawn.body.state.t_s = 1.25e-4;
         assert_eq!(drawn.finished(), Some(EndReason::Decided));
         let with_horizon = Problem::with("k=0 horizon=1e-3");
-        let mut asked = Simulation::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
-        assert_eq!(asked.finished(), None);
-        assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
+        let mut timed = Simulation::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        assert_eq!(timed.finished(), None);
+        assert!((timed.until_s() / 1e-3 - 1.0).abs() < 1e-12);
     }
 
     /// Both bodies weigh 29.5 g: the interface carries half of the spring's force, whose peak is sqrt(2 E k). Along the cylinder,

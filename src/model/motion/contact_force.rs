@@ -1,6 +1,6 @@
 //! The contact force of each contact model, as a function of travel, slip and time.
 
-use crate::model::contact::{AreaLaw, Nose};
+use crate::model::contact::{AreaLaw, NoseGeometry};
 use crate::model::motion::State;
 use crate::model::scene::Scene;
 
@@ -22,7 +22,7 @@ pub(crate) enum ContactForce {
 /// The flow of the target around the nose: engaged area times pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FlowForce {
-    pub(crate) nose: Nose,
+    pub(crate) nose: NoseGeometry,
     pub(crate) area: AreaLaw,
     pub(crate) pressure: Pressure,
 }

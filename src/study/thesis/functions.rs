@@ -117,8 +117,8 @@ pub(super) static FUNCTIONS: &[Function] = &[
     property("falls", falls),
     property("flattens", flattens),
     // Velocities after an elastic collision at 100 m/s with a plate of some masses of the projectile.
-    of_numbers("elastic_projectile", 1, |it| design::elastic((1.0, 100.0), (it[0], 0.0)).0),
-    of_numbers("elastic_plate", 1, |it| design::elastic((1.0, 100.0), (it[0], 0.0)).1),
+    of_numbers("elastic_projectile", 1, |it| design::elastic(1.0, 100.0, it[0], 0.0)[0]),
+    of_numbers("elastic_plate", 1, |it| design::elastic(1.0, 100.0, it[0], 0.0)[1]),
     // Tate's angle, degrees, of a rod as thick as the thesis's projectile: density, strength, velocity, length.
     of_numbers("ricochet_angle", 4, |it| {
         let rod = Rod {
@@ -131,7 +131,7 @@ pub(super) static FUNCTIONS: &[Function] = &[
         rod.critical_obliquity_deg(2710.0)
     }),
     // Mass, velocity and radius of the projectile, density of the target, parameter c_t.
-    of_numbers("stone_depth", 5, |it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4])),
+    of_numbers("stone_depth", 5, |it| design::stone_depth_m(it[0], it[1], it[2], it[3], it[4])),
     // The least mass of a coil of spring steel that stores some energy, kg.
     of_numbers("coil_mass", 1, |it| design::coil_spring_mass_kg(it[0], &Wire::default())),
     // The beam of Table 9.3.

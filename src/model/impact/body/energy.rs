@@ -45,7 +45,7 @@ impl Body<'_> {
         self.energy_j() + apart_j
     }
 
-    /// Whether what still moves has less energy than rounding leaves of that at the start, squared.
+    /// Whether what still moves has no more energy than [`NO_ENERGY`] of the projectile's at first contact.
     pub(in crate::model::impact) fn has_no_energy(&self) -> bool {
         self.has_less_than(NO_ENERGY)
     }

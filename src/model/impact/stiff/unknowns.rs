@@ -41,9 +41,9 @@ impl<'a> Carrier<'a> {
     }
 
     /// The unknown of an argument, and what rounding has omitted from that.
-    fn unknown(self, z: f64, left_out: f64) -> f64 {
+    fn unknown(self, z: f64, compensation: f64) -> f64 {
         match self {
-            Self::Argument(_, datum) => (z - datum) + left_out,
+            Self::Argument(_, datum) => (z - datum) + compensation,
             Self::Force(law) => law.force(z),
         }
     }
@@ -131,8 +131,8 @@ impl<'a> Unknowns<'a> {
                 // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
                 let by_inertia = law.force(state.plate_m_s + speed);
                 let held_n = larger(drive.abs(), y[3].abs());
-                let rests_on_stop = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
-                stage[3] = if by_inertia * drive > 0.0 { rests_on_stop } else { y[3] };
+                let bounded = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
+                stage[3] = if by_inertia * drive > 0.0 { bounded } else { y[3] };
             }
             stage
         })
