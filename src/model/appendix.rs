@@ -53,6 +53,7 @@ pub struct Scheme {
     /// Of the coupling between force, plate and slip.
     cos: f64,
     start_m: f64,
+    /// `None` when it is rigid.
     plate: Option<Plate>,
 }
 
@@ -122,11 +123,6 @@ impl Scheme {
             start_m: scene.start_m(),
             plate,
         }
-    }
-
-    /// How the plate is carried; `None` when it is rigid.
-    pub fn plate(&self) -> Option<Plate> {
-        self.plate
     }
 
     /// First contact.

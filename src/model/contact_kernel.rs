@@ -12,8 +12,8 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
+use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
-use crate::model::plan::plate_is_fixed;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;

@@ -104,13 +104,13 @@ impl Work<'_> {
     }
 
     fn spring(&self) -> PowerLaw {
-        self.scheme.plate().map_or(PowerLaw::NONE, |plate| plate.spring)
+        self.scheme.plate.map_or(PowerLaw::NONE, |plate| plate.spring)
     }
 
     fn sample(&self, mode: Mode) -> Sample {
         let state = &self.state;
         let (spring, damper) =
-            self.scheme.plate().map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
+            self.scheme.plate.map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
         Sample {
             t_s: self.t_s,
             mode,
@@ -234,7 +234,7 @@ impl Work<'_> {
 
     /// A.5: the plate on its mechanism, with or without the projectile.
     fn afterwards(&mut self, ending: Ending, observer: Observer<'_>) -> EndReason {
-        let Some(plate) = self.scheme.plate() else {
+        let Some(plate) = self.scheme.plate else {
             self.run.max_plate_displacement_m = Some(0.0);
             return EndReason::Decided;
         };
@@ -297,7 +297,7 @@ impl Work<'_> {
         let (m, m_2) = (self.scene.projectile.mass_kg, self.scene.plate_mass_kg());
         let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
         let spring_j = self.spring().integral(x);
-        let sprung = self.scheme.plate().is_some();
+        let sprung = self.scheme.plate.is_some();
         let ledger = &mut self.run.ledger;
         ledger.projectile_j = 0.5 * m * v * v;
         ledger.plate_j = if sprung { 0.5 * m_2 * w * w } else { 0.0 };

@@ -2,11 +2,11 @@
 
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
+use crate::model::fixed_plate::FIXED_MOTION;
 use crate::model::impact::problem::PlateResponse;
 use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::Simulation;
 use crate::model::motion::State;
-use crate::model::plan::FIXED_MOTION;
 use crate::model::run::Mode;
 use crate::numerics::{larger, maximum, smaller};
 

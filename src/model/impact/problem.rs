@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactModel, Scales};
+use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::plan::plate_is_fixed;
 use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
