@@ -25,8 +25,8 @@
 //!      (`impact/taylor.rs`) where the motion is smooth, or `stiff_step` (`impact/stiff.rs`). All step the equations of
 //!      `motion::Motion`, which are one form for every mode and contact model;
 //!    - `Body::active_events` lists what may end the step in the present mode, each as an event function (`event_function.rs`),
-//!      which falls through zero there; the first of them to change its sign is located
-//!      (on implicit and crossing steps by `numerics/event.rs`), and `project_onto_event` puts the state exactly on it;
+//!      which falls through zero there; the first of them to change its sign is located (on implicit and crossing steps by
+//!      `numerics/event.rs`), and `project_onto_event` puts the state exactly on it;
 //!    - `Record` (`impact/record.rs`) keeps the rows, the work done and the greatest forces (`note_extremes`);
 //!    - `apply_transition` lets `handle` (`impact/events.rs`) decide by the contact model which mode follows.
 //! 5. `report::gather` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`]

@@ -12,7 +12,7 @@ use crate::model::contact::Geometry;
 use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
 use crate::model::run::{Mode, Warning};
-use crate::model::scene::{ContactModel as Kind, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::Engineering;
 
 mod flow_strength;
@@ -20,7 +20,7 @@ mod half_sine;
 mod initial_velocity;
 mod lumped;
 
-impl Kind {
+impl ContactModel {
     /// What it is.
     pub fn about(self) -> &'static About {
         match self {
@@ -44,13 +44,13 @@ pub struct About {
     pub limit: &'static str,
     /// Its parameters in a scene, in words; empty if none have to be chosen.
     pub parameters: fn(&Scene) -> String,
-    of: fn(&Scene, &Geometry) -> Arc<dyn ContactModel>,
+    of: fn(&Scene, &Geometry) -> Arc<dyn ContactLaw>,
 }
 
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-pub(super) trait ContactModel: Debug + Send + Sync {
+pub(super) trait ContactLaw: Debug + Send + Sync {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
 
     /// Adds the events that end a mode in which the bodies are not joined.
@@ -106,7 +106,7 @@ pub(super) struct Scales {
     pub(super) force_n: f64,
 }
 
-pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
+pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactLaw> {
     (scene.contact.model.about().of)(scene, geometry)
 }
 

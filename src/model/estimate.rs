@@ -3,17 +3,8 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, Run};
+use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, ResultError, Run};
 use crate::numerics::larger;
-
-/// A relative error estimate of one result.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct QuantityError {
-    /// The result's name.
-    pub name: &'static str,
-    /// The estimate, relative to it.
-    pub relative: f64,
-}
 
 /// Rounding that no second computation can see, relative.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -80,7 +71,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 }
             };
             let relative = difference(value, other, larger(floor, rounding))? * factor;
-            Some(QuantityError { name, relative })
+            Some(ResultError { name, relative })
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.

@@ -61,6 +61,13 @@ pub(crate) struct Motion<'a> {
     pub(crate) side_w: f64,
 }
 
+/// du/dt and dw/dt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Accelerations {
+    pub(crate) slip_m_s2: f64,
+    pub(crate) plate_m_s2: f64,
+}
+
 /// A force whose greatest value is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Force {
@@ -141,19 +148,18 @@ impl Motion<'_> {
         mechanism_n.abs() + 2.0 * (damper_n.abs() + stop_n)
     }
 
-    /// (du/dt, dw/dt), m/s².
-    pub(crate) fn accelerations(&self, state: &State) -> (f64, f64) {
+    pub(crate) fn accelerations(&self, state: &State) -> Accelerations {
         self.response(self.contact_force(state), self.mechanism_force(state))
     }
 
-    /// (du/dt, dw/dt) under these forces F and G of contact and mechanism: linear in both.
+    /// The accelerations under these forces F and G of contact and mechanism: linear in both.
     #[inline]
-    pub(crate) fn response(&self, contact: f64, mechanism: f64) -> (f64, f64) {
+    pub(crate) fn response(&self, contact: f64, mechanism: f64) -> Accelerations {
         let plate = mechanism * self.plate_mobility;
-        (
-            self.coupling * plate - contact * self.slip_mobility,
-            self.coupling * contact * self.plate_mobility - plate,
-        )
+        Accelerations {
+            slip_m_s2: self.coupling * plate - contact * self.slip_mobility,
+            plate_m_s2: self.coupling * contact * self.plate_mobility - plate,
+        }
     }
 
     /// Expand the solution from `state` with the time unit `h`, s.
@@ -277,11 +283,11 @@ impl Motion<'_> {
             (e.contact[j], e.mechanism[j], e.damper[j]) = (f, g, d);
             if j + 1 < N {
                 let per_order = h / (j + 1) as f64;
-                let (slip, plate) = self.response(f, g);
+                let Accelerations { slip_m_s2, plate_m_s2 } = self.response(f, g);
                 e.travel[j + 1] = per_order * e.slip[j];
-                e.slip[j + 1] = per_order * slip;
+                e.slip[j + 1] = per_order * slip_m_s2;
                 e.plate[j + 1] = per_order * e.plate_speed[j];
-                e.plate_speed[j + 1] = per_order * plate;
+                e.plate_speed[j + 1] = per_order * plate_m_s2;
             }
         }
         e
@@ -364,12 +370,12 @@ mod tests {
         let e: Expansion<17> = motion.expand(&state, h);
         for s in [0.0, 0.2, 0.4] {
             let at = e.state(s);
-            let (du, dw) = motion.accelerations(&at);
+            let exact = motion.accelerations(&at);
             let slope = |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
             let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
             assert!((at.t_s - 2e-5 - s * h).abs() < 1e-19, "{s}");
-            assert!(close(slope(&e.slip), du), "{motion:?} {s}");
-            assert!(close(slope(&e.plate_speed), dw), "{motion:?} {s}");
+            assert!(close(slope(&e.slip), exact.slip_m_s2), "{motion:?} {s}");
+            assert!(close(slope(&e.plate_speed), exact.plate_m_s2), "{motion:?} {s}");
             assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
             assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
         }

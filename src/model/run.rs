@@ -7,7 +7,6 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
 
@@ -70,7 +69,7 @@ pub struct Run {
     /// Relative error estimate of the final penetration, and where it comes from.
     pub error_estimate: Option<ErrorEstimate>,
     /// Relative error estimates of the results, each by itself, as far as they exist.
-    pub error_estimates: Vec<QuantityError>,
+    pub error_estimates: Vec<ResultError>,
     /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless requested.
     pub series: Vec<Sample>,
     /// Located events, in order of time.
@@ -262,6 +261,15 @@ pub struct ErrorEstimate {
     pub relative: f64,
     /// How it was obtained.
     pub basis: EstimateBasis,
+}
+
+/// A relative error estimate of one result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResultError {
+    /// The result's name.
+    pub name: &'static str,
+    /// The estimate, relative to it.
+    pub relative: f64,
 }
 
 /// How an error estimate was obtained.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, shown};
+use super::{About, ContactLaw, Hole, Scales, shown};
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
@@ -66,7 +66,7 @@ impl FlowStrength {
     }
 }
 
-impl ContactModel for FlowStrength {
+impl ContactLaw for FlowStrength {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
         let friction_pa = self.grip * self.pressure.strength_pa;
         let pressure = match mode {

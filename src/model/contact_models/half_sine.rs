@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, Values, shown};
+use super::{About, ContactLaw, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, Pulse};
 use crate::model::run::{Mode, Warning};
@@ -45,7 +45,7 @@ impl HalfSine {
     }
 }
 
-impl ContactModel for HalfSine {
+impl ContactLaw for HalfSine {
     fn force(&self, mode: Mode, _hole: &Hole<'_>) -> ContactForce {
         match mode {
             Mode::Penetrating | Mode::Withdrawing => ContactForce::HalfSine(self.pulse),

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales};
+use super::{About, ContactLaw, Hole, Scales};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::ContactForce;
 use crate::model::run::Mode;
@@ -33,7 +33,7 @@ impl InitialVelocity {
     }
 }
 
-impl ContactModel for InitialVelocity {
+impl ContactLaw for InitialVelocity {
     fn force(&self, _mode: Mode, _hole: &Hole<'_>) -> ContactForce {
         ContactForce::None
     }

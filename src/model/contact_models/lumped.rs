@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, Values, shown};
+use super::{About, ContactLaw, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, ElasticForce};
 use crate::model::run::Mode;
@@ -106,7 +106,7 @@ impl Lumped {
     }
 }
 
-impl ContactModel for Lumped {
+impl ContactLaw for Lumped {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
         match mode {
             Mode::Penetrating => ContactForce::Elastic(self.loading()),

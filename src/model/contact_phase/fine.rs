@@ -120,13 +120,13 @@ impl Law {
 }
 
 /// The area law between two joints: a0 + a1 q + a2 q².
-struct Piece {
+struct AreaPiece {
     until_m: Number,
     area: [Number; 3],
 }
 
 struct Problem {
-    pieces: Vec<Piece>,
+    pieces: Vec<AreaPiece>,
     strength_pa: Number,
     drag_kg_m3: Number,
     per_projectile_kg: Number,
@@ -314,7 +314,7 @@ impl Problem {
             if joint > from {
                 let middle = number(0.5) * (from + joint);
                 let until_m = problem.travel_m(joint);
-                problem.pieces.push(Piece { until_m, area: problem.area(r, middle) });
+                problem.pieces.push(AreaPiece { until_m, area: problem.area(r, middle) });
                 from = joint;
             }
         }
@@ -424,7 +424,7 @@ impl Problem {
         (spring, damper): (Law, Law),
         per_plate_kg: Number,
         state: &State,
-        piece: &Piece,
+        piece: &AreaPiece,
         unit_s: f64,
     ) -> [Series; 4] {
         let mut s = [[Number::ZERO; TERMS]; 4];

@@ -255,7 +255,7 @@ impl Simulation<'_> {
         let joined = self.body.mode == Mode::Fused && !self.body.problem.plastic;
         let mass = if joined { self.body.problem.joined_kg } else { self.body.problem.plate_kg };
         let before = self.body.state.plate_m_s;
-        let (_, rate) = self.body.motion().accelerations(&self.body.state);
+        let rate = self.body.motion().accelerations(&self.body.state).plate_m_s2;
         let after = stop.rebound(&Hit {
             velocity: before,
             acceleration: rate,

@@ -4,10 +4,10 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::contact_models::{self, ContactModel, Scales};
+use crate::model::contact_models::{self, ContactLaw, Scales};
 use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -30,7 +30,7 @@ pub(super) struct Problem {
     pub(super) scene: Arc<Scene>,
     pub(super) geometry: Geometry,
     pub(super) mechanism: Mechanism,
-    pub(super) contact: Arc<dyn ContactModel>,
+    pub(super) contact: Arc<dyn ContactLaw>,
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds, kg.
     pub(super) plate_kg: f64,
@@ -114,7 +114,7 @@ impl Problem {
     pub(super) fn of(scene: &Arc<Scene>) -> Self {
         let geometry = Geometry::of(scene);
         let contact = contact_models::of(scene, &geometry);
-        let flows = scene.contact.model == ContactKind::Hydrodynamic;
+        let flows = scene.contact.model == ContactModel::Hydrodynamic;
         let mechanism = Mechanism::of(scene);
         let rigid = scene.is_rigid();
         let cos = geometry.nose.cos;
@@ -179,7 +179,7 @@ impl Problem {
 
     /// Whether the contact is the flow of the target at its strength: the hydrodynamic model.
     pub(super) fn flows(&self) -> bool {
-        self.scene.contact.model == ContactKind::Hydrodynamic
+        self.scene.contact.model == ContactModel::Hydrodynamic
     }
 
     /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.

@@ -242,7 +242,7 @@ impl Simulation<'_> {
         }
         self.control.steps += 1;
         self.control.stretch_steps += 1;
-        self.control.count_turns(motion.accelerations(&self.body.state).1);
+        self.control.count_turns(motion.accelerations(&self.body.state).plate_m_s2);
         let took_s = graded.end[0];
         self.control.unit_s = larger(took_s, f64::MIN_POSITIVE);
         self.arrive(*end, motion, *detected);

@@ -182,13 +182,15 @@ impl Simulation<'_> {
         let noise = ROUNDINGS * plate_noise(motion, e);
         let mut span = span;
         for _ in 0..60 {
-            let (slip, plate) = motion.accelerations(&e.state(span));
+            let at_end = motion.accelerations(&e.state(span));
             let time = span * self.control.unit_s;
             let slip_noise = motion.coupling * noise * time / speed;
             let plate_noise = noise * time / plate_speed;
-            let slip_defect = (slip * time - evaluate_slope(&e.slip, span) * span) / speed;
-            let plate_defect =
-                (plate * time - evaluate_slope(&e.plate_speed, span) * span) / plate_speed;
+            let slip_defect =
+                (at_end.slip_m_s2 * time - evaluate_slope(&e.slip, span) * span) / speed;
+            let plate_defect = (at_end.plate_m_s2 * time
+                - evaluate_slope(&e.plate_speed, span) * span)
+                / plate_speed;
             if slip_defect.abs() <= allowed + slip_noise
                 && plate_defect.abs() <= allowed + plate_noise
             {

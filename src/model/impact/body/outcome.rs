@@ -114,7 +114,7 @@ impl Body<'_> {
         // The plate is driven away from it, ever faster.
         let driven = || mechanism.spring.drives_away(plate_m) == Some(1.0);
         if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
-            return self.motion().accelerations(&self.state).1 >= 0.0;
+            return self.motion().accelerations(&self.state).plate_m_s2 >= 0.0;
         }
         // The projectile flies away, and is already beyond the plate's greatest displacement backwards.
         let back = mechanism.spring.backward(plate_m, energy);

@@ -96,7 +96,7 @@ impl<'a> IndependentVariable<'a> {
                 [1.0 / w, velocity / w, -slowing / w, push * motion.plate_mobility]
             }
             CrossedLaw::Damper => {
-                let (_, a) = motion.accelerations(state);
+                let a = motion.accelerations(state).plate_m_s2;
                 [1.0 / a, velocity / a, -slowing / a, w / a]
             }
         }
@@ -106,7 +106,7 @@ impl<'a> IndependentVariable<'a> {
     pub(super) fn speed(&self) -> f64 {
         match self.law {
             CrossedLaw::Spring => self.from.plate_m_s,
-            CrossedLaw::Damper => self.motion.accelerations(&self.from).1,
+            CrossedLaw::Damper => self.motion.accelerations(&self.from).plate_m_s2,
         }
     }
 
@@ -115,7 +115,7 @@ impl<'a> IndependentVariable<'a> {
     pub(super) fn room(&self, part: f64) -> f64 {
         let motion = self.motion;
         let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
-        let (_, a) = motion.accelerations(&self.from);
+        let a = motion.accelerations(&self.from).plate_m_s2;
         match (self.law, motion.spring) {
             (CrossedLaw::Spring, Elastic::Power(spring)) => {
                 let kinetic = 0.5 * w * w;
