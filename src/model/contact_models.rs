@@ -57,7 +57,9 @@ pub(super) trait ContactLaw: Debug + Send + Sync {
     fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
 
     /// The mode after common velocity is reached.
-    fn at_common_velocity(&self) -> Mode;
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Fused
+    }
 
     /// The mode of a projectile that goes deeper again after it was on its way out.
     fn turned_forward(&self) -> Mode {
@@ -73,10 +75,14 @@ pub(super) trait ContactLaw: Debug + Send + Sync {
     }
 
     /// Travel that stands for the hole's depth, m; `None` where the model knows none.
-    fn hole_m(&self, deepest_m: f64) -> Option<f64>;
+    fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
+        None
+    }
 
     /// The same on a rigid mount, m.
-    fn hole_on_rigid_mount_m(&self) -> Option<f64>;
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        None
+    }
 
     /// Energy in a contact that comes to rest without joining the bodies, J.
     fn stored_j(&self, _mode: Mode, _hole: &Hole<'_>) -> Option<f64> {

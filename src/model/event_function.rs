@@ -102,6 +102,10 @@ impl ActiveEvents {
 }
 
 impl EventFunction {
+    pub(super) fn time_up_to(end_s: f64) -> Self {
+        Self { offset: end_s, time: -1.0, ..Self::default() }
+    }
+
     pub(super) fn travel_up_to(place_m: f64) -> Self {
         Self { offset: place_m, travel: -1.0, ..Self::default() }
     }

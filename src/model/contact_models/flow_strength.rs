@@ -110,10 +110,6 @@ impl ContactLaw for FlowStrength {
         }
     }
 
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Fused
-    }
-
     fn scales(&self) -> Scales {
         self.scales
     }

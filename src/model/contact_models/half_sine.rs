@@ -59,9 +59,7 @@ impl ContactLaw for HalfSine {
             Mode::Withdrawing => -1.0,
             _ => return,
         };
-        let end =
-            EventFunction { offset: self.pulse.duration_s, time: -1.0, ..EventFunction::default() };
-        events.add(EventId::HistoryEnd, end);
+        events.add(EventId::HistoryEnd, EventFunction::time_up_to(self.pulse.duration_s));
         // On a plate that stays still it is at the end of the history, where the slip is quadratic in time.
         if !hole.still {
             events.add(EventId::SlipZero, EventFunction::slip(forwards));

@@ -39,6 +39,11 @@ impl NearZero {
         Self { side: if z < 0.0 { -1.0 } else { 1.0 }, omitted: false, clear: 0.0 }
     }
 
+    /// Restores the law on the side of its argument.
+    pub(super) fn restore(&mut self, z: f64) {
+        (self.side, self.omitted) = (side(z, self.side), false);
+    }
+
     /// Takes the side of an argument that is resolved, and restores the law once the argument is clear of zero.
     fn leave(&mut self, z: f64, resolved: f64) {
         let is_clear = self.omitted && z.abs() > self.clear;
@@ -93,7 +98,12 @@ impl<'a> Body<'a> {
             plate_m: problem.start_m,
             plate_m_s: 0.0,
         };
-        let pull = -problem.mechanism.spring.force(problem.start_m);
+        let (spring, x) = (&problem.mechanism.spring, problem.start_m);
+        let pull = -spring.force(x);
+        // The stretch into which the plate starts to move.
+        let region = spring
+            .curve()
+            .map_or(0, |curve| if pull < 0.0 { curve.region_below(x) } else { curve.region(x) });
         Self {
             problem,
             state,
@@ -111,7 +121,7 @@ impl<'a> Body<'a> {
             x_zero: NearZero::on_side_of(problem.start_m),
             w_zero: NearZero::on_side_of(pull),
             compensation_m: 0.0,
-            region: first_region(problem, pull),
+            region,
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,
             yields_since_deeper: 0,
@@ -268,16 +278,6 @@ impl<'a> Body<'a> {
             self.yields_since_deeper += 1;
         }
     }
-}
-
-/// The stretch of the spring's curve into which the plate starts to move.
-fn first_region(problem: &Problem, pull_n: f64) -> usize {
-    let x = problem.start_m;
-    problem
-        .mechanism
-        .spring
-        .curve()
-        .map_or(0, |curve| if pull_n < 0.0 { curve.region_below(x) } else { curve.region(x) })
 }
 
 /// The side of zero of a number, or `other` for zero itself.

@@ -36,14 +36,8 @@ impl Simulation<'_> {
             EventId::KnotAhead => self.body.region += 1,
             EventId::KnotBehind => self.body.region -= 1,
             EventId::PlateSpeedZero => self.plate_speed_zero(),
-            EventId::PlateClear => {
-                self.body.x_zero.omitted = false;
-                self.body.x_zero.side = side(self.body.state.plate_m, self.body.x_zero.side);
-            }
-            EventId::PlateSpeedClear => {
-                self.body.w_zero.omitted = false;
-                self.body.w_zero.side = side(self.body.state.plate_m_s, self.body.w_zero.side);
-            }
+            EventId::PlateClear => self.body.x_zero.restore(self.body.state.plate_m),
+            EventId::PlateSpeedClear => self.body.w_zero.restore(self.body.state.plate_m_s),
             EventId::StopReached => self.hit_stop(),
             EventId::StopCleared => self.body.stop_touches = false,
             // Behind its place there is nothing to press on.
@@ -216,14 +210,14 @@ impl Simulation<'_> {
             self.control.stiff = true;
             self.control.unit_s = UNRESOLVED_STEP * self.body.state.t_s;
         } else {
-            self.omit_spring();
+            self.control.shorten_unit(self.body.omit_spring());
         }
     }
 
     fn plate_speed_zero(&mut self) {
         if self.body.problem.mechanism.damper.is_singular() && !self.control.stiff {
             self.note_greatest_displacement();
-            self.omit_damper();
+            self.control.shorten_unit(self.body.omit_damper());
         } else {
             self.turned_round();
         }

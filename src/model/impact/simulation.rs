@@ -137,16 +137,6 @@ impl<'a> Simulation<'a> {
         if is_complete { EndReason::Decided } else { reason }
     }
 
-    pub(super) fn omit_spring(&mut self) {
-        let crossing_s = self.body.omit_spring();
-        self.control.shorten_unit(crossing_s);
-    }
-
-    pub(super) fn omit_damper(&mut self) {
-        let crossing_s = self.body.omit_damper();
-        self.control.shorten_unit(crossing_s);
-    }
-
     /// A singular law exactly at its zero cannot be expanded: leave it out until it has left zero.
     fn keep_off_singularities(&mut self) {
         if self.body.is_still() || self.control.stiff {
@@ -154,10 +144,10 @@ impl<'a> Simulation<'a> {
         }
         let mechanism = &self.body.problem.mechanism;
         if mechanism.spring.is_singular() && self.body.state.plate_m == 0.0 {
-            self.omit_spring();
+            self.control.shorten_unit(self.body.omit_spring());
         }
         if mechanism.damper.is_singular() && self.body.state.plate_m_s == 0.0 {
-            self.omit_damper();
+            self.control.shorten_unit(self.body.omit_damper());
         }
     }
 
