@@ -24,6 +24,27 @@ mod table;
 pub use beam::Beam;
 pub use table::Table;
 
+/// Says where a part of a spring stands: the end of the key of its table, its place, and when a spring needs it.
+macro_rules! spring_part {
+    ($part:ty, $key:expr, |$spring:ident| $place:expr $(, $matters:expr)?) => {
+        impl SpringPart for $part {
+            const FIELD: &'static str = $key;
+
+            fn of($spring: &Spring) -> &Self {
+                &$place
+            }
+
+            fn of_mut($spring: &mut Spring) -> &mut Self {
+                &mut $place
+            }
+
+            $(fn matters($spring: &Spring) -> bool {
+                $matters
+            })?
+        }
+    };
+}
+
 /// Defines the spring and the kinds in the order of lists. A line has the module of a kind, its parameters, and the kind, or those
 /// of the same parameters, with the words for files and screens.
 macro_rules! kinds {
@@ -64,20 +85,9 @@ macro_rules! kinds {
             }
         }
 
-        $(impl SpringPart for $field::$part {
-            const FIELD: &'static str = concat!(".", stringify!($field));
-
-            fn of(spring: &Spring) -> &Self {
-                &spring.$field
-            }
-
-            fn of_mut(spring: &mut Spring) -> &mut Self {
-                &mut spring.$field
-            }
-
-            fn matters(spring: &Spring) -> bool {
-                matches!(spring.kind, $(SpringKind::$kind)|+)
-            }
+        $(spring_part! {
+            $field::$part, concat!(".", stringify!($field)), |spring| spring.$field,
+            matches!(spring.kind, $(SpringKind::$kind)|+)
         })+
 
         /// Adds the rows of one of the two springs.
@@ -250,39 +260,15 @@ trait SpringPart {
     fn of_mut(spring: &mut Spring) -> &mut Self;
 
     /// Whether a spring needs it.
-    fn matters(spring: &Spring) -> bool;
-}
-
-impl SpringPart for Spring {
-    const FIELD: &'static str = "";
-
-    fn of(spring: &Spring) -> &Self {
-        spring
-    }
-
-    fn of_mut(spring: &mut Spring) -> &mut Self {
-        spring
-    }
-
     fn matters(_: &Spring) -> bool {
         true
     }
 }
 
-impl SpringPart for Wire {
-    const FIELD: &'static str = ".wire";
-
-    fn of(spring: &Spring) -> &Self {
-        &spring.wire
-    }
-
-    fn of_mut(spring: &mut Spring) -> &mut Self {
-        &mut spring.wire
-    }
-
-    fn matters(spring: &Spring) -> bool {
-        spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
-    }
+spring_part!(Spring, "", |spring| *spring);
+spring_part! {
+    Wire, ".wire", |spring| spring.wire,
+    spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
 }
 
 /// One of the two springs, as a type.
