@@ -240,7 +240,7 @@ fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> 
     let rows = [
         (problem.rigid, "plate motion"),
         (spring.is_absent(), "spring"),
-        (damper.kind() == PowerKind::Absent, "damper"),
+        (damper.is_absent(), "damper"),
         (problem.mechanism.stop.is_none(), "stop"),
         (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
         (whole(damper.kind()), "damper power function"),
