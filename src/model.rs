@@ -2,8 +2,8 @@
 //!
 //! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors corrected; the
 //! assumptions beyond it are named where they are made. SI units throughout; every physical field's name ends in its unit.
-//! **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure function of its arguments; nothing
-//! but `Err` for a scene that cannot start is refused.
+//! **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure function of its arguments; a scene
+//! that makes no physical sense is refused with an `Err`, and whatever goes wrong later is reported in the result.
 //!
 //! # How one run goes from a scene to its result
 //!

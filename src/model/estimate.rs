@@ -75,11 +75,11 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
-    let judged = match run.outcome {
+    let main_result = match run.outcome {
         Outcome::Perforated => "exit_time_s",
         Outcome::Arrested | Outcome::Separated | Outcome::Moving => "final_penetration_m",
     };
-    let found = run.error_estimates.iter().find(|error| error.name == judged);
+    let found = run.error_estimates.iter().find(|error| error.name == main_result);
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
 }
 
