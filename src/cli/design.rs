@@ -100,18 +100,15 @@ struct Formula {
 fn formulas(scene: &Scene) -> Vec<Formula> {
     let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
     let m_2 = scene.plate_mass_kg();
-    let common = design::inelastic((m, v), (m_2, 0.0));
-    let (back, forward) = design::elastic((m, v), (m_2, 0.0));
+    let common = design::inelastic(m, v, m_2, 0.0);
+    let [back, forward] = design::elastic(m, v, m_2, 0.0);
     let left = 0.5 * (m + m_2) * common * common;
     let drawn = variables_energy_j(scene);
     let spring = design::coil_spring_mass_kg(left + drawn, &Wire::default());
-    let at_one = design::stone_depth_m(
-        (m, v, scene.projectile.tip_radius_m),
-        scene.target.density_kg_m3,
-        1.0,
-    );
+    let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
+    let at_one = design::stone_depth_m(m, v, r, rho, 1.0);
     let formula = |name, value, unit, source| Formula { name, value, unit, source };
-    let critical_deg = design::Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
+    let critical_deg = design::Rod::of(scene).critical_obliquity_deg(rho);
     let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
     let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
     let coil = "4 rho G U/tau^2, 700 MPa, section 9.5.1";

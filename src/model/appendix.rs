@@ -8,7 +8,7 @@
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
+use crate::model::scene::{Jumps, Listing, Reading, Scene};
 
 pub(super) mod listing;
 
@@ -53,6 +53,7 @@ pub struct Scheme {
     /// Of the coupling between force, plate and slip.
     cos: f64,
     start_m: f64,
+    /// `None` when it is rigid.
     plate: Option<Plate>,
 }
 
@@ -106,7 +107,7 @@ impl Scheme {
     /// The scheme of a valid scene under one reading of the listing.
     pub fn of(scene: &Scene, listing: Listing) -> Self {
         let faces = Faces::of(scene);
-        let plate = (scene.plate.mount == Mount::Sprung).then(|| plate_of(scene, listing.damper));
+        let plate = (!scene.is_rigid()).then(|| plate_of(scene, listing.damper));
         Self {
             listing,
             faces,
@@ -119,14 +120,9 @@ impl Scheme {
                 Reading::Printed => 1.0,
                 Reading::Corrected => faces.cos,
             },
-            start_m: if plate.is_some() { 0.0 - scene.plate.cocking_m } else { 0.0 },
+            start_m: scene.start_m(),
             plate,
         }
-    }
-
-    /// How the plate is carried; `None` when it is rigid.
-    pub fn plate(&self) -> Option<Plate> {
-        self.plate
     }
 
     /// First contact.

@@ -21,7 +21,7 @@ const NORMAL_BELOW: f64 = 1e-7;
 
 /// The nose and the plate's thickness as seen along the projectile's axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nose {
+pub struct NoseGeometry {
     /// R, m.
     pub radius_m: f64,
     /// sin(theta).
@@ -37,7 +37,7 @@ const PIECES_MAX: usize = 6;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
     /// The nose.
-    pub nose: Nose,
+    pub nose: NoseGeometry,
     /// `h_e` = h / cos(theta), m.
     pub thickness_m: f64,
     /// Depth gained per travel up to `bend_m`.
@@ -49,13 +49,13 @@ pub struct Geometry {
     /// Travel at which the nose is clear of the rear face, m.
     pub exit_m: f64,
     /// The first `count` are in use; fixed room, so that a sweep prepares a contact without allocating.
-    pieces: [Piece; PIECES_MAX],
+    pieces: [AreaPiece; PIECES_MAX],
     count: usize,
 }
 
 /// A stretch of travel on which the area is one analytic function.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct AreaPiece {
     /// Travel at which it begins, m.
     pub from_m: f64,
     /// Travel at which it ends, m.
@@ -123,7 +123,7 @@ impl Joints {
     }
 }
 
-impl Nose {
+impl NoseGeometry {
     /// The nose of a scene's projectile.
     pub fn of(scene: &Scene) -> Self {
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
@@ -167,7 +167,7 @@ impl Nose {
     }
 
     /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + asin-free remainder; see [`Nose::fullness`] for phi.
+    /// centre over R, A/R² = cos (1 - kappa²) phi + asin-free remainder; see [`NoseGeometry::fullness`] for phi.
     fn partial_m2(&self, p_m: f64) -> f64 {
         let r = self.radius_m;
         let kappa = 1.0 - p_m * self.cos / r;
@@ -188,7 +188,7 @@ impl Nose {
 impl Geometry {
     /// The geometry of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let nose = Nose::of(scene);
+        let nose = NoseGeometry::of(scene);
         let thickness_m = scene.effective_thickness_m();
         let lag_m = if scene.target.dishing { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
@@ -201,7 +201,7 @@ impl Geometry {
             bend_m,
             lag_m,
             exit_m: exit_depth + lag_m,
-            pieces: [Piece { from_m: 0.0, to_m: 0.0, law: AreaLaw::None }; PIECES_MAX],
+            pieces: [AreaPiece { from_m: 0.0, to_m: 0.0, law: AreaLaw::None }; PIECES_MAX],
             count: 0,
         };
         geometry.cut();
@@ -224,21 +224,26 @@ impl Geometry {
     }
 
     /// The pieces in order, from zero travel to the exit.
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[AreaPiece] {
         &self.pieces[..self.count]
     }
 
     /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
-    pub fn piece(&self, q_m: f64) -> Piece {
+    pub fn piece(&self, q_m: f64) -> AreaPiece {
         if q_m < 0.0 {
-            return Piece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
+            return AreaPiece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
         }
         let found = self.pieces().iter().find(|piece| q_m < piece.to_m);
-        found.copied().unwrap_or(Piece {
+        found.copied().unwrap_or(AreaPiece {
             from_m: self.exit_m,
             to_m: f64::INFINITY,
             law: AreaLaw::None,
         })
+    }
+
+    /// The piece that holds just before travel `q_m`, for a projectile that is pulled out.
+    pub fn piece_behind(&self, q_m: f64) -> Option<&AreaPiece> {
+        self.pieces().iter().rev().find(|piece| piece.from_m < q_m)
     }
 
     /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
@@ -274,10 +279,10 @@ impl Geometry {
         if self.nose.is_normal() {
             // Tip and cylinder are met at one and the same depth.
             let r = joints.cap_to_m;
-            self.cut_at(&joints, &[0.0, smaller(r, h), larger(r, h), end]);
+            self.cut_at(&joints, &[smaller(r, h), larger(r, h), end]);
         } else {
             let (r, f) = (joints.cap_to_m, joints.full_from_m);
-            let mut depths = [0.0, r, f, h, h + r, h + f, end];
+            let mut depths = [r, f, h, h + r, h + f, end];
             depths.sort_unstable_by(f64::total_cmp);
             self.cut_at(&joints, &depths);
         }
@@ -285,11 +290,11 @@ impl Geometry {
 
     fn cut_at(&mut self, joints: &Joints, depths: &[f64]) {
         let mut from_m = 0.0;
-        for depth in &depths[1..] {
+        for depth in depths {
             let to_m = self.travel_m(*depth);
             if to_m > from_m {
                 let law = self.law(joints, from_m, to_m);
-                self.pieces[self.count] = Piece { from_m, to_m, law };
+                self.pieces[self.count] = AreaPiece { from_m, to_m, law };
                 self.count += 1;
                 from_m = to_m;
             }
@@ -336,9 +341,9 @@ impl Geometry {
     }
 }
 
-impl Piece {
+impl AreaPiece {
     /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`.
-    fn travel_at_volume_m(&self, nose: &Nose, volume_m3: f64, whole_m3: f64) -> f64 {
+    fn travel_at_volume_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
         if let Some([c1, c2, c3]) = self.law.ahead(self.from_m) {
             return self.from_m + rise(&[0.0, c1, c2, c3], volume_m3, self.to_m - self.from_m);
         }
@@ -346,7 +351,7 @@ impl Piece {
     }
 
     /// The same for any area: Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
-    fn travel_by_newton_m(&self, nose: &Nose, volume_m3: f64, whole_m3: f64) -> f64 {
+    fn travel_by_newton_m(&self, nose: &NoseGeometry, volume_m3: f64, whole_m3: f64) -> f64 {
         let (mut low, mut high) = (self.from_m, self.to_m);
         let mut q = low + (high - low) * (volume_m3 / whole_m3);
         for _ in 0..100 {
@@ -367,13 +372,13 @@ impl Piece {
     }
 
     /// Integral of the area from `from_m` to `to_m` within the piece, m³.
-    pub fn swept_m3(&self, nose: &Nose, from_m: f64, to_m: f64) -> f64 {
+    pub fn swept_m3(&self, nose: &NoseGeometry, from_m: f64, to_m: f64) -> f64 {
         self.swept_before_m3(nose, to_m, to_m - from_m)
     }
 
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
     #[inline]
-    pub fn swept_before_m3(&self, nose: &Nose, to_m: f64, width: f64) -> f64 {
+    pub fn swept_before_m3(&self, nose: &NoseGeometry, to_m: f64, width: f64) -> f64 {
         if let Some([c1, c2, c3]) = self.law.behind(to_m) {
             return width * (c1 + width * (c2 + width * c3));
         }
@@ -381,7 +386,7 @@ impl Piece {
     }
 
     /// The same for any area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
-    fn swept_by_rule_m3(&self, nose: &Nose, from_m: f64, width: f64) -> f64 {
+    fn swept_by_rule_m3(&self, nose: &NoseGeometry, from_m: f64, width: f64) -> f64 {
         gauss(0.0, 1.0, 2, |s| {
             let q_m = from_m + width * s * s * (3.0 - 2.0 * s);
             self.law.area_m2(nose, q_m) * width * 6.0 * s * (1.0 - s)
@@ -405,7 +410,7 @@ impl AreaLaw {
     }
 
     /// The area at travel `q_m`, m².
-    pub fn area_m2(&self, nose: &Nose, q_m: f64) -> f64 {
+    pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
             Self::None => 0.0,
             Self::Quadratic { origin_m, a } => {
@@ -425,13 +430,13 @@ mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
-    fn nose(degrees: f64) -> Nose {
+    fn nose(degrees: f64) -> NoseGeometry {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
-        Nose { radius_m: 0.00635, sin, cos }
+        NoseGeometry { radius_m: 0.00635, sin, cos }
     }
 
     /// Projected area by counting points of the disk whose surface point lies behind the face.
-    fn brute_force(nose: &Nose, p: f64) -> f64 {
+    fn brute_force(nose: &NoseGeometry, p: f64) -> f64 {
         let (r, n) = (nose.radius_m, 2000);
         let mut count = 0u32;
         for i in 0..n {

@@ -11,9 +11,9 @@
 //! [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
-use crate::model::contact::{AreaLaw, Geometry, Piece};
+use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
+use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
-use crate::model::plan::plate_is_fixed;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
@@ -62,11 +62,11 @@ const TERMS: usize = 14;
 const TERMS_TIGHT: usize = 18;
 const LOOSE: f64 = 3e-6;
 const TIGHT: f64 = 3e-10;
-/// How tight a singular start of such a plate can be made.
+/// How tight a singular start of a plate on the slow manifold of its spring can be made.
 const MANIFOLD_TOLERANCE_MIN: f64 = 1e-11;
 /// Part of the force that is reached at least, if it grew as at first contact.
 const GROWN_PART: f64 = 0.3;
-/// The least part of a tolerance that is used for the plate's sake: less drowns in rounding.
+/// The least part of a tolerance that is used for the plate's sake: less is within rounding.
 const PLATE_TOLERANCE_MIN: f64 = 1e-4;
 /// First unit of a graded clock, relative to where it starts.
 const GRADED_UNIT: f64 = 0.6;
@@ -181,8 +181,8 @@ impl Contact {
         if !moves || self.spring.is_absent() || self.spring_manifold().is_some() {
             return None;
         }
-        let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
-        Some(larger(smaller(share, 1.0), PLATE_TOLERANCE_MIN))
+        let fraction = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
+        Some(larger(smaller(fraction, 1.0), PLATE_TOLERANCE_MIN))
     }
 
     /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
@@ -315,7 +315,7 @@ impl Contact {
 
     /// How fast the contact force grows at first contact, N/s.
     fn growth_n_s(&self) -> Option<f64> {
-        let Piece { law: AreaLaw::Quadratic { a, .. }, .. } = self.geometry.pieces().first()?
+        let AreaPiece { law: AreaLaw::Quadratic { a, .. }, .. } = self.geometry.pieces().first()?
         else {
             return None;
         };

@@ -12,7 +12,7 @@ use crate::model::contact::Geometry;
 use crate::model::event_function::ActiveEvents;
 use crate::model::motion::{ContactForce, State};
 use crate::model::run::{Mode, Warning};
-use crate::model::scene::{ContactModel as Kind, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::engineering;
 
 mod flow_strength;
@@ -20,39 +20,18 @@ mod half_sine;
 mod initial_velocity;
 mod lumped;
 
-/// Passes the table of contact models to a macro: the name of each, its word in files and on screens, and what it is.
-macro_rules! contact_models {
-    ($then:ident) => {
-        $then! {
-            /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-            #[default]
-            Hydrodynamic = "hydrodynamic", flow_strength::ABOUT;
-            /// A prescribed half-sine force history, equation 8.9.
-            HalfSine = "half-sine", half_sine::ABOUT;
-            /// A perfectly inelastic collision at once, equation 8.11.
-            InitialVelocity = "initial-velocity", initial_velocity::ABOUT;
-            /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
-            Lumped = "lumped", lumped::ABOUT;
-            /// The listing of Appendix A.
-            Appendix = "appendix", flow_strength::APPENDIX;
+impl ContactModel {
+    /// What it is.
+    pub fn about(self) -> &'static About {
+        match self {
+            Self::Hydrodynamic => &flow_strength::ABOUT,
+            Self::HalfSine => &half_sine::ABOUT,
+            Self::InitialVelocity => &initial_velocity::ABOUT,
+            Self::Lumped => &lumped::ABOUT,
+            Self::Appendix => &flow_strength::APPENDIX,
         }
-    };
+    }
 }
-pub(in crate::model) use contact_models;
-
-macro_rules! about {
-    ($($(#[$doc:meta])* $kind:ident = $word:literal, $about:path;)+) => {
-        impl Kind {
-            /// What it is.
-            pub fn about(self) -> &'static About {
-                match self {
-                    $(Self::$kind => &$about,)+
-                }
-            }
-        }
-    };
-}
-contact_models!(about);
 
 /// What a contact model is.
 #[derive(Debug)]
@@ -65,20 +44,22 @@ pub struct About {
     pub limit: &'static str,
     /// Its parameters in a scene, in words; empty if none have to be chosen.
     pub parameters: fn(&Scene) -> String,
-    of: fn(&Scene, &Geometry) -> Arc<dyn ContactModel>,
+    of: fn(&Scene, &Geometry) -> Arc<dyn ContactLaw>,
 }
 
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-pub(super) trait ContactModel: Debug + Send + Sync {
+pub(super) trait ContactLaw: Debug + Send + Sync {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
 
     /// Adds the events that end a mode in which the bodies are not joined.
     fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
 
     /// The mode after common velocity is reached.
-    fn at_common_velocity(&self) -> Mode;
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Fused
+    }
 
     /// The mode of a projectile that goes deeper again after it was on its way out.
     fn turned_forward(&self) -> Mode {
@@ -94,10 +75,14 @@ pub(super) trait ContactModel: Debug + Send + Sync {
     }
 
     /// Travel that stands for the hole's depth, m; `None` where the model knows none.
-    fn hole_m(&self, deepest_m: f64) -> Option<f64>;
+    fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
+        None
+    }
 
     /// The same on a rigid mount, m.
-    fn hole_on_rigid_mount_m(&self) -> Option<f64>;
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        None
+    }
 
     /// Energy in a contact that comes to rest without joining the bodies, J.
     fn stored_j(&self, _mode: Mode, _hole: &Hole<'_>) -> Option<f64> {
@@ -127,7 +112,7 @@ pub(super) struct Scales {
     pub(super) force_n: f64,
 }
 
-pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
+pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactLaw> {
     (scene.contact.model.about().of)(scene, geometry)
 }
 

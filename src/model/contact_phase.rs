@@ -12,7 +12,7 @@
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::mechanism::{self, Mechanism, PowerLaw, moving_plate_kg};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use crate::model::worded::worded;
 use crate::numerics::stepper::{Count, Start, Stepper};
 use section::Faces;
@@ -146,7 +146,7 @@ impl Phase {
             scene.projectile.velocity_m_s,
             scene.projectile.mass_kg,
         );
-        let rigid = scene.plate.mount == Mount::Rigid;
+        let rigid = scene.is_rigid();
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
         let damper = scene.mechanism.damper.law();
@@ -163,9 +163,13 @@ impl Phase {
                 coefficient: damper.coefficient * v.powf(damper.exponent) / unit_n,
                 exponent: damper.exponent,
             },
-            start_x: if rigid { 0.0 } else { -scene.plate.cocking_m / r },
+            start_x: scene.start_m() / r,
             wall: Wall::of(&scene.mechanism.stop, r, v, unit_n).filter(|_| !rigid),
         }
+    }
+
+    fn pressure(&self, slip: f64) -> f64 {
+        self.sigma + self.kappa * slip * slip
     }
 
     /// A time, s, in the problem's own unit.

@@ -47,7 +47,9 @@ impl Rod {
 /// Stone's depth of a blunt projectile in a thick slab, m; thesis equation 2.4. `target_m2_s2` is `c_t`: for the formula to
 /// give a length it must be the square of a speed, although the thesis calls it a property of the material.
 pub fn stone_depth_m(
-    (mass_kg, velocity_m_s, radius_m): (f64, f64, f64),
+    mass_kg: f64,
+    velocity_m_s: f64,
+    radius_m: f64,
     target_density_kg_m3: f64,
     target_m2_s2: f64,
 ) -> f64 {
@@ -56,14 +58,14 @@ pub fn stone_depth_m(
     per_area * 2.0 / (target_density_kg_m3 * target_m2_s2)
 }
 
-/// Velocities after a perfectly elastic collision of two bodies (mass, velocity).
-pub fn elastic((m_a, v_a): (f64, f64), (m_b, v_b): (f64, f64)) -> (f64, f64) {
-    let centre = (m_a * v_a + m_b * v_b) / (m_a + m_b);
-    (2.0 * centre - v_a, 2.0 * centre - v_b)
+/// Velocities of two bodies after a perfectly elastic collision.
+pub fn elastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> [f64; 2] {
+    let centre = inelastic(m_a, v_a, m_b, v_b);
+    [2.0 * centre - v_a, 2.0 * centre - v_b]
 }
 
 /// The common velocity after a perfectly inelastic one; thesis equation 2.2.
-pub fn inelastic((m_a, v_a): (f64, f64), (m_b, v_b): (f64, f64)) -> f64 {
+pub fn inelastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> f64 {
     (m_a * v_a + m_b * v_b) / (m_a + m_b)
 }
 
@@ -83,13 +85,13 @@ mod tests {
         for (m_a, v_a, m_b, v_b) in
             [(1.0, 10.0, 1.0, 0.0), (0.03, 100.0, 0.2, -5.0), (4.0, 1.0, 0.5, 3.0)]
         {
-            let (w_a, w_b) = elastic((m_a, v_a), (m_b, v_b));
+            let [w_a, w_b] = elastic(m_a, v_a, m_b, v_b);
             assert!((m_a * (w_a - v_a) + m_b * (w_b - v_b)).abs() < 1e-12);
             let energy = m_a * (w_a * w_a - v_a * v_a) + m_b * (w_b * w_b - v_b * v_b);
             assert!(energy.abs() < 1e-10);
             assert!(((v_a - v_b) - (w_b - w_a)).abs() < 1e-12);
         }
-        assert!((inelastic((1.0, 100.0), (1.0, 0.0)) - 50.0).abs() < 1e-12);
+        assert!((inelastic(1.0, 100.0, 1.0, 0.0) - 50.0).abs() < 1e-12);
     }
 
     #[test]
@@ -112,7 +114,7 @@ mod tests {
         assert!((tangent(&faster) / tangent(&rod) - 4.0).abs() < 1e-9);
         let stronger = Rod { strength_pa: 8e9, ..rod };
         assert!((tangent(&rod) / tangent(&stronger) - 2.0).abs() < 1e-9);
-        let depth = |v: f64, r: f64| stone_depth_m((0.03, v, r), 2710.0, 1e6);
+        let depth = |v: f64, r: f64| stone_depth_m(0.03, v, r, 2710.0, 1e6);
         assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
         assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);
         let oblique = crate::model::variables::scene_with("h=0.02 theta=60deg");

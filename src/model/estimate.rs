@@ -3,17 +3,8 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, Run};
+use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, ResultError, Run};
 use crate::numerics::larger;
-
-/// A relative error estimate of one result.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct QuantityError {
-    /// The result's name.
-    pub name: &'static str,
-    /// The estimate, relative to it.
-    pub relative: f64,
-}
 
 /// Rounding that no second computation can see, relative.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -47,8 +38,8 @@ const ESTIMATED: [Estimated; 13] = [
     ("stroke_m", Scale::CockingDistance, Run::stroke_m),
     ("residual_velocity_m_s", Scale::LimitVelocity, |run| run.residual_velocity_m_s),
     ("exit_time_s", Scale::LimitVelocity, |run| run.exit_time_s),
-    ("separation_time_s", Scale::Own, |run| Some(run.separation?.0)),
-    ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.1)),
+    ("separation_time_s", Scale::Own, |run| Some(run.separation?.t_s)),
+    ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.velocity_m_s)),
     ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
 ];
 
@@ -76,19 +67,19 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 }
                 Scale::CockingDistance => {
                     let shared = larger(ROUNDING, SHARED * run.scene.run.tolerance);
-                    shared * run.start_m().abs() / other.abs()
+                    shared * run.scene.start_m().abs() / other.abs()
                 }
             };
             let relative = difference(value, other, larger(floor, rounding))? * factor;
-            Some(QuantityError { name, relative })
+            Some(ResultError { name, relative })
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
-    let judged = match run.outcome {
+    let main_result = match run.outcome {
         Outcome::Perforated => "exit_time_s",
         Outcome::Arrested | Outcome::Separated | Outcome::Moving => "final_penetration_m",
     };
-    let found = run.error_estimates.iter().find(|error| error.name == judged);
+    let found = run.error_estimates.iter().find(|error| error.name == main_result);
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
 }
 

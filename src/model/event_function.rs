@@ -102,6 +102,10 @@ impl ActiveEvents {
 }
 
 impl EventFunction {
+    pub(super) fn time_up_to(end_s: f64) -> Self {
+        Self { offset: end_s, time: -1.0, ..Self::default() }
+    }
+
     pub(super) fn travel_up_to(place_m: f64) -> Self {
         Self { offset: place_m, travel: -1.0, ..Self::default() }
     }
@@ -183,12 +187,12 @@ impl EventFunction {
 
     /// How fast a form without forces changes at a state.
     pub(super) fn rate(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        let (slip_rate, plate_rate) = motion.accelerations(state);
+        let accelerations = motion.accelerations(state);
         self.time
             + self.travel * state.slip_m_s
-            + self.slip * slip_rate
+            + self.slip * accelerations.slip_m_s2
             + self.plate * state.plate_m_s
-            + self.plate_speed * plate_rate
+            + self.plate_speed * accelerations.plate_m_s2
     }
 
     /// The form where these forces act.

@@ -4,7 +4,7 @@
 //! when it resists w > 0; both act on the plate as -force. Thesis equations 8.1, 8.2, 9.2, 9.3 with the signs its
 //! Appendix lacks: both laws are odd.
 
-use crate::model::scene::{Mount, Scene, Stop, StopKind};
+use crate::model::scene::{Scene, Stop, StopKind};
 
 mod combine;
 pub mod curve;
@@ -57,6 +57,11 @@ impl PowerLaw {
     #[must_use]
     pub fn only_if(self, acts: bool) -> Self {
         if acts { self } else { Self { coefficient: 0.0, ..self } }
+    }
+
+    /// Whether it cannot be expanded at zero.
+    pub fn is_singular(self) -> bool {
+        self.kind() == PowerKind::General
     }
 
     /// Whether its tangent at zero is infinite.
@@ -169,7 +174,7 @@ impl Mechanism {
     /// The mechanism of a scene; a rigid mount has none.
     pub fn of(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
-        let sprung = scene.plate.mount == Mount::Sprung;
+        let sprung = !scene.is_rigid();
         let damper = laws.damper.law();
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {

@@ -33,6 +33,13 @@ pub(crate) struct State {
     pub(crate) plate_m_s: f64,
 }
 
+impl State {
+    /// The projectile's own velocity, m/s.
+    pub(crate) fn projectile_m_s(&self, cos: f64) -> f64 {
+        self.slip_m_s + self.plate_m_s * cos
+    }
+}
+
 /// The equations between two events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Motion<'a> {
@@ -46,12 +53,19 @@ pub(crate) struct Motion<'a> {
     pub(crate) coupling: f64,
     pub(crate) spring: Elastic<'a>,
     pub(crate) damper: PowerLaw,
-    /// The elastic stop in contact, all zero without: stiffness N/m, damping N s/m, position m.
-    pub(crate) stop: StopForce,
+    /// The elastic stop in contact, all zero without.
+    pub(crate) stop: ElasticForce,
     /// The side of zero on which x is, or to which it is going: 1 or -1.
     pub(crate) side_x: f64,
     /// The same for w.
     pub(crate) side_w: f64,
+}
+
+/// du/dt and dw/dt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Accelerations {
+    pub(crate) slip_m_s2: f64,
+    pub(crate) plate_m_s2: f64,
 }
 
 /// A force whose greatest value is reported.
@@ -62,15 +76,6 @@ pub(crate) enum Force {
     Push,
     /// The same backwards.
     Pull,
-}
-
-/// An elastic stop in contact.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-#[expect(clippy::struct_field_names, reason = "they end in their units")]
-pub(crate) struct StopForce {
-    pub(crate) stiffness_n_m: f64,
-    pub(crate) damping_n_s_m: f64,
-    pub(crate) position_m: f64,
 }
 
 /// The expansion of a solution: coefficient j belongs to s^j, s = time since the start over the time unit.
@@ -110,15 +115,12 @@ impl<const N: usize> Expansion<N> {
     }
 }
 
-impl StopForce {
-    /// The force on the plate, N, positive backwards.
-    pub(crate) fn force(&self, state: &State) -> f64 {
-        self.stiffness_n_m * (state.plate_m - self.position_m)
-            + self.damping_n_s_m * state.plate_m_s
-    }
-}
-
 impl Motion<'_> {
+    /// The force of the elastic stop in contact on the plate, N, positive backwards.
+    pub(crate) fn stop_force(&self, state: &State) -> f64 {
+        self.stop.force(state.plate_m, state.plate_m_s)
+    }
+
     pub(crate) fn contact_force(&self, state: &State) -> f64 {
         self.contact.force(state)
     }
@@ -126,7 +128,7 @@ impl Motion<'_> {
     pub(crate) fn mechanism_force(&self, state: &State) -> f64 {
         self.spring.force(state.plate_m)
             + self.damper.force(state.plate_m_s)
-            + self.stop.force(state)
+            + self.stop_force(state)
     }
 
     pub(crate) fn force(&self, force: Force, state: &State) -> f64 {
@@ -140,25 +142,24 @@ impl Motion<'_> {
     /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of
     /// the forces there the whole and the damper's are given, N; the spring's is the rest.
     pub(crate) fn mechanism_size(&self, state: &State, mechanism_n: f64, damper_n: f64) -> f64 {
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
-        let stop_n = stiffness_n_m * (state.plate_m.abs() + position_m.abs())
+        let ElasticForce { stiffness_n_m, damping_n_s_m, slack_m } = self.stop;
+        let stop_n = stiffness_n_m * (state.plate_m.abs() + slack_m.abs())
             + damping_n_s_m * state.plate_m_s.abs();
         mechanism_n.abs() + 2.0 * (damper_n.abs() + stop_n)
     }
 
-    /// (du/dt, dw/dt), m/s².
-    pub(crate) fn accelerations(&self, state: &State) -> (f64, f64) {
+    pub(crate) fn accelerations(&self, state: &State) -> Accelerations {
         self.response(self.contact_force(state), self.mechanism_force(state))
     }
 
-    /// (du/dt, dw/dt) under these forces F and G of contact and mechanism: linear in both.
+    /// The accelerations under these forces F and G of contact and mechanism: linear in both.
     #[inline]
-    pub(crate) fn response(&self, contact: f64, mechanism: f64) -> (f64, f64) {
+    pub(crate) fn response(&self, contact: f64, mechanism: f64) -> Accelerations {
         let plate = mechanism * self.plate_mobility;
-        (
-            self.coupling * plate - contact * self.slip_mobility,
-            self.coupling * contact * self.plate_mobility - plate,
-        )
+        Accelerations {
+            slip_m_s2: self.coupling * plate - contact * self.slip_mobility,
+            plate_m_s2: self.coupling * contact * self.plate_mobility - plate,
+        }
     }
 
     /// Expand the solution from `state` with the time unit `h`, s.
@@ -270,23 +271,23 @@ impl Motion<'_> {
         e.slip[0] = state.slip_m_s;
         e.plate[0] = state.plate_m;
         e.plate_speed[0] = state.plate_m_s;
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
+        let ElasticForce { stiffness_n_m, damping_n_s_m, slack_m } = self.stop;
         for j in 0..N {
             let f = contact.coefficient(&e.travel, &e.slip, j);
             let d = damper.coefficient(&e.plate_speed, j);
             let mut g = spring.coefficient(&e.plate, j) + d;
             g += stiffness_n_m * e.plate[j] + damping_n_s_m * e.plate_speed[j];
             if j == 0 {
-                g -= stiffness_n_m * position_m;
+                g -= stiffness_n_m * slack_m;
             }
             (e.contact[j], e.mechanism[j], e.damper[j]) = (f, g, d);
             if j + 1 < N {
                 let per_order = h / (j + 1) as f64;
-                let (slip, plate) = self.response(f, g);
+                let Accelerations { slip_m_s2, plate_m_s2 } = self.response(f, g);
                 e.travel[j + 1] = per_order * e.slip[j];
-                e.slip[j + 1] = per_order * slip;
+                e.slip[j + 1] = per_order * slip_m_s2;
                 e.plate[j + 1] = per_order * e.plate_speed[j];
-                e.plate_speed[j + 1] = per_order * plate;
+                e.plate_speed[j + 1] = per_order * plate_m_s2;
             }
         }
         e
@@ -317,10 +318,7 @@ mod tests {
             contact: ContactForce::Flow(FlowForce {
                 nose: geometry.nose,
                 area: geometry.piece(q).law,
-                pressure: Pressure {
-                    strength_pa: scene.flow_strength_pa(),
-                    drag_kg_m3: scene.drag_kg_m3(),
-                },
+                pressure: Pressure::of(scene),
             }),
             slip_mobility: 1.0 / m1 + cos * cos / m2,
             plate_mobility: 1.0 / m2,
@@ -333,7 +331,7 @@ mod tests {
                 coefficient: mechanism.damper.coefficient,
                 exponent: mechanism.damper.exponent,
             },
-            stop: StopForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, position_m: 0.001 },
+            stop: ElasticForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, slack_m: 0.001 },
             side_x: 1.0,
             side_w: 1.0,
         }
@@ -372,12 +370,12 @@ mod tests {
         let e: Expansion<17> = motion.expand(&state, h);
         for s in [0.0, 0.2, 0.4] {
             let at = e.state(s);
-            let (du, dw) = motion.accelerations(&at);
+            let exact = motion.accelerations(&at);
             let slope = |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
             let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
             assert!((at.t_s - 2e-5 - s * h).abs() < 1e-19, "{s}");
-            assert!(close(slope(&e.slip), du), "{motion:?} {s}");
-            assert!(close(slope(&e.plate_speed), dw), "{motion:?} {s}");
+            assert!(close(slope(&e.slip), exact.slip_m_s2), "{motion:?} {s}");
+            assert!(close(slope(&e.plate_speed), exact.plate_m_s2), "{motion:?} {s}");
             assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
             assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
         }

@@ -7,7 +7,6 @@ use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
 
@@ -70,14 +69,14 @@ pub struct Run {
     pub residual_velocity_m_s: Option<f64>,
     /// When the nose was clear of the rear face, s.
     pub exit_time_s: Option<f64>,
-    /// When the projectile left through the entry face, and its velocity then, (s, m/s).
-    pub separation: Option<(f64, f64)>,
+    /// When the projectile left through the entry face, and its velocity then.
+    pub separation: Option<Departure>,
     /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
     pub interface_demand_ratio: Option<f64>,
     /// Relative error estimate of the final penetration, and where it comes from.
     pub error_estimate: Option<ErrorEstimate>,
     /// Relative error estimates of the results, each by itself, as far as they exist.
-    pub error_estimates: Vec<QuantityError>,
+    pub error_estimates: Vec<ResultError>,
     /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless requested.
     pub series: Vec<Sample>,
     /// Located events, in order of time.
@@ -152,6 +151,15 @@ pub struct Arrest {
     pub plate_displacement_m: f64,
     /// Plate velocity, m/s.
     pub plate_velocity_m_s: f64,
+}
+
+/// A projectile that leaves the plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// Time since first contact, s.
+    pub t_s: f64,
+    /// Velocity of the projectile then, m/s.
+    pub velocity_m_s: f64,
 }
 
 worded! {
@@ -262,6 +270,15 @@ pub struct ErrorEstimate {
     pub basis: EstimateBasis,
 }
 
+/// A relative error estimate of one result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResultError {
+    /// The result's name.
+    pub name: &'static str,
+    /// The estimate, relative to it.
+    pub relative: f64,
+}
+
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
@@ -365,7 +382,7 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
-    /// Times the force on the plate changed its sign, twice a swing: steps are due for each.
+    /// Times the force on the plate changed its sign, twice an oscillation: each takes steps.
     pub turns: usize,
     /// Events that changed what the bodies do: contact, interface and stop.
     pub events: usize,
@@ -410,15 +427,7 @@ impl Run {
 
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
     pub fn stroke_m(&self) -> Option<f64> {
-        Some(self.max_plate_displacement_m? + self.start_m().abs())
-    }
-
-    /// The plate's displacement at the start, -d, m (0 on a rigid mount).
-    pub fn start_m(&self) -> f64 {
-        match self.scene.plate.mount {
-            crate::model::scene::Mount::Sprung => -self.scene.plate.cocking_m,
-            crate::model::scene::Mount::Rigid => 0.0,
-        }
+        Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
     }
 
     /// The end of the contact window: first arrest, perforation, or the end of the run, s.

@@ -129,6 +129,16 @@ impl Scene {
         self.plate.mass_ratio * self.projectile.mass_kg
     }
 
+    /// Whether the plate stands on a rigid mount.
+    pub fn is_rigid(&self) -> bool {
+        self.plate.mount == Mount::Rigid
+    }
+
+    /// The plate's displacement at first contact, -d, m; 0 on a rigid mount, and never -0.
+    pub fn start_m(&self) -> f64 {
+        if self.is_rigid() { 0.0 } else { 0.0 - self.plate.cocking_m }
+    }
+
     /// Gives the plate's size by `size`, and lets gamma follow.
     pub fn resize(&mut self, size: PlateSize) {
         self.plate.size = size;

@@ -72,14 +72,8 @@ impl Quantity {
     }
 
     fn accepted(self) -> String {
-        let mut list = String::new();
-        for unit in self.units().iter().filter(|unit| !unit.name.is_empty()) {
-            if !list.is_empty() {
-                list.push_str(", ");
-            }
-            list.push_str(unit.name);
-        }
-        list
+        let names = self.units().iter().map(|unit| unit.name).filter(|name| !name.is_empty());
+        names.collect::<Vec<_>>().join(", ")
     }
 }
 

@@ -24,6 +24,14 @@ pub(crate) trait ImplicitSystem<const N: usize> {
     fn scale(&self) -> [f64; N];
 }
 
+/// A component by its unknown y: the value g(y), and the force that depends on it, with their derivatives by y.
+pub(crate) struct Unfolded {
+    pub(crate) value: f64,
+    pub(crate) slope: f64,
+    pub(crate) force: f64,
+    pub(crate) force_slope: f64,
+}
+
 /// A step that Newton's method has solved.
 #[derive(Clone, Debug)]
 pub(crate) struct Step<const N: usize> {

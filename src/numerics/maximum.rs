@@ -5,7 +5,7 @@ use crate::numerics::{larger, smaller};
 
 /// Cells of the interval.
 const CELLS: usize = 8;
-/// Part of a cell that tells the way in which the function goes at an end of the interval.
+/// Part of a cell by which the slope of the function at an end of the interval is seen.
 const INSIDE: f64 = 1e-3;
 /// Part of the interval to which a maximum is located: the value is then right to rounding.
 const LOCATED: f64 = 1e-8;
@@ -188,13 +188,13 @@ mod tests {
 
     #[test]
     fn maxima_below_the_known_one_are_not_located() {
-        let asked = Cell::new(0);
+        let evaluations = Cell::new(0);
         let count = |s: f64| {
-            asked.set(asked.get() + 1);
+            evaluations.set(evaluations.get() + 1);
             -(s - 0.5) * (s - 0.5)
         };
         let _ = greatest(0.0, 1.0, 1.0, count);
-        assert_eq!(asked.get(), 9);
+        assert_eq!(evaluations.get(), 9);
     }
 
     #[test]
@@ -206,13 +206,13 @@ mod tests {
     /// The rough function has its maximum at 0.5; that of sin on (1.3, 1.9) is at pi/2, 0.45 of the way.
     #[test]
     fn a_costly_maximum_beside_the_rough_one_is_found_in_few_evaluations() {
-        let asked = Cell::new(0);
+        let evaluations = Cell::new(0);
         let exact = |s: f64| {
-            asked.set(asked.get() + 1);
+            evaluations.set(evaluations.get() + 1);
             (1.3 + 0.6 * s).sin()
         };
         let found = greatest_of(0.0, 1.0, UNKNOWN, |s| 1.0 - (s - 0.5) * (s - 0.5), exact);
         assert!((found - 1.0).abs() < 1e-13, "{found}");
-        assert!(asked.get() <= 7, "{}", asked.get());
+        assert!(evaluations.get() <= 7, "{}", evaluations.get());
     }
 }

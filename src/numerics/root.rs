@@ -22,7 +22,7 @@ pub fn first_down_crossing(c: &[f64], end: f64) -> Option<f64> {
     }
     let (mut left, mut at_left) = (0.0, c[0]);
     // At the boundary the direction of travel says on which side it is.
-    let mut armed = if c[0] == 0.0 { first_nonzero(&c[1..]) > 0.0 } else { c[0] > 0.0 };
+    let mut armed = c.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0);
     for piece in 1..=PIECES {
         let right = end * piece as f64 / PIECES as f64;
         let at_right = evaluate(c, right);
@@ -63,10 +63,6 @@ pub fn each_down_crossing(c: &[f64], end: f64, mut visit: impl FnMut(f64)) {
         }
         (left, at_left) = (right, at_right);
     }
-}
-
-fn first_nonzero(c: &[f64]) -> f64 {
-    c.iter().copied().find(|c| *c != 0.0).unwrap_or(0.0)
 }
 
 /// A point between 0 and `right` where a polynomial whose first coefficient that is not zero is positive is still positive:

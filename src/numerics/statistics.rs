@@ -35,14 +35,12 @@ pub fn sorted_by<T>(mut items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
 }
 
 /// Quantile of sorted values, interpolated.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in the list")]
 pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
-    let place = fraction * (sorted.len() - 1) as f64;
-    let (mut below, mut beyond) = (0, sorted.len());
-    while beyond - below > 1 {
-        let middle = below + (beyond - below) / 2;
-        if middle as f64 <= place { below = middle } else { beyond = middle }
-    }
-    let above = if below + 1 < sorted.len() { below + 1 } else { below };
+    let last = sorted.len() - 1;
+    let place = fraction * last as f64;
+    let below = (place as usize).min(last);
+    let above = (below + 1).min(last);
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
 }
 

@@ -148,12 +148,12 @@ mod tests {
     use super::*;
 
     /// y'' = -y with a count of its own, as (y, y', -) and a plane y = 0.5 from above.
-    struct Swing {
+    struct Oscillator {
         calls: Cell<usize>,
         planes: Vec<Boundary<2>>,
     }
 
-    impl System<2> for Swing {
+    impl System<2> for Oscillator {
         fn rate(&self, y: &[f64; 2]) -> [f64; 2] {
             self.calls.set(self.calls.get() + 1);
             [y[1], -y[0]]
@@ -163,8 +163,8 @@ mod tests {
         }
     }
 
-    fn swing(planes: &[Boundary<2>]) -> Swing {
-        Swing { calls: Cell::new(0), planes: planes.to_vec() }
+    fn oscillator(planes: &[Boundary<2>]) -> Oscillator {
+        Oscillator { calls: Cell::new(0), planes: planes.to_vec() }
     }
 
     const HALF: Boundary<2> = Boundary { offset: -0.5, slope: [1.0, 0.0] };
@@ -198,7 +198,7 @@ mod tests {
     fn a_boundary_is_landed_on_with_the_full_order() {
         let exact = std::f64::consts::FRAC_PI_3;
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
-            let (system, mut count) = (swing(&[HALF]), many());
+            let (system, mut count) = (oscillator(&[HALF]), many());
             let end = Dop853 { tolerance }.integrate(&system, START, &mut count);
             assert_eq!(end.stop, Stop::Boundary(0));
             assert!((end.y[0] - 0.5).abs() < 1e-15, "{tolerance}");
@@ -211,7 +211,7 @@ mod tests {
         }
         let error = |h: f64| {
             let mut count = many();
-            let system = swing(&[HALF]);
+            let system = oscillator(&[HALF]);
             let end =
                 Rk4 { step: h, crossing: Crossing::Locate }.integrate(&system, START, &mut count);
             assert_eq!(end.stop, Stop::Boundary(0));
@@ -225,7 +225,7 @@ mod tests {
 
     #[test]
     fn without_location_the_stretch_ends_with_the_step_that_crossed() {
-        let (system, mut count) = (swing(&[HALF]), many());
+        let (system, mut count) = (oscillator(&[HALF]), many());
         let method = Rk4 { step: 0.1, crossing: Crossing::Notice };
         let end = method.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn the_nearest_of_several_boundaries_counts_and_one_just_left_does_not() {
         let earlier = Boundary { offset: -0.8, slope: [1.0, 0.0] };
-        let (system, mut count) = (swing(&[HALF, earlier]), many());
+        let (system, mut count) = (oscillator(&[HALF, earlier]), many());
         let end = Dop853 { tolerance: 1e-10 }.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(1));
         let again = Start { t: end.t, y: end.y, step: Some(end.step) };
@@ -248,7 +248,7 @@ mod tests {
     fn a_dip_within_one_step_is_not_stepped_over() {
         // y falls from 1 to its least value -1 at pi; a plane at -0.99 is crossed twice within 0.3.
         let plane = Boundary { offset: 0.99, slope: [1.0, 0.0] };
-        let (system, mut count) = (swing(&[plane]), many());
+        let (system, mut count) = (oscillator(&[plane]), many());
         let end = Dop853 { tolerance: 1e-3 }.integrate(&system, START, &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
         assert!((end.t - (-0.99f64).acos()).abs() < 0.03, "{}", end.t);

@@ -28,7 +28,7 @@ impl Law {
     pub fn of(run: &Run) -> Option<Self> {
         let scene = Arc::clone(&run.scene);
         let mechanism = Mechanism::of(&scene);
-        let start_m = run.start_m();
+        let start_m = run.scene.start_m();
         let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
         let reached_m = reached.filter(|it| *it > start_m)?;
         if mechanism.spring.is_absent() && mechanism.elastic_stop().is_none() {

@@ -174,11 +174,11 @@ pub static QUANTITIES: &[Quantity] = &[
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
     quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
-        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.start_m())).absent(UNSTOPPED),
+        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
     quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation(),
     quantity("exit_time_s", "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
-    quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.0))),
-    quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.1))),
+    quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
+    quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
     quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
     quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(|run| Some(run.ledger.residual()))).of_computation(),
     quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation(),
@@ -336,7 +336,7 @@ fn sprung(scene: &Scene) -> bool {
 /// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.
 fn travel_margin(run: &Run) -> Option<f64> {
     let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
-    load::travel_margin(&run.scene, run.start_m(), farthest)
+    load::travel_margin(&run.scene, run.scene.start_m(), farthest)
 }
 
 /// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.

@@ -9,8 +9,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::model::contact_phase::{Ending, Phase, exact, fine};
-use cmra::model::estimate::QuantityError;
-use cmra::model::run::{EstimateBasis, Outcome, Run};
+use cmra::model::run::{EstimateBasis, Outcome, ResultError, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::numerics::stepper::dop853::Dop853;
@@ -225,7 +224,7 @@ fn each_estimate_covers_the_difference_to_a_tight_run() {
             let Some((own, exact)) = column.value(&run).zip(column.value(&tight)) else { continue };
             let off = (own / exact - 1.0).abs();
             if off > BELOW * error.relative + NOTHING_ASKED * LOOSE {
-                let QuantityError { name, relative } = error;
+                let ResultError { name, relative } = error;
                 told.push(format!("{name}: {relative:.1e}, not {off:.1e}: {}", typed(&changes)));
             }
         }

@@ -170,7 +170,7 @@ fn valid_interface_laws_at_gamma_0_8_and_k_7_5e6() {
     assert_near(depth(&plastic), 4.699_991_272_2e-3, 2e-11);
     assert_near(plastic.max_plate_displacement_m.unwrap(), 4.330_004_180_4e-3, 2e-11);
     assert_eq!(plastic.outcome, Outcome::Separated);
-    assert_near(plastic.separation.unwrap().1, -43.646_136_826, 2e-11);
+    assert_near(plastic.separation.unwrap().velocity_m_s, -43.646_136_826, 2e-11);
 }
 
 /// A rigid stop leaves the projectile its common speed: it penetrates on as into a rigid plate, and the volumes add up.

@@ -170,7 +170,7 @@ fn class_of(course: &Course) -> Option<Class> {
         run.exit_time_s,
         run.residual_velocity_m_s,
         run.max_plate_displacement_m,
-        run.separation.map(|separation| separation.1),
+        run.separation.map(|separation| separation.velocity_m_s),
         run.peak_contact_force_n,
     ];
     let residual = run.ledger.residual();

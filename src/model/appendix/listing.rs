@@ -47,7 +47,7 @@ struct Work<'a> {
 /// Simulate a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let mut run = simulate(scene, settings, observer);
-    if scene.plate.mount == Mount::Rigid {
+    if scene.is_rigid() {
         run.baseline_penetration_m = run.final_penetration_m;
     } else if run.end.is_complete() {
         let mut rigid = Scene::clone(scene);
@@ -104,13 +104,13 @@ impl Work<'_> {
     }
 
     fn spring(&self) -> PowerLaw {
-        self.scheme.plate().map_or(PowerLaw::NONE, |plate| plate.spring)
+        self.scheme.plate.map_or(PowerLaw::NONE, |plate| plate.spring)
     }
 
     fn sample(&self, mode: Mode) -> Sample {
         let state = &self.state;
         let (spring, damper) =
-            self.scheme.plate().map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
+            self.scheme.plate.map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
         Sample {
             t_s: self.t_s,
             mode,
@@ -234,7 +234,7 @@ impl Work<'_> {
 
     /// A.5: the plate on its mechanism, with or without the projectile.
     fn afterwards(&mut self, ending: Ending, observer: Observer<'_>) -> EndReason {
-        let Some(plate) = self.scheme.plate() else {
+        let Some(plate) = self.scheme.plate else {
             self.run.max_plate_displacement_m = Some(0.0);
             return EndReason::Decided;
         };
@@ -246,8 +246,8 @@ impl Work<'_> {
         let springless = self.spring().is_absent();
         let is_free = springless && self.scene.mechanism.damper.is_absent();
         let contact_s = self.t_s;
-        let asked_s = self.scene.run.horizon_s;
-        let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
+        let horizon_s = self.scene.run.horizon_s;
+        let until_s = horizon_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
         let dt_s = self.scheme.listing.step_s;
         let mut y = self.state.plate_before;
         let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
@@ -285,7 +285,7 @@ impl Work<'_> {
                 self.run.max_plate_displacement_m = Some(self.max_displacement_m);
                 let kind = EventKind::GreatestDisplacement;
                 self.run.events.push(Event { t_s: self.t_s, kind });
-                if asked_s.is_none() {
+                if horizon_s.is_none() {
                     return EndReason::Decided;
                 }
             }
@@ -297,7 +297,7 @@ impl Work<'_> {
         let (m, m_2) = (self.scene.projectile.mass_kg, self.scene.plate_mass_kg());
         let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
         let spring_j = self.spring().integral(x);
-        let sprung = self.scheme.plate().is_some();
+        let sprung = self.scheme.plate.is_some();
         let ledger = &mut self.run.ledger;
         ledger.projectile_j = 0.5 * m * v * v;
         ledger.plate_j = if sprung { 0.5 * m_2 * w * w } else { 0.0 };

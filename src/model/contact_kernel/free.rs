@@ -12,13 +12,13 @@ use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::expansion::Constants;
 use crate::model::contact_kernel::{Contact, ContactEnd};
-use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::exponential::{NEAR, bernoulli, bernoulli_near};
 use crate::numerics::larger;
 use crate::numerics::quadrature::GAUSS_16;
 
 /// Part of the tolerance that the rule's error may take by that measure.
-const SHARE: f64 = 0.03;
+const TOLERANCE_PART: f64 = 0.03;
 
 /// Shots on a rigid or free plate that leave with a part of their velocity between these are done in closed form: above, an
 /// integration is as good and cheaper; below, the residual velocity has few digits.
@@ -93,15 +93,14 @@ pub(super) fn at_travel(
 
 /// The contact of a scene whose plate is rigid or free; `None` where it is not, or the rule for the time does not converge.
 pub(super) fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
-    let moves = scene.plate.mount == Mount::Sprung;
+    let moves = !scene.is_rigid();
     if (moves && !scene.mechanism.is_nothing()) || scene.contact.model != ContactModel::Hydrodynamic
     {
         return None;
     }
     let geometry = Geometry::of(scene);
     let constants = Constants::of(scene, geometry.nose.cos, moves);
-    let start_m = if moves { 0.0 - scene.plate.cocking_m } else { 0.0 };
-    closed(&geometry, &constants, start_m, tolerance)
+    closed(&geometry, &constants, scene.start_m(), tolerance)
 }
 
 impl Contact {
@@ -138,14 +137,14 @@ fn closed(
     };
     // Near the ballistic limit the time wants a finer rule.
     let t_s = t_s.or_else(|| Some(passage.history(ending, Rule::FINE).last()?.t_s))?;
-    let share = c.cos * c.plate_mobility / c.slip_mobility;
-    let plate_displacement_m = start_m + share * (c.velocity_m_s * t_s - travel_m);
+    let fraction = c.cos * c.plate_mobility / c.slip_mobility;
+    let plate_displacement_m = start_m + fraction * (c.velocity_m_s * t_s - travel_m);
     Some(ContactEnd {
         arrested: matches!(ending, Ending::Arrest { .. }),
         t_s,
         penetration_m: geometry.depth_m(travel_m),
         plate_displacement_m,
-        plate_velocity_m_s: share * (c.velocity_m_s - slip),
+        plate_velocity_m_s: fraction * (c.velocity_m_s - slip),
         max_displacement_m: plate_displacement_m,
         steps: 0,
     })
@@ -183,8 +182,8 @@ fn whole(tolerance: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
 fn converged([sum, before, last]: [f64; 3], tolerance: f64) -> Option<f64> {
     let relative = 29.0 * larger(before.abs(), last.abs()) / sum;
     let fourth = |x: f64| (x * x) * (x * x);
-    // relative^(9/4) within its share, without roots.
-    (relative * fourth(relative * relative) <= fourth(SHARE * tolerance)).then_some(sum)
+    // relative^(9/4) within its part, without roots.
+    (relative * fourth(relative * relative) <= fourth(TOLERANCE_PART * tolerance)).then_some(sum)
 }
 
 #[cfg(test)]

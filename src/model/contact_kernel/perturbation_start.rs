@@ -33,7 +33,7 @@ const ROUNDS: usize = 4;
 
 /// A law that is omitted from the first step.
 #[derive(Clone, Copy)]
-struct LeftOut {
+struct OmittedLaw {
     law: PowerLaw,
     /// With which power of time its argument grows from rest: a spring's 3, a damper's 2.
     argument: f64,
@@ -48,7 +48,7 @@ struct Growth {
 
 /// The impulse it has taken from the plate by some time.
 #[derive(Clone, Copy)]
-struct Taken {
+struct Impulse {
     /// Of its velocity, m/s.
     w_m_s: f64,
     /// Of its displacement, m.
@@ -57,18 +57,18 @@ struct Taken {
     doubt_m_s: f64,
 }
 
-impl LeftOut {
+impl OmittedLaw {
     fn power(self) -> f64 {
         self.law.exponent * self.argument
     }
 
     /// What it takes by `t_s`, where its argument has grown so far, from a plate of this mass whose velocity there would be
     /// `w_m_s`.
-    fn taken(self, at: Growth, t_s: f64, plate_kg: f64, w_m_s: f64) -> Taken {
+    fn taken(self, at: Growth, t_s: f64, plate_kg: f64, w_m_s: f64) -> Impulse {
         let power = self.law.exponent * at.power;
         let taken = self.law.force(at.z) * t_s / ((power + 1.0) * plate_kg);
         let curvature = CURVATURE_ERROR * (at.power - self.argument).abs();
-        Taken {
+        Impulse {
             w_m_s: taken,
             x_m: taken * t_s / (power + 2.0),
             doubt_m_s: taken * (taken / w_m_s + curvature),
@@ -85,13 +85,13 @@ impl Contact {
     fn early_by<const N: usize>(&self, tolerance: f64) -> Option<InitialPhase> {
         let (spring, damper) = (self.spring, self.damper);
         let is_root = damper.exponent.to_bits() == ROOT.to_bits() && !is_linear(damper);
-        let left_out = [
-            (!is_linear(spring)).then_some(LeftOut { law: spring, argument: 3.0 }),
-            (!is_linear(damper) && !is_root).then_some(LeftOut { law: damper, argument: 2.0 }),
+        let omitted = [
+            (!is_linear(spring)).then_some(OmittedLaw { law: spring, argument: 3.0 }),
+            (!is_linear(damper) && !is_root).then_some(OmittedLaw { law: damper, argument: 2.0 }),
         ];
         let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
         let mut progress = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
-        let until = self.matters_at(&left_out, tolerance)?;
+        let until = self.matters_at(&omitted, tolerance)?;
         let kept = |law: PowerLaw| if is_linear(law) { law.coefficient } else { 0.0 };
         // Dampers that are not linear are compiled for one number of terms.
         let series = if const { N == TERMS } && is_root {
@@ -103,7 +103,7 @@ impl Contact {
         let last_terms = self.constants.last_terms(&series, plate_scale_m(0.0, None));
         let span = trusted::<N>(last_terms, tolerance);
         progress.steps = 1;
-        let progress = if left_out.iter().all(Option::is_none) {
+        let progress = if omitted.iter().all(Option::is_none) {
             let end_of_step = StepEnd::of(&series, span);
             let sides = Sides { spring: true, damper: false };
             match self.advance(&mut progress, sides, &end_of_step, || &series) {
@@ -111,7 +111,7 @@ impl Contact {
                 ControlFlow::Continue(()) => Some(progress).filter(|it| it.t_s > 0.0),
             }
         } else {
-            self.put_in(&series, &left_out, smaller(span, until), tolerance, progress)
+            self.put_in(&series, &omitted, smaller(span, until), tolerance, progress)
         };
         let plan = Plan { progress: progress?, tolerance, reach_m: None, terms: N };
         Some(InitialPhase::Steps(plan))
@@ -130,21 +130,21 @@ impl Contact {
 
     /// In units of the clock, when the laws that are omitted begin to matter, by the powers of time of first contact; `None`
     /// where that is too early.
-    fn matters_at(&self, left_out: &[Option<LeftOut>; 2], tolerance: f64) -> Option<f64> {
+    fn matters_at(&self, omitted: &[Option<OmittedLaw>; 2], tolerance: f64) -> Option<f64> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
         let scale_s = self.scale_s?;
         let w_m_s = 0.5 * self.growth_n_s()? * cos * scale_s * scale_s * plate_mobility;
         let at = [w_m_s * scale_s / 3.0, w_m_s];
         let left_m_s = RESIDUAL_PART * tolerance * velocity_m_s / cos;
         let mut part = 1.0;
-        for (left_out, z) in left_out.iter().zip(at) {
-            let Some(left_out) = left_out else { continue };
-            let power = left_out.power();
+        for (omitted, z) in omitted.iter().zip(at) {
+            let Some(omitted) = omitted else { continue };
+            let power = omitted.power();
             if power <= VANISHES_ABOVE {
                 return None;
             }
-            let growth = Growth { z, power: left_out.argument };
-            let by = left_out.taken(growth, scale_s, 1.0 / plate_mobility, w_m_s);
+            let growth = Growth { z, power: omitted.argument };
+            let by = omitted.taken(growth, scale_s, 1.0 / plate_mobility, w_m_s);
             part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
         }
         let by_balance = similarity_start::part(tolerance, 2.0);
@@ -155,7 +155,7 @@ impl Contact {
     fn put_in<const N: usize>(
         &self,
         series: &Series<N>,
-        left_out: &[Option<LeftOut>; 2],
+        omitted: &[Option<OmittedLaw>; 2],
         mut span: f64,
         tolerance: f64,
         progress: Progress,
@@ -171,15 +171,15 @@ impl Contact {
             }
             let argument = w * t_s / x;
             let at = [Growth { z: x, power: argument }, Growth { z: w, power: argument - 1.0 }];
-            let mut sum = Taken { w_m_s: 0.0, x_m: 0.0, doubt_m_s: 0.0 };
+            let mut sum = Impulse { w_m_s: 0.0, x_m: 0.0, doubt_m_s: 0.0 };
             let mut power = f64::INFINITY;
-            for (left_out, at) in left_out.iter().zip(at) {
-                let Some(left_out) = left_out else { continue };
-                let taken = left_out.taken(at, t_s, 1.0 / plate_mobility, w);
+            for (omitted, at) in omitted.iter().zip(at) {
+                let Some(omitted) = omitted else { continue };
+                let taken = omitted.taken(at, t_s, 1.0 / plate_mobility, w);
                 sum.w_m_s += taken.w_m_s;
                 sum.x_m += taken.x_m;
                 sum.doubt_m_s += taken.doubt_m_s;
-                power = smaller(power, left_out.power());
+                power = smaller(power, omitted.power());
             }
             let doubt = cos * sum.doubt_m_s / velocity_m_s;
             if doubt > RESIDUAL_PART * tolerance {

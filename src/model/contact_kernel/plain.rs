@@ -29,7 +29,7 @@ impl Contact {
         self.with_damper::<N, false>(Linear(self.damper.coefficient), plan)
     }
 
-    /// `GRADED` tells the clock, unless the spring does: a singular damper always starts on a graded clock.
+    /// `GRADED` decides the clock, unless the spring does: a singular damper always starts on a graded clock.
     fn with_damper<const N: usize, const GRADED: bool>(
         &self,
         damper: impl Law<N>,

@@ -208,7 +208,7 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
     }
 }
 
-/// Seat the next job on a lane.
+/// Puts the next job on a lane.
 fn next<'c>(
     waiting: &mut std::slice::Iter<'_, Job<'c>>,
     buffer: &mut LaneBuffer<ROWS>,

@@ -176,7 +176,7 @@ impl ManifoldRun {
         series: impl Fn() -> Series<N>,
     ) -> Continued {
         if attempt.by_piece_before {
-            // Fine up to the joint; the next piece sets the plate swinging.
+            // Fine up to the joint; on the next piece the plate oscillates.
             return ControlFlow::Break(self.handed(contact, self.progress));
         }
         self.joint = None;

@@ -113,8 +113,8 @@ impl SpringManifold {
         let x = at.plate_m;
         let (dx, dw) = (x - state[2], w - state[3]);
         let tangent = self.spring.exponent * at.force_n / x;
-        let swing = dx * dx + dw * dw * self.plate_kg / tangent;
-        state[3] == 0.0 || swing.sqrt() <= OFF_MANIFOLD * tolerance * x
+        let amplitude_squared = dx * dx + dw * dw * self.plate_kg / tangent;
+        state[3] == 0.0 || amplitude_squared.sqrt() <= OFF_MANIFOLD * tolerance * x
     }
 
     /// Plain steps from there, small enough to follow its oscillations.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, shown};
+use super::{About, ContactLaw, Hole, Scales, shown};
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
@@ -38,8 +38,7 @@ pub(super) const APPENDIX: About = About {
 /// The modified drag law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct FlowStrength {
-    strength_pa: f64,
-    drag_kg_m3: f64,
+    pressure: Pressure,
     grip: f64,
     scales: Scales,
     hole_on_rigid_mount_m: Option<f64>,
@@ -47,7 +46,7 @@ struct FlowStrength {
 
 impl FlowStrength {
     fn of(scene: &Scene, geometry: &Geometry) -> Self {
-        let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());
+        let pressure = Pressure::of(scene);
         let hole_on_rigid_mount_m = match Passage::rigid(scene, geometry).ending() {
             Ending::Arrest { travel_m } => Some(travel_m),
             Ending::Exit { .. } => None,
@@ -61,45 +60,38 @@ impl FlowStrength {
         let scales = Scales {
             travel_m,
             duration_s: 2.0 * travel_m / v,
-            force_n: geometry.area_m2(LATE * travel_m) * (strength_pa + drag_kg_m3 * v * v),
+            force_n: geometry.area_m2(LATE * travel_m) * pressure.at(v),
         };
-        Self { strength_pa, drag_kg_m3, grip: scene.interface.grip, scales, hole_on_rigid_mount_m }
+        Self { pressure, grip: scene.interface.grip, scales, hole_on_rigid_mount_m }
     }
 }
 
-/// Where the piece of the area law begins from which a projectile is pulled out at this travel.
-fn piece_behind(hole: &Hole<'_>) -> Option<(f64, AreaLaw)> {
-    let mut pieces = hole.geometry.pieces().iter().rev();
-    let behind = pieces.find(|piece| piece.from_m < hole.state.travel_m);
-    behind.map(|piece| (piece.from_m, piece.law))
-}
-
-impl ContactModel for FlowStrength {
+impl ContactLaw for FlowStrength {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
-        let rubs_pa = self.grip * self.strength_pa;
-        let (strength_pa, drag_kg_m3) = match mode {
-            Mode::Penetrating => (self.strength_pa, self.drag_kg_m3),
-            Mode::Closing => (rubs_pa, 0.0),
-            Mode::Withdrawing => (-rubs_pa, 0.0),
-            _ => (0.0, 0.0),
+        let friction_pa = self.grip * self.pressure.strength_pa;
+        let pressure = match mode {
+            Mode::Penetrating => self.pressure,
+            Mode::Closing => Pressure { strength_pa: friction_pa, drag_kg_m3: 0.0 },
+            Mode::Withdrawing => Pressure { strength_pa: -friction_pa, drag_kg_m3: 0.0 },
+            _ => return ContactForce::None,
         };
-        if strength_pa == 0.0 && drag_kg_m3 == 0.0 {
+        if pressure.strength_pa == 0.0 && pressure.drag_kg_m3 == 0.0 {
             return ContactForce::None;
         }
+        let (geometry, q) = (hole.geometry, hole.state.travel_m);
         let area = if mode == Mode::Withdrawing {
-            piece_behind(hole).map_or(AreaLaw::None, |(_, law)| law)
+            geometry.piece_behind(q).map_or(AreaLaw::None, |piece| piece.law)
         } else {
-            hole.geometry.piece(hole.state.travel_m).law
+            geometry.piece(q).law
         };
-        let pressure = Pressure { strength_pa, drag_kg_m3 };
-        ContactForce::Flow(FlowForce { nose: hole.geometry.nose, area, pressure })
+        ContactForce::Flow(FlowForce { nose: geometry.nose, area, pressure })
     }
 
     fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+        let (geometry, q) = (hole.geometry, hole.state.travel_m);
         match mode {
             Mode::Penetrating | Mode::Closing => {
-                let geometry = hole.geometry;
-                let end_m = smaller(geometry.piece(hole.state.travel_m).to_m, geometry.exit_m);
+                let end_m = smaller(geometry.piece(q).to_m, geometry.exit_m);
                 events.add(EventId::PieceEnd, EventFunction::travel_up_to(end_m));
                 events.add(EventId::SlipZero, EventFunction::slip(1.0));
                 if mode == Mode::Closing {
@@ -107,7 +99,7 @@ impl ContactModel for FlowStrength {
                 }
             }
             Mode::Withdrawing => {
-                let start_m = piece_behind(hole).map_or(0.0, |(from_m, _)| from_m);
+                let start_m = geometry.piece_behind(q).map_or(0.0, |piece| piece.from_m);
                 events.add(EventId::PieceStart, EventFunction::travel_down_to(start_m));
                 events.add(EventId::SlipZero, EventFunction::slip(-1.0));
             }
@@ -116,10 +108,6 @@ impl ContactModel for FlowStrength {
             }
             _ => {}
         }
-    }
-
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Fused
     }
 
     fn scales(&self) -> Scales {

@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, Values, shown};
+use super::{About, ContactLaw, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, Pulse};
 use crate::model::run::{Mode, Warning};
@@ -45,7 +45,7 @@ impl HalfSine {
     }
 }
 
-impl ContactModel for HalfSine {
+impl ContactLaw for HalfSine {
     fn force(&self, mode: Mode, _hole: &Hole<'_>) -> ContactForce {
         match mode {
             Mode::Penetrating | Mode::Withdrawing => ContactForce::HalfSine(self.pulse),
@@ -59,9 +59,7 @@ impl ContactModel for HalfSine {
             Mode::Withdrawing => -1.0,
             _ => return,
         };
-        let end =
-            EventFunction { offset: self.pulse.duration_s, time: -1.0, ..EventFunction::default() };
-        events.add(EventId::HistoryEnd, end);
+        events.add(EventId::HistoryEnd, EventFunction::time_up_to(self.pulse.duration_s));
         // On a plate that stays still it is at the end of the history, where the slip is quadratic in time.
         if !hole.still {
             events.add(EventId::SlipZero, EventFunction::slip(forwards));

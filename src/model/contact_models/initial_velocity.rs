@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales};
+use super::{About, ContactLaw, Hole, Scales};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::ContactForce;
 use crate::model::run::Mode;
@@ -33,7 +33,7 @@ impl InitialVelocity {
     }
 }
 
-impl ContactModel for InitialVelocity {
+impl ContactLaw for InitialVelocity {
     fn force(&self, _mode: Mode, _hole: &Hole<'_>) -> ContactForce {
         ContactForce::None
     }
@@ -41,24 +41,11 @@ impl ContactModel for InitialVelocity {
     /// The bodies are one from the first moment on.
     fn add_events(&self, mode: Mode, _hole: &Hole<'_>, events: &mut ActiveEvents) {
         if mode == Mode::Penetrating {
-            let end = EventFunction { time: -1.0, ..EventFunction::default() };
-            events.add(EventId::HistoryEnd, end);
+            events.add(EventId::HistoryEnd, EventFunction::time_up_to(0.0));
         }
-    }
-
-    fn at_common_velocity(&self) -> Mode {
-        Mode::Fused
     }
 
     fn scales(&self) -> Scales {
         self.scales
-    }
-
-    fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
-        None
-    }
-
-    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
-        None
     }
 }

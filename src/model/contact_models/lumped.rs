@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::{About, ContactModel, Hole, Scales, Values, shown};
+use super::{About, ContactLaw, Hole, Scales, Values, shown};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::motion::{ContactForce, ElasticForce};
 use crate::model::run::Mode;
@@ -60,30 +60,22 @@ impl Lumped {
         deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
     }
 
-    fn loading(&self) -> ElasticForce {
-        ElasticForce {
-            stiffness_n_m: self.load_n_m,
-            slack_m: 0.0,
-            damping_n_s_m: self.damping_n_s_m,
-        }
-    }
-
-    /// The steeper branch.
-    fn unloading(&self, deepest_m: f64) -> ElasticForce {
-        ElasticForce {
-            stiffness_n_m: self.unload_n_m,
-            slack_m: self.dent_m(deepest_m),
-            damping_n_s_m: self.damping_n_s_m,
-        }
+    /// The interface force of a mode: on its steeper branch but for the way in; none where the bodies are apart.
+    fn elastic(&self, mode: Mode, deepest_m: f64) -> Option<ElasticForce> {
+        let (stiffness_n_m, slack_m) = match mode {
+            Mode::Penetrating => (self.load_n_m, 0.0),
+            Mode::Withdrawing | Mode::Closing => (self.unload_n_m, self.dent_m(deepest_m)),
+            _ => return None,
+        };
+        Some(ElasticForce { stiffness_n_m, slack_m, damping_n_s_m: self.damping_n_s_m })
     }
 
     /// The interface force on its steeper branch, times a sign.
     fn push(&self, deepest_m: f64, sign: f64) -> EventFunction {
-        let law = self.unloading(deepest_m);
         EventFunction {
-            offset: -sign * law.stiffness_n_m * law.slack_m,
-            travel: sign * law.stiffness_n_m,
-            slip: sign * law.damping_n_s_m,
+            offset: -sign * self.unload_n_m * self.dent_m(deepest_m),
+            travel: sign * self.unload_n_m,
+            slip: sign * self.damping_n_s_m,
             ..EventFunction::default()
         }
     }
@@ -106,15 +98,9 @@ impl Lumped {
     }
 }
 
-impl ContactModel for Lumped {
+impl ContactLaw for Lumped {
     fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
-        match mode {
-            Mode::Penetrating => ContactForce::Elastic(self.loading()),
-            Mode::Withdrawing | Mode::Closing => {
-                ContactForce::Elastic(self.unloading(hole.deepest_m))
-            }
-            _ => ContactForce::None,
-        }
+        self.elastic(mode, hole.deepest_m).map_or(ContactForce::None, ContactForce::Elastic)
     }
 
     fn add_events(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
@@ -163,11 +149,7 @@ impl ContactModel for Lumped {
     }
 
     fn stored_j(&self, mode: Mode, hole: &Hole<'_>) -> Option<f64> {
-        let law = match mode {
-            Mode::Penetrating => self.loading(),
-            Mode::Withdrawing | Mode::Closing => self.unloading(hole.deepest_m),
-            _ => return Some(0.0),
-        };
+        let Some(law) = self.elastic(mode, hole.deepest_m) else { return Some(0.0) };
         let force_n = law.stiffness_n_m * (hole.state.travel_m - law.slack_m);
         Some(0.5 * force_n * force_n / self.unload_n_m)
     }

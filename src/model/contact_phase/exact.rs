@@ -4,7 +4,7 @@ use crate::model::closed_form::{self, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::mechanism::Mechanism;
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 
 /// Solve the contact phase of a scene without spring, damper and stop, or on a rigid mount.
 ///
@@ -13,7 +13,7 @@ use crate::model::scene::{Mount, Scene};
 /// infinite.
 pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
     let mechanism = &scene.mechanism;
-    let rigid = scene.plate.mount == Mount::Rigid;
+    let rigid = scene.is_rigid();
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     if acts && !rigid {
         return Err(Refusal::NoClosedForm);
@@ -37,6 +37,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
 mod tests {
     use super::*;
     use crate::model::contact_phase::Phase;
+    use crate::model::scene::Mount;
     use crate::model::variables::scene_without_spring as scene;
     use crate::numerics::stepper::dop853::Dop853;
 

@@ -9,7 +9,7 @@
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::Scene;
 use series::{Number, Series, TERMS, at, product, root, trusted};
 
 mod series;
@@ -29,9 +29,9 @@ const STEPS_MAX: usize = 1_500;
 const CLOSE: f64 = 1e-20;
 /// A zero further ahead than this many steps is not what made them short.
 const NEAR: f64 = 1e3;
-/// Where the leap over one ends, per distance from it.
-const LEAP: f64 = 100.0;
-/// Singular zeros a plate may swing through.
+/// Where the jump over one ends, per distance from it.
+const JUMP: f64 = 100.0;
+/// Singular zeros a plate may pass in its oscillations.
 const PASSED_MAX: usize = 20;
 
 /// The end of a contact in more digits than a double holds.
@@ -120,13 +120,13 @@ impl Law {
 }
 
 /// The area law between two joints: a0 + a1 q + a2 q².
-struct Piece {
+struct AreaPiece {
     until_m: Number,
     area: [Number; 3],
 }
 
 struct Problem {
-    pieces: Vec<Piece>,
+    pieces: Vec<AreaPiece>,
     strength_pa: Number,
     drag_kg_m3: Number,
     per_projectile_kg: Number,
@@ -143,8 +143,8 @@ type State = [Number; 4];
 /// Solve the contact phase.
 ///
 /// # Errors
-/// A [`Refusal`] where the scene is oblique, has a spring that is not a power law or a stop, is too stiff for Taylor steps, or oscillates through singular zeros
-/// again and again.
+/// A [`Refusal`] where the scene is oblique, has a spring that is not a power law or a stop, is too stiff for Taylor steps, or
+/// oscillates through singular zeros again and again.
 pub fn solve(scene: &Scene) -> Result<Fine, Refusal> {
     solve_to(scene, TRUNCATION)
 }
@@ -167,7 +167,7 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
     if scene.projectile.obliquity_deg != 0.0 {
         return Err(Refusal::NoReference);
     }
-    let rigid = scene.plate.mount == Mount::Rigid;
+    let rigid = scene.is_rigid();
     if !rigid && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }
@@ -176,24 +176,24 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
     }
     let problem = Problem::of(scene);
     let scale_s = scene.projectile.tip_radius_m / scene.projectile.velocity_m_s;
-    let start = if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m };
-    let state = [0.0, scene.projectile.velocity_m_s, start, 0.0].map(Number::from);
+    let state = [0.0, scene.projectile.velocity_m_s, scene.start_m(), 0.0].map(Number::from);
     let (t_s, state) = problem.leave_zero(state, scale_s)?;
     let unit_s = if t_s > Number::ZERO { t_s.nearest() } else { 0.1 * scale_s };
-    let mut walk = Walk { problem: &problem, truncation, t_s, state, piece: 0, unit_s, passed: 0 };
+    let mut contact =
+        Integration { problem: &problem, truncation, t_s, state, piece: 0, unit_s, passed: 0 };
     for steps in 1..=STEPS_MAX {
-        if let Some(ending) = walk.step()? {
-            let depth_m = problem.depth_m(walk.state[0]);
-            let [_, slip_m_s, plate_m, plate_m_s] = walk.state;
-            let t_s = walk.t_s;
+        if let Some(ending) = contact.step()? {
+            let depth_m = problem.depth_m(contact.state[0]);
+            let [_, slip_m_s, plate_m, plate_m_s] = contact.state;
+            let t_s = contact.t_s;
             return Ok(Fine { ending, t_s, depth_m, slip_m_s, plate_m, plate_m_s, steps });
         }
     }
     Err(Refusal::TooStiff)
 }
 
-/// The way through a contact.
-struct Walk<'a> {
+/// A contact in progress.
+struct Integration<'a> {
     problem: &'a Problem,
     truncation: f64,
     t_s: Number,
@@ -206,14 +206,14 @@ struct Walk<'a> {
     passed: usize,
 }
 
-impl Walk<'_> {
+impl Integration<'_> {
     /// One step; the ending when it is reached.
     fn step(&mut self) -> Result<Option<Ending>, Refusal> {
         let problem = self.problem;
         if self.passed > PASSED_MAX {
             return Err(Refusal::Rattles);
         }
-        if self.unit_s < CLOSE * self.t_s.nearest() && self.leap() {
+        if self.unit_s < CLOSE * self.t_s.nearest() && self.jump() {
             return Ok(None);
         }
         let laws = (problem.spring, problem.damper);
@@ -242,7 +242,7 @@ impl Walk<'_> {
         self.state = [0, 1, 2, 3].map(|component| at(&series[component], span));
         if to_zero {
             self.unit_s *= span.nearest() * CLOSE;
-            return if self.leap() { Ok(None) } else { Err(Refusal::Rattles) };
+            return if self.jump() { Ok(None) } else { Err(Refusal::Rattles) };
         }
         if joint {
             // The unit stays: the joint may have cut the step to almost nothing.
@@ -255,7 +255,7 @@ impl Walk<'_> {
     }
 
     /// Over a singular zero that steps have come close to, without its law, well to the other side; whether there was one ahead.
-    fn leap(&mut self) -> bool {
+    fn jump(&mut self) -> bool {
         let problem = self.problem;
         let (piece, nothing) = (&problem.pieces[self.piece], Law::NONE);
         let expand =
@@ -272,7 +272,7 @@ impl Walk<'_> {
         let nearest =
             ways.into_iter().flatten().min_by(|a, b| a.0.nearest().total_cmp(&b.0.nearest()));
         let Some((time, series)) = nearest else { return false };
-        let span = time * Number::from(LEAP);
+        let span = time * Number::from(JUMP);
         self.passed += 1;
         self.t_s = self.t_s + span * Number::from(self.unit_s);
         self.state = [0, 1, 2, 3].map(|component| at(&series[component], span));
@@ -295,19 +295,15 @@ impl Problem {
                 * number(scene.target.drag_coefficient)
                 * number(scene.target.density_kg_m3),
             per_projectile_kg: Number::ONE / number(scene.projectile.mass_kg),
-            per_plate_kg: match scene.plate.mount {
-                Mount::Rigid => Number::ZERO,
-                Mount::Sprung => {
-                    Number::ONE
-                        / (number(scene.plate.mass_ratio) * number(scene.projectile.mass_kg))
-                }
-            },
+            per_plate_kg: Number::ONE
+                / (number(scene.plate.mass_ratio) * number(scene.projectile.mass_kg)),
             spring: Law::of(scene.mechanism.spring.coefficient, scene.mechanism.spring.exponent),
             damper: Law::of(damper.coefficient, damper.exponent),
             thickness_m: h,
             lag_m,
         };
-        if scene.plate.mount == Mount::Rigid {
+        if scene.is_rigid() {
+            problem.per_plate_kg = Number::ZERO;
             (problem.spring, problem.damper) = (Law::NONE, Law::NONE);
         }
         // Depths at which a face's section changes its formula.
@@ -318,7 +314,7 @@ impl Problem {
             if joint > from {
                 let middle = number(0.5) * (from + joint);
                 let until_m = problem.travel_m(joint);
-                problem.pieces.push(Piece { until_m, area: problem.area(r, middle) });
+                problem.pieces.push(AreaPiece { until_m, area: problem.area(r, middle) });
                 from = joint;
             }
         }
@@ -373,7 +369,7 @@ impl Problem {
     /// Time and state just off the singular zero of a force law; first contact itself where there is none.
     ///
     /// As a rule the law is omitted for the first instant. A spring of exponent below 1/3, though, is at first stronger than
-    /// the contact force, and the plate rides on their balance: there it starts. A damper of exponent below 1/2 is refused.
+    /// the contact force, and the plate follows their balance: there it starts. A damper of exponent below 1/2 is refused.
     fn leave_zero(&self, state: State, scale_s: f64) -> Result<(Number, State), Refusal> {
         let at_zero = |law: Law, i: usize| law.is_singular() && state[i] == Number::ZERO;
         if !at_zero(self.spring, 2) && !at_zero(self.damper, 3) {
@@ -428,7 +424,7 @@ impl Problem {
         (spring, damper): (Law, Law),
         per_plate_kg: Number,
         state: &State,
-        piece: &Piece,
+        piece: &AreaPiece,
         unit_s: f64,
     ) -> [Series; 4] {
         let mut s = [[Number::ZERO; TERMS]; 4];
@@ -516,7 +512,7 @@ mod tests {
     #[test]
     fn a_rigid_mount_agrees_with_the_closed_form() {
         let mut rigid = scene("");
-        rigid.plate.mount = Mount::Rigid;
+        rigid.plate.mount = crate::model::scene::Mount::Rigid;
         let closed = crate::model::contact_phase::exact::solve(&rigid).unwrap();
         let own = solve(&rigid).unwrap().answer();
         assert_eq!(own.ending, closed.ending);

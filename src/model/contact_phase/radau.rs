@@ -6,7 +6,9 @@
 
 use super::stretch::Stretch;
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
+use crate::numerics::implicit::{
+    ImplicitSystem, NODES, Step, Unfolded, interpolate, step, step_factor,
+};
 use crate::numerics::root::in_bracket;
 use crate::numerics::stepper::{Count, Reached, Start, Stepper, Stop, System};
 
@@ -24,17 +26,14 @@ struct Unknowns<'a, 'p> {
     damper: Option<PowerLaw>,
 }
 
-/// A component by its unknown: its value, the value's slope, the law's force, the force's slope.
-type Unfolded = (f64, f64, f64, f64);
-
 fn fold(law: Option<PowerLaw>, z: f64) -> f64 {
     law.map_or(z, |law| z.abs().powf(law.exponent).copysign(z))
 }
 
 fn unfold(law: PowerLaw, y: f64) -> Unfolded {
-    let z = y.abs().powf(1.0 / law.exponent).copysign(y);
-    let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
-    (z, slope, law.coefficient * y, law.coefficient)
+    let value = y.abs().powf(1.0 / law.exponent).copysign(y);
+    let slope = if y == 0.0 { 0.0 } else { value / (law.exponent * y) };
+    Unfolded { value, slope, force: law.coefficient * y, force_slope: law.coefficient }
 }
 
 impl<'a, 'p> Unknowns<'a, 'p> {
@@ -47,19 +46,24 @@ impl<'a, 'p> Unknowns<'a, 'p> {
     }
 
     fn plate(&self, y: f64) -> Unfolded {
-        self.spring.map_or_else(
-            || {
-                let (force, tangent) = self.stretch.spring(y);
-                (y, 1.0, force, tangent)
-            },
-            |law| unfold(law, y),
-        )
+        let Some(law) = self.spring else {
+            let (force, force_slope) = self.stretch.spring(y);
+            return Unfolded { value: y, slope: 1.0, force, force_slope };
+        };
+        unfold(law, y)
     }
 
     fn speed(&self, y: f64) -> Unfolded {
-        let damper = self.stretch.phase.damper;
-        self.damper
-            .map_or_else(|| (y, 1.0, damper.force(y), damper.tangent(y)), |law| unfold(law, y))
+        let Some(law) = self.damper else {
+            let law = self.stretch.phase.damper;
+            return Unfolded {
+                value: y,
+                slope: 1.0,
+                force: law.force(y),
+                force_slope: law.tangent(y),
+            };
+        };
+        unfold(law, y)
     }
 
     fn fold(&self, y: &[f64; 4]) -> [f64; 4] {
@@ -89,16 +93,16 @@ impl<'a, 'p> Unknowns<'a, 'p> {
 
 impl ImplicitSystem<4> for Unknowns<'_, '_> {
     fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
-        [y[0], y[1], self.plate(y[2]).0, self.speed(y[3]).0]
+        [y[0], y[1], self.plate(y[2]).value, self.speed(y[3]).value]
     }
 
     fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
-        [1.0, 1.0, self.plate(y[2]).1, self.speed(y[3]).1]
+        [1.0, 1.0, self.plate(y[2]).slope, self.speed(y[3]).slope]
     }
 
     fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
-        let ((x, _, spring, _), (w, _, damper, _)) = (self.plate(y[2]), self.speed(y[3]));
-        self.stretch.rate_under(&[y[0], y[1], x, w], spring, damper)
+        let (x, w) = (self.plate(y[2]), self.speed(y[3]));
+        self.stretch.rate_under(&[y[0], y[1], x.value, w.value], x.force, w.force)
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
@@ -107,16 +111,16 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
         if self.stretch.is_still() {
             return [[0.0, 1.0, 0.0, 0.0], [-by_q, -by_u, 0.0, 0.0], [0.0; 4], [0.0; 4]];
         }
-        let ((_, x_slope, _, spring), (_, w_slope, _, damper)) =
-            (self.plate(y[2]), self.speed(y[3]));
+        let (x, w) = (self.plate(y[2]), self.speed(y[3]));
         let [stiffness, damping, _] = self.stretch.pressed();
         let cos = phase.faces.cos;
-        let held = [0.0, 0.0, spring + stiffness * x_slope, damper + damping * w_slope];
+        let by_x = x.force_slope + stiffness * x.slope;
+        let held = [0.0, 0.0, by_x, w.force_slope + damping * w.slope];
         let push = [by_q * cos, by_u * cos, 0.0, 0.0];
         let plate: [f64; 4] = std::array::from_fn(|i| (push[i] - held[i]) / phase.gamma);
         let contact = [by_q, by_u, 0.0, 0.0];
         let slip = std::array::from_fn(|i| -contact[i] - cos * plate[i]);
-        [[0.0, 1.0, 0.0, 0.0], slip, [0.0, 0.0, 0.0, w_slope], plate]
+        [[0.0, 1.0, 0.0, 0.0], slip, [0.0, 0.0, 0.0, w.slope], plate]
     }
 
     fn scale(&self) -> [f64; 4] {

@@ -26,7 +26,7 @@ const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
 
 /// How many times the rounding that the rule of the rigid stop allows for is allowed for here.
 const ROUNDINGS: f64 = 4.0;
-const UNSEEN: f64 = ROUNDINGS * stop::HEIGHT_ROUNDING;
+const PLACE_ROUNDING: f64 = ROUNDINGS * stop::HEIGHT_ROUNDING;
 
 /// A stop, with stiffness and damping in scaled units, and its place.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ impl<'a> Stretch<'a> {
         stretch.watch_joint();
         stretch.watch_stop();
         if let Some(wall) = phase.wall.filter(|wall| phase.start_x >= wall.x) {
-            stretch.lean_on(wall, 0.0);
+            stretch.press_on(wall, 0.0);
         }
         if located && !phase.rigid {
             let side = if phase.start_x < 0.0 { -1.0 } else { 1.0 };
@@ -145,7 +145,7 @@ impl<'a> Stretch<'a> {
     }
 
     /// The plate rests on a rigid stop, or presses on an elastic one, from a travel on.
-    fn lean_on(&mut self, wall: Wall, q: f64) {
+    fn press_on(&mut self, wall: Wall, q: f64) {
         // An elastic one is left where its force has come down to zero.
         self.boundaries[STOP] = wall.force(1.0);
         self.behind = if wall.is_elastic() {
@@ -176,9 +176,10 @@ impl<'a> Stretch<'a> {
             Stop::Boundary(PRESSED) => {
                 self.boundaries[PRESSED] = NEVER;
                 // Within rounding of the stop's place its own boundary would not be seen to fall.
-                let beyond = |wall: &Wall| reached.y[2] - wall.x >= -UNSEEN * (1.0 + wall.x.abs());
+                let beyond =
+                    |wall: &Wall| reached.y[2] - wall.x >= -PLACE_ROUNDING * (1.0 + wall.x.abs());
                 if let Some(wall) = self.phase.wall.filter(beyond) {
-                    self.lean_on(wall, reached.y[0]);
+                    self.press_on(wall, reached.y[0]);
                 }
             }
             Stop::Boundary(PLATE_ZERO) => {
@@ -234,7 +235,7 @@ impl<'a> Stretch<'a> {
                 return;
             }
         }
-        self.lean_on(wall, reached.y[0]);
+        self.press_on(wall, reached.y[0]);
     }
 
     /// That the contact has pressed a resting plate against its stop all along: within a piece the area is least at one of its
@@ -243,14 +244,14 @@ impl<'a> Stretch<'a> {
         let Behind::Held(from) = self.behind else { return Ok(()) };
         let phase = self.phase;
         let area = smaller(from, phase.faces.area(y[0], self.piece));
-        let least = area * (phase.sigma + phase.kappa * y[1] * y[1]) * phase.faces.cos;
+        let least = area * phase.pressure(y[1]) * phase.faces.cos;
         let is_held = least >= self.spring(y[2]).0;
         if is_held { Ok(()) } else { Err(Refusal::LeavesStop) }
     }
 
     pub(super) fn contact_force(&self, q: f64, u: f64) -> f64 {
         let phase = self.phase;
-        phase.faces.area(q, self.piece) * (phase.sigma + phase.kappa * u * u)
+        phase.faces.area(q, self.piece) * phase.pressure(u)
     }
 
     /// The rates of travel, slip, displacement and velocity where spring and damper hold with these forces.
@@ -276,8 +277,7 @@ impl<'a> Stretch<'a> {
         let slope = (phase.faces.area(q + APART, self.piece)
             - phase.faces.area(q - APART, self.piece))
             / (2.0 * APART);
-        let pressure = phase.sigma + phase.kappa * u * u;
-        (slope * pressure, 2.0 * area * phase.kappa * u)
+        (slope * phase.pressure(u), 2.0 * area * phase.kappa * u)
     }
 
     pub(super) fn spring(&self, x: f64) -> (f64, f64) {

@@ -3,9 +3,8 @@
 use crate::model::contact_models::Hole;
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::record::Setting;
-use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
-use crate::model::motion::{Motion, State, StopForce};
+use crate::model::mechanism::{Elastic, PowerLaw, sign};
+use crate::model::motion::{ElasticForce, Motion, State};
 use crate::model::run::Mode;
 
 mod active_events;
@@ -19,7 +18,7 @@ pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 
 /// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
-const LOCAL: f64 = 1e-4;
+const LOCAL_TOLERANCE: f64 = 1e-4;
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps: their local
 /// tolerance of the scale that matters to the depth.
 const UNRESOLVED_SPEED: f64 = 1e-7;
@@ -38,6 +37,11 @@ pub(super) struct NearZero {
 impl NearZero {
     fn on_side_of(z: f64) -> Self {
         Self { side: if z < 0.0 { -1.0 } else { 1.0 }, omitted: false, clear: 0.0 }
+    }
+
+    /// Restores the law on the side of its argument.
+    pub(super) fn restore(&mut self, z: f64) {
+        (self.side, self.omitted) = (side(z, self.side), false);
     }
 
     /// Takes the side of an argument that is resolved, and restores the law once the argument is clear of zero.
@@ -94,7 +98,12 @@ impl<'a> Body<'a> {
             plate_m: problem.start_m,
             plate_m_s: 0.0,
         };
-        let pull = -problem.mechanism.spring.force(problem.start_m);
+        let (spring, x) = (&problem.mechanism.spring, problem.start_m);
+        let pull = -spring.force(x);
+        // The stretch into which the plate starts to move.
+        let region = spring
+            .curve()
+            .map_or(0, |curve| if pull < 0.0 { curve.region_below(x) } else { curve.region(x) });
         Self {
             problem,
             state,
@@ -112,7 +121,7 @@ impl<'a> Body<'a> {
             x_zero: NearZero::on_side_of(problem.start_m),
             w_zero: NearZero::on_side_of(pull),
             compensation_m: 0.0,
-            region: first_region(problem, pull),
+            region,
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,
             yields_since_deeper: 0,
@@ -147,10 +156,10 @@ impl<'a> Body<'a> {
                 _ => Elastic::Power(self.spring().only_if(!(self.x_zero.omitted || still))),
             },
             damper: mechanism.damper.only_if(!(self.w_zero.omitted || still)),
-            stop: stop.map_or_else(StopForce::default, |stop| StopForce {
+            stop: stop.map_or_else(ElasticForce::default, |stop| ElasticForce {
                 stiffness_n_m: stop.stiffness_n_m,
                 damping_n_s_m: stop.damping_n_s_m,
-                position_m: mechanism.stop_at_m,
+                slack_m: mechanism.stop_at_m,
             }),
             side_x: self.x_zero.side,
             side_w: self.w_zero.side,
@@ -166,10 +175,6 @@ impl<'a> Body<'a> {
         }
     }
 
-    pub(super) fn setting<'m>(&'m self, motion: &'m Motion<'m>) -> Setting<'m> {
-        Setting { body: self, motion }
-    }
-
     /// The spring as a power law; none where it is a curve.
     pub(super) fn spring(&self) -> PowerLaw {
         self.problem.mechanism.spring.power().unwrap_or(PowerLaw::NONE)
@@ -183,10 +188,6 @@ impl<'a> Body<'a> {
     /// Whether the spring is a whole power, which changes its form exactly at zero.
     pub(super) fn spring_is_whole(&self) -> bool {
         self.problem.mechanism.spring.power().is_some_and(|law| law.exponent.fract() == 0.0)
-    }
-
-    pub(super) fn damper_is_singular(&self) -> bool {
-        self.problem.mechanism.damper.kind() == PowerKind::General
     }
 
     /// The compressive strength of the interface at the present travel, N.
@@ -236,7 +237,7 @@ impl<'a> Body<'a> {
 
     /// Error that a step may make, relative to the scales.
     pub(super) fn local_tolerance(&self) -> f64 {
-        self.tolerance * LOCAL
+        self.tolerance * LOCAL_TOLERANCE
     }
 
     pub(super) fn project_onto_event(&mut self, event: EventId, before: &State) {
@@ -248,9 +249,8 @@ impl<'a> Body<'a> {
                 self.state.travel_m = if end.is_finite() { end } else { before.travel_m };
             }
             EventId::PieceStart => {
-                let behind = geometry.pieces().iter().rev();
-                let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
-                self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
+                self.state.travel_m =
+                    geometry.piece_behind(before.travel_m).map_or(0.0, |piece| piece.from_m);
             }
             EventId::HoleBottom => self.state.travel_m = self.deepest_m,
             EventId::SlipZero => self.state.slip_m_s = 0.0,
@@ -260,7 +260,9 @@ impl<'a> Body<'a> {
             EventId::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
             EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
             EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
-            EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
+            EventId::PlateSpeedZero if !self.problem.mechanism.damper.is_singular() => {
+                self.state.plate_m_s = 0.0;
+            }
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
             _ => {}
         }
@@ -276,16 +278,6 @@ impl<'a> Body<'a> {
             self.yields_since_deeper += 1;
         }
     }
-}
-
-/// The stretch of the spring's curve into which the plate starts to move.
-fn first_region(problem: &Problem, pull_n: f64) -> usize {
-    let x = problem.start_m;
-    problem
-        .mechanism
-        .spring
-        .curve()
-        .map_or(0, |curve| if pull_n < 0.0 { curve.region_below(x) } else { curve.region(x) })
 }
 
 /// The side of zero of a number, or `other` for zero itself.

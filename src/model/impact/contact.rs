@@ -2,10 +2,11 @@
 
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
-use crate::model::impact::problem::Problem;
+use crate::model::fixed_plate::FIXED_MOTION;
+use crate::model::impact::problem::PlateResponse;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::Simulation;
 use crate::model::motion::State;
-use crate::model::plan::{FIXED_MOTION, plate_is_fixed};
 use crate::model::run::Mode;
 use crate::numerics::{larger, maximum, smaller};
 
@@ -13,32 +14,6 @@ use crate::numerics::{larger, maximum, smaller};
 const LIMIT_MARGIN: f64 = 0.05;
 /// Points to draw on each stretch of the closed form.
 const POINTS: usize = 16;
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum PlateResponse {
-    Rigid,
-    /// The mechanism cannot move it noticeably.
-    Fixed,
-    /// Only its inertia answers.
-    Free,
-    /// The mechanism matters: integrate.
-    Mechanism,
-}
-
-impl Problem {
-    pub(super) fn find_plate_response(&self) -> PlateResponse {
-        if !self.flows() {
-            PlateResponse::Mechanism
-        } else if self.rigid {
-            PlateResponse::Rigid
-        } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
-            PlateResponse::Free
-        } else if plate_is_fixed(&self.passage(false), &self.mechanism, self.start_m) {
-            PlateResponse::Fixed
-        } else {
-            PlateResponse::Mechanism
-        }
-    }
-}
 
 impl Simulation<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
@@ -120,7 +95,7 @@ impl Simulation<'_> {
             });
         self.reach(state, at_joint.then_some(EventId::PieceEnd));
         let motion = self.body.motion();
-        self.record.point(&self.body.setting(&motion), &self.body.state, false);
+        self.record.point(&Setting { body: &self.body, motion: &motion }, &self.body.state, false);
         if at_joint {
             self.handle(EventId::PieceEnd);
         }

@@ -5,16 +5,19 @@
 //! the force the interface must carry stays within its limits.
 
 use crate::model::event_function::EventId;
-use crate::model::impact::body::side;
+use crate::model::impact::body::{Body, side};
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::stop::{Hit, SLOW};
-use crate::model::motion::State;
-use crate::model::run::{Arrest, EventKind, Mode};
+use crate::model::run::{Arrest, Departure, EventKind, Mode};
 
 /// First step of the implicit method, relative to the time reached, where the plate is too slow for Taylor steps.
 const UNRESOLVED_STEP: f64 = 1e-3;
 
 impl Simulation<'_> {
+    fn note(&mut self, kind: EventKind) {
+        self.record.event(self.body.state.t_s, kind);
+    }
+
     pub(super) fn handle(&mut self, event: EventId) {
         match event {
             EventId::PieceEnd => self.piece_end(),
@@ -22,7 +25,7 @@ impl Simulation<'_> {
             EventId::HoleBottom => self.deepen(),
             EventId::SlipZero => self.common_velocity(),
             EventId::Recontact | EventId::ContactAgain => {
-                self.record.event(self.body.state.t_s, EventKind::Recontact);
+                self.note(EventKind::Recontact);
                 self.body.mode =
                     if self.body.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
             }
@@ -33,14 +36,8 @@ impl Simulation<'_> {
             EventId::KnotAhead => self.body.region += 1,
             EventId::KnotBehind => self.body.region -= 1,
             EventId::PlateSpeedZero => self.plate_speed_zero(),
-            EventId::PlateClear => {
-                self.body.x_zero.omitted = false;
-                self.body.x_zero.side = side(self.body.state.plate_m, self.body.x_zero.side);
-            }
-            EventId::PlateSpeedClear => {
-                self.body.w_zero.omitted = false;
-                self.body.w_zero.side = side(self.body.state.plate_m_s, self.body.w_zero.side);
-            }
+            EventId::PlateClear => self.body.x_zero.restore(self.body.state.plate_m),
+            EventId::PlateSpeedClear => self.body.w_zero.restore(self.body.state.plate_m_s),
             EventId::StopReached => self.hit_stop(),
             EventId::StopCleared => self.body.stop_touches = false,
             // Behind its place there is nothing to press on.
@@ -60,20 +57,18 @@ impl Simulation<'_> {
         let geometry = &self.body.problem.geometry;
         let q = self.body.state.travel_m;
         if q >= geometry.exit_m {
-            let velocity =
-                self.body.state.slip_m_s + self.body.state.plate_m_s * self.body.problem.cos;
-            self.record.exit = Some((self.body.state.t_s, velocity));
-            self.record.event(self.body.state.t_s, EventKind::Perforation);
+            self.record.exit = Some(self.departure());
+            self.note(EventKind::Perforation);
             self.body.mode = Mode::Perforated;
         } else if self.body.mode == Mode::Penetrating {
             let depth = geometry.depth_m(q);
             let close = |other: f64| (depth - other).abs() < 1e-9 * depth;
             if close(geometry.thickness_m) {
-                self.record.event(self.body.state.t_s, EventKind::RearFace);
+                self.note(EventKind::RearFace);
             } else if depth > 0.99 * geometry.nose.full_from_m()
                 && depth < 1.01 * geometry.nose.full_from_m()
             {
-                self.record.event(self.body.state.t_s, EventKind::NoseBuried);
+                self.note(EventKind::NoseBuried);
             }
         }
     }
@@ -87,16 +82,19 @@ impl Simulation<'_> {
 
     fn separate(&mut self) {
         self.body.mode = Mode::FreeFlight;
-        let velocity = self.body.state.slip_m_s + self.body.state.plate_m_s * self.body.problem.cos;
-        self.record.separation = Some((self.body.state.t_s, velocity));
-        self.record.event(self.body.state.t_s, EventKind::Separation);
+        self.record.separation = Some(self.departure());
+        self.note(EventKind::Separation);
+    }
+
+    fn departure(&self) -> Departure {
+        let Body { state, problem, .. } = &self.body;
+        Departure { t_s: state.t_s, velocity_m_s: state.projectile_m_s(problem.cos) }
     }
 
     /// Makes the bodies one, with the momentum they have. The energy that this takes is the contact's.
     fn join(&mut self) {
         let problem = self.body.problem;
-        let State { slip_m_s: u, plate_m_s: w, .. } = self.body.state;
-        let v = u + w * problem.cos;
+        let (v, w) = (self.body.state.projectile_m_s(problem.cos), self.body.state.plate_m_s);
         let energy_j = 0.5 * (problem.projectile_kg * v * v + problem.plate_kg * w * w);
         let momentum = problem.projectile_kg * v * problem.cos + problem.plate_kg * w;
         let joined = if self.body.is_still() { 0.0 } else { momentum / problem.joined_kg };
@@ -127,10 +125,7 @@ impl Simulation<'_> {
                 plate_velocity_m_s: self.body.state.plate_m_s,
             });
         }
-        self.record.event(
-            self.body.state.t_s,
-            if first { EventKind::FirstArrest } else { EventKind::Arrest },
-        );
+        self.note(if first { EventKind::FirstArrest } else { EventKind::Arrest });
     }
 
     /// Common velocity: together, or on to what the contact model says.
@@ -172,20 +167,20 @@ impl Simulation<'_> {
 
     /// A plastic interface yields at its limit; for a fused one the first time is noted.
     fn pass_limit(&mut self, limit: EventId) {
-        let (is_push, t_s) = (limit == EventId::PushLimit, self.body.state.t_s);
+        let is_push = limit == EventId::PushLimit;
         match (self.body.problem.plastic, is_push) {
             (true, true) => self.resume(),
             (true, false) => {
                 self.body.mode = Mode::Withdrawing;
-                self.record.event(t_s, EventKind::PullOut);
+                self.note(EventKind::PullOut);
             }
             (false, _) => {
                 let record = &mut self.record;
                 let first_s =
                     if is_push { &mut record.push_exceeded_s } else { &mut record.pull_exceeded_s };
                 if first_s.is_none() {
-                    *first_s = Some(t_s);
-                    record.event(t_s, EventKind::InterfaceExceeded);
+                    *first_s = Some(self.body.state.t_s);
+                    self.note(EventKind::InterfaceExceeded);
                 }
             }
         }
@@ -204,7 +199,7 @@ impl Simulation<'_> {
     fn deepen(&mut self) {
         self.body.mode = Mode::Penetrating;
         self.record.resumed_s.get_or_insert(self.body.state.t_s);
-        self.record.event(self.body.state.t_s, EventKind::Resumption);
+        self.note(EventKind::Resumption);
     }
 
     fn plate_zero(&mut self) {
@@ -215,14 +210,14 @@ impl Simulation<'_> {
             self.control.stiff = true;
             self.control.unit_s = UNRESOLVED_STEP * self.body.state.t_s;
         } else {
-            self.omit_spring();
+            self.control.shorten_unit(self.body.omit_spring());
         }
     }
 
     fn plate_speed_zero(&mut self) {
-        if self.body.damper_is_singular() && !self.control.stiff {
+        if self.body.problem.mechanism.damper.is_singular() && !self.control.stiff {
             self.note_greatest_displacement();
-            self.omit_damper();
+            self.control.shorten_unit(self.body.omit_damper());
         } else {
             self.turned_round();
         }
@@ -236,14 +231,14 @@ impl Simulation<'_> {
     fn note_greatest_displacement(&mut self) {
         if self.body.w_zero.side > 0.0 && self.body.state.plate_m >= self.record.max_displacement_m
         {
-            self.record.event(self.body.state.t_s, EventKind::GreatestDisplacement);
+            self.note(EventKind::GreatestDisplacement);
         }
     }
 
     fn hit_stop(&mut self) {
         self.record.reach(&self.body.state);
         let Some(stop) = self.body.problem.mechanism.rigid_stop() else {
-            self.record.event(self.body.state.t_s, EventKind::StopHit);
+            self.note(EventKind::StopHit);
             self.body.stop_touches = true;
             // Its damper pushes at once: no event function falls where the force jumps.
             if self.body.mode == Mode::Fused {
@@ -254,7 +249,7 @@ impl Simulation<'_> {
         let joined = self.body.mode == Mode::Fused && !self.body.problem.plastic;
         let mass = if joined { self.body.problem.joined_kg } else { self.body.problem.plate_kg };
         let before = self.body.state.plate_m_s;
-        let (_, rate) = self.body.motion().accelerations(&self.body.state);
+        let rate = self.body.motion().accelerations(&self.body.state).plate_m_s2;
         let after = stop.rebound(&Hit {
             velocity: before,
             acceleration: rate,
@@ -262,7 +257,7 @@ impl Simulation<'_> {
             length_scale: self.body.stop_scale_m(),
         });
         if before > SLOW * self.body.problem.velocity_m_s {
-            self.record.event(self.body.state.t_s, EventKind::StopHit);
+            self.note(EventKind::StopHit);
         }
         self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);
         self.body.state.plate_m_s = after;
@@ -280,7 +275,7 @@ impl Simulation<'_> {
                 self.settle();
             }
             if self.body.net_push_on_stop() >= 0.0 {
-                self.record.event(self.body.state.t_s, EventKind::StopHold);
+                self.note(EventKind::StopHold);
             }
         }
     }
@@ -302,7 +297,7 @@ impl Simulation<'_> {
         (self.body.rests_on_stop, self.body.released) = (false, true);
         self.body.w_zero.side = -1.0;
         self.body.x_zero.side = side(self.body.state.plate_m, -1.0);
-        self.record.event(self.body.state.t_s, EventKind::StopRelease);
+        self.note(EventKind::StopRelease);
         if self.body.mode == Mode::Fused {
             self.settle();
         }
@@ -312,8 +307,8 @@ impl Simulation<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::body::Body;
     use crate::model::impact::problem::Problem;
+    use crate::model::motion::State;
 
     /// The view of a run after an event.
     fn look<T>(

@@ -4,10 +4,10 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::contact_models::{self, ContactModel};
-use crate::model::impact::contact::PlateResponse;
+use crate::model::contact_models::{self, ContactLaw, Scales};
+use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -19,13 +19,18 @@ const DECAY_MAX: f64 = 50.0;
 const OSCILLATIONS: f64 = 20.0;
 const PLASTIC_OSCILLATIONS: f64 = 100.0;
 
+/// Oscillations (in radians) within the contact that Taylor steps can still follow.
+const OSCILLATION_MAX_RAD: f64 = 1e5;
+/// Time constants of the damper within the contact up to which Taylor steps are the cheaper way.
+const DECAYS_MAX: f64 = 3e3;
+
 /// Everything the run needs to know about its scene.
 #[derive(Clone, Debug)]
 pub(super) struct Problem {
     pub(super) scene: Arc<Scene>,
     pub(super) geometry: Geometry,
     pub(super) mechanism: Mechanism,
-    pub(super) contact: Arc<dyn ContactModel>,
+    pub(super) contact: Arc<dyn ContactLaw>,
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds, kg.
     pub(super) plate_kg: f64,
@@ -64,6 +69,39 @@ pub(super) struct Problem {
     pub(super) next: OnceLock<Box<Self>>,
 }
 
+/// How the plate answers to the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PlateResponse {
+    Rigid,
+    /// The mechanism cannot move it noticeably.
+    Fixed,
+    /// Only its inertia answers.
+    Free,
+    /// The mechanism matters: integrate.
+    Mechanism,
+}
+
+/// How fast things happen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TimeScales {
+    pub(super) contact_s: f64,
+    /// How far the mechanism yields to the contact force, relative to the travel.
+    pub(super) yields_part: f64,
+    /// Angular frequency of the plate on its spring, 1/s.
+    frequency_rad_s: f64,
+    /// Decay rate of the plate's velocity by its damper, 1/s.
+    decay_per_s: f64,
+}
+
+impl TimeScales {
+    /// Whether the implicit method should have the contact from the start. NaN counts as stiff.
+    pub(super) fn is_stiff(&self) -> bool {
+        let oscillations = self.frequency_rad_s * self.contact_s;
+        let decays = self.decay_per_s * self.contact_s;
+        !(oscillations < OSCILLATION_MAX_RAD && decays < DECAYS_MAX)
+    }
+}
+
 #[cfg(test)]
 impl Problem {
     /// Of the default scene with these variables.
@@ -76,16 +114,16 @@ impl Problem {
     pub(super) fn of(scene: &Arc<Scene>) -> Self {
         let geometry = Geometry::of(scene);
         let contact = contact_models::of(scene, &geometry);
-        let flows = scene.contact.model == ContactKind::Hydrodynamic;
+        let flows = scene.contact.model == ContactModel::Hydrodynamic;
         let mechanism = Mechanism::of(scene);
-        let rigid = scene.plate.mount == Mount::Rigid;
+        let rigid = scene.is_rigid();
         let cos = geometry.nose.cos;
         let inertia = Inertia::of(scene);
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = scene.plate_mass_kg() + inertia.added_kg();
         let joined_kg = plate_kg + projectile_kg * cos * cos;
         let velocity_m_s = scene.projectile.velocity_m_s;
-        let start_m = if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m };
+        let start_m = scene.start_m();
         let energy_j =
             0.5 * projectile_kg * velocity_m_s * velocity_m_s + mechanism.spring.energy(start_m);
         let mut problem = Self {
@@ -124,9 +162,24 @@ impl Problem {
         problem
     }
 
+    /// How the plate answers: what the contact has to be computed with.
+    fn find_plate_response(&self) -> PlateResponse {
+        if !self.flows() {
+            PlateResponse::Mechanism
+        } else if self.rigid {
+            PlateResponse::Rigid
+        } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
+            PlateResponse::Free
+        } else if plate_is_fixed(&self.passage(false), &self.mechanism, self.start_m) {
+            PlateResponse::Fixed
+        } else {
+            PlateResponse::Mechanism
+        }
+    }
+
     /// Whether the contact is the flow of the target at its strength: the hydrodynamic model.
     pub(super) fn flows(&self) -> bool {
-        self.scene.contact.model == ContactKind::Hydrodynamic
+        self.scene.contact.model == ContactModel::Hydrodynamic
     }
 
     /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
@@ -151,9 +204,28 @@ impl Problem {
         known.map_or(f64::NAN, |_| self.geometry.depth_m(travel_m))
     }
 
-    /// The time in which the projectile would travel its own radius, s.
-    pub(super) fn contact_scale_s(&self) -> f64 {
-        self.geometry.nose.radius_m / self.velocity_m_s
+    /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
+    pub(super) fn time_scales(&self) -> TimeScales {
+        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
+        let (v, m_2) = (self.velocity_m_s, self.plate_kg);
+        let Scales { travel_m, duration_s, force_n: contact_n } = self.contact.scales();
+        let mut contact_s = duration_s;
+        let preload = spring.force(self.start_m).abs();
+        // A cocked plate that is thrown forward at the projectile's speed ends the contact.
+        if preload > 0.0 && damper.at_force(preload) > v {
+            contact_s = smaller(contact_s, m_2 * v / preload);
+        }
+        let drive = larger(contact_n, preload);
+        let thrown = drive * contact_s / m_2;
+        let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
+        let x = larger(yields, self.start_m.abs());
+        let w = smaller(damper.at_force(drive), thrown);
+        TimeScales {
+            contact_s,
+            yields_part: smaller(yields / travel_m, 1.0),
+            frequency_rad_s: (spring.tangent(x).abs() / m_2).sqrt(),
+            decay_per_s: damper.tangent(w) / m_2,
+        }
     }
 
     /// Long enough for the contact, many oscillations of the spring with all energy in it, a damper to die down, and a plate that

@@ -4,7 +4,7 @@ use crate::model::impact::body::{Body, Noted};
 use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
-use crate::model::run::{Arrest, EnergyLedger, Event, EventKind, Mode, Sample};
+use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
 use crate::numerics::root::each_down_crossing;
 use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
@@ -37,8 +37,8 @@ pub(super) struct Record<'a> {
     /// The energies that have to be integrated; of the others nothing.
     pub(super) work: EnergyLedger,
     pub(super) first_arrest: Option<Arrest>,
-    pub(super) exit: Option<(f64, f64)>,
-    pub(super) separation: Option<(f64, f64)>,
+    pub(super) exit: Option<Departure>,
+    pub(super) separation: Option<Departure>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
     /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not determine it, N.
@@ -51,13 +51,6 @@ pub(super) struct Record<'a> {
     pub(super) push_exceeded_s: Option<f64>,
     pub(super) pull_exceeded_s: Option<f64>,
     pub(super) no_strength: bool,
-}
-
-/// When a step begins and ends, s.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Times {
-    pub(super) from_s: f64,
-    pub(super) to_s: f64,
 }
 
 /// The body on a step, with the equations that hold on it.
@@ -77,14 +70,14 @@ impl Setting<'_> {
         let contact = match mode {
             Mode::Fused if body.is_still() => 0.0,
             Mode::Fused => {
-                problem.interface_fraction * (spring + damper + motion.stop.force(state))
+                problem.interface_fraction * (spring + damper + motion.stop_force(state))
             }
             _ => motion.contact_force(state),
         };
         let stop = if body.rests_on_stop {
             contact * problem.cos - spring
         } else {
-            motion.stop.force(state)
+            motion.stop_force(state)
         };
         Sample {
             t_s: state.t_s,
@@ -92,7 +85,7 @@ impl Setting<'_> {
             penetration_m: problem.depth_m(state.travel_m),
             projectile_displacement_m: state.travel_m
                 + (state.plate_m - problem.start_m) * problem.cos,
-            projectile_velocity_m_s: state.slip_m_s + state.plate_m_s * problem.cos,
+            projectile_velocity_m_s: state.projectile_m_s(problem.cos),
             plate_displacement_m: state.plate_m,
             plate_velocity_m_s: state.plate_m_s,
             contact_force_n: contact,
@@ -160,7 +153,7 @@ impl Record<'_> {
             for (j, force) in force.iter_mut().enumerate() {
                 *force = stop.stiffness_n_m * e.plate[j] + stop.damping_n_s_m * e.plate_speed[j];
             }
-            force[0] -= stop.stiffness_n_m * stop.position_m;
+            force[0] -= stop.stiffness_n_m * stop.slack_m;
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
         self.note_extremes(setting, |force, known| {
@@ -175,16 +168,15 @@ impl Record<'_> {
             };
             greatest(series, span, known, |s| setting.motion.force(force, &e.state(s)))
         });
-        let times = Times { from_s: e.t_s, to_s: e.t_s + span * h };
-        self.draw(setting, times, POINTS_PER_STEP, |part| e.state(span * part));
+        self.draw(setting, e.t_s + span * h, POINTS_PER_STEP, |part| e.state(span * part));
     }
 
-    /// Draws a step by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number
+    /// Draws the step to a time by its dense output: rows at equal time steps where they are wanted, and between the ends of a given number
     /// of equal parts.
     pub(super) fn draw(
         &mut self,
         setting: &Setting<'_>,
-        Times { from_s, to_s }: Times,
+        to_s: f64,
         parts: usize,
         dense: impl Fn(f64) -> State,
     ) {
@@ -192,6 +184,7 @@ impl Record<'_> {
             return;
         }
         if let Some(window) = self.window {
+            let from_s = setting.body.state.t_s;
             let at = |t_s: f64| State { t_s, ..dense((t_s - from_s) / (to_s - from_s)) };
             window.fill(to_s, |t_s| setting.sample(&at(t_s), false));
         }
@@ -207,7 +200,7 @@ impl Record<'_> {
         let (work, w) = (&mut self.work, state.plate_m_s);
         work.penetration_j += dt_s * motion.contact_force(state) * state.slip_m_s;
         work.damper_j += dt_s * motion.damper.force(w) * w;
-        work.stop_j += dt_s * motion.stop.force(state) * w;
+        work.stop_j += dt_s * motion.stop_force(state) * w;
     }
 
     /// Note the greatest forces of a step. `greatest` finds that of one force, as far as it exceeds what is known, N.

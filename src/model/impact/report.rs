@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use crate::model::impact::body::MaximumDisplacement;
-use crate::model::impact::contact::PlateResponse;
-use crate::model::impact::problem::Problem;
+use crate::model::impact::problem::{PlateResponse, Problem};
+use crate::model::impact::record::Record;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled, Outcome, Run,
-    STILL_WITHIN_CONTACT, Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, Event, EventKind, MechanismLoad, NotModelled, Outcome,
+    Run, STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
@@ -17,7 +17,7 @@ use crate::numerics::larger;
 /// Displacements this part apart are the same.
 const SAME_DISPLACEMENT: f64 = 1e-8;
 
-pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: EndReason) -> Run {
+pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReason) -> Run {
     let outcome = simulation
         .termination
         .decided
@@ -56,8 +56,8 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
     let cost = cost(problem, &simulation);
     let mechanism = load(problem, &simulation, max_displacement);
     let omitted = omitted(problem, &simulation);
-    tidy_events(&mut simulation);
-    let record = simulation.record;
+    let mut record = simulation.record;
+    tidy_events(&mut record);
     Run {
         scene: Arc::clone(&problem.scene),
         outcome,
@@ -72,8 +72,8 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
         max_plate_displacement_m: max_displacement,
         at_least,
         penetration_at_most_m,
-        residual_velocity_m_s: record.exit.map(|exit| exit.1),
-        exit_time_s: record.exit.map(|exit| exit.0),
+        residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
+        exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.push_ratio,
         error_estimate: None,
@@ -104,7 +104,7 @@ fn max_displacement_m(simulation: &Simulation<'_>) -> Option<f64> {
 fn ledger(problem: &Problem, simulation: &Simulation<'_>) -> EnergyLedger {
     let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
     let state = &simulation.body.state;
-    let speed = state.slip_m_s + state.plate_m_s * problem.cos;
+    let speed = state.projectile_m_s(problem.cos);
     let spring = &problem.mechanism.spring;
     let (spring_j, crush_j) = simulation.spring_energies();
     let added_kg = problem.inertia.added_kg();
@@ -240,7 +240,7 @@ fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> 
     let rows = [
         (problem.rigid, "plate motion"),
         (spring.is_absent(), "spring"),
-        (damper.kind() == PowerKind::Absent, "damper"),
+        (damper.is_absent(), "damper"),
         (problem.mechanism.stop.is_none(), "stop"),
         (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
         (whole(damper.kind()), "damper power function"),
@@ -257,18 +257,13 @@ fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> 
 }
 
 /// Of the displacement's maxima on the way only the greatest is reported as an event.
-fn tidy_events(simulation: &mut Simulation<'_>) {
-    let greatest = simulation.record.max_displacement_s;
-    let last = simulation
-        .record
-        .events
-        .iter()
-        .rposition(|event| event.kind == EventKind::GreatestDisplacement);
+fn tidy_events(record: &mut Record<'_>) {
+    let is_maximum = |event: &Event| event.kind == EventKind::GreatestDisplacement;
+    let last = record.events.iter().rposition(is_maximum);
     let mut index = 0;
-    simulation.record.events.retain(|event| {
-        let keep = event.kind != EventKind::GreatestDisplacement
-            || (Some(index) == last && event.t_s >= greatest);
+    record.events.retain(|event| {
+        let is_greatest = Some(index) == last && event.t_s >= record.max_displacement_s;
         index += 1;
-        keep
+        !is_maximum(event) || is_greatest
     });
 }

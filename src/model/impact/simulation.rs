@@ -10,12 +10,11 @@ use std::ops::ControlFlow;
 use crate::model::event_function::{ActiveEvents, EventId};
 use crate::model::impact::body::Body;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::record::Record;
+use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
-use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::termination::Termination;
-use crate::model::mechanism::{PowerKind, sign};
+use crate::model::mechanism::sign;
 use crate::model::motion::{Motion, State};
 use crate::model::run::Observer;
 use crate::model::run::{EndReason, Mode};
@@ -44,7 +43,9 @@ impl<'a> Simulation<'a> {
     pub(super) fn new(problem: &'a Problem, tolerance: f64, keep_series: bool) -> Self {
         Self {
             body: Body::new(problem, tolerance),
-            control: StepControl::new(0.1 * problem.contact_scale_s()),
+            control: StepControl::new(
+                0.1 * (problem.geometry.nose.radius_m / problem.velocity_m_s),
+            ),
             record: Record {
                 keep_series,
                 max_displacement_m: problem.start_m,
@@ -80,10 +81,7 @@ impl<'a> Simulation<'a> {
             self.body.restore_omitted();
             self.come_to_rest();
             self.unload_absorbers();
-            if let Some(Crossed(detected)) = self.cross_singularity() {
-                if let Some(event) = detected {
-                    self.apply_transition(event);
-                }
+            if self.cross_singularity() {
                 continue;
             }
             self.keep_off_singularities();
@@ -95,8 +93,7 @@ impl<'a> Simulation<'a> {
                 if self.control.stiff { self.stiff_step() } else { self.taylor_step::<N>() };
             match advanced {
                 ControlFlow::Break(reason) => return self.end_early(reason),
-                ControlFlow::Continue(None) => {}
-                ControlFlow::Continue(Some(event)) => self.apply_transition(event),
+                ControlFlow::Continue(detected) => self.apply_detected(detected),
             }
         }
     }
@@ -112,6 +109,13 @@ impl<'a> Simulation<'a> {
 
     pub(super) fn active_events(&self) -> ActiveEvents {
         self.body.active_events(self.control.stiff, self.record.noted())
+    }
+
+    /// The transition after the event that ended a step, if one did.
+    pub(super) fn apply_detected(&mut self, detected: Option<EventId>) {
+        if let Some(event) = detected {
+            self.apply_transition(event);
+        }
     }
 
     /// The transition after an event, and the method that continues.
@@ -133,16 +137,6 @@ impl<'a> Simulation<'a> {
         if is_complete { EndReason::Decided } else { reason }
     }
 
-    pub(super) fn omit_spring(&mut self) {
-        let crossing_s = self.body.omit_spring();
-        self.control.shorten_unit(crossing_s);
-    }
-
-    pub(super) fn omit_damper(&mut self) {
-        let crossing_s = self.body.omit_damper();
-        self.control.shorten_unit(crossing_s);
-    }
-
     /// A singular law exactly at its zero cannot be expanded: leave it out until it has left zero.
     fn keep_off_singularities(&mut self) {
         if self.body.is_still() || self.control.stiff {
@@ -150,10 +144,10 @@ impl<'a> Simulation<'a> {
         }
         let mechanism = &self.body.problem.mechanism;
         if mechanism.spring.is_singular() && self.body.state.plate_m == 0.0 {
-            self.omit_spring();
+            self.control.shorten_unit(self.body.omit_spring());
         }
-        if mechanism.damper.kind() == PowerKind::General && self.body.state.plate_m_s == 0.0 {
-            self.omit_damper();
+        if mechanism.damper.is_singular() && self.body.state.plate_m_s == 0.0 {
+            self.control.shorten_unit(self.body.omit_damper());
         }
     }
 
@@ -197,13 +191,13 @@ impl<'a> Simulation<'a> {
 
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
-        self.record.point(&self.body.setting(&motion), &self.body.state, true);
+        self.record.point(&Setting { body: &self.body, motion: &motion }, &self.body.state, true);
     }
 
     /// Records the state at the end of a step, put exactly on the event that ended it.
     pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, detected: Option<EventId>) {
         self.reach(state, detected);
-        self.record.point(&self.body.setting(motion), &self.body.state, true);
+        self.record.point(&Setting { body: &self.body, motion }, &self.body.state, true);
     }
 
     /// Takes a state, put exactly on the event that led to it.

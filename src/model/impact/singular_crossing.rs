@@ -9,8 +9,8 @@
 //! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
 use crate::model::event_function::{EventFunction, EventId};
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
-use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 use crate::numerics::event::{SignChange, first_sign_change, land};
@@ -19,7 +19,7 @@ use crate::numerics::{larger, maximum, smaller};
 
 mod independent_variable;
 
-use independent_variable::{IndependentVariable, Law, Unknowns};
+use independent_variable::{CrossedLaw, IndependentVariable, Unknowns};
 
 /// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a crossing
 /// step, at tolerance 1, and how it falls with the tolerance: two computations do not share their crossing steps, and with them
@@ -54,9 +54,6 @@ const COLLOCATION_WORK: usize = 10;
 /// Every this many of a crossing step's points are drawn.
 const DRAWN_EVERY: usize = 4;
 
-/// A crossing step has been taken, and this event ended it.
-pub(super) struct Crossed(pub(super) Option<EventId>);
-
 /// An accurate stretch: its points, the state at its end, and the event that ends it, if one does.
 struct Stretch {
     graded: Graded<4>,
@@ -66,28 +63,26 @@ struct Stretch {
 }
 
 impl Simulation<'_> {
-    /// Take a crossing step, if a non-integer law's zero is close enough.
-    pub(super) fn cross_singularity(&mut self) -> Option<Crossed> {
+    /// Takes a crossing step, if a non-integer law's zero is close enough.
+    pub(super) fn cross_singularity(&mut self) -> bool {
         if self.body.is_still()
             || self.control.stiff
             || self.body.x_zero.omitted
             || self.body.w_zero.omitted
         {
-            return None;
+            return false;
         }
         let mechanism = &self.body.problem.mechanism;
-        let spring = mechanism.spring.power().is_some_and(|law| law.kind() == PowerKind::General);
-        let damper = mechanism.damper.kind() == PowerKind::General;
-        let by_spring = if spring { self.cross_by(Law::Spring) } else { None };
-        by_spring.or_else(|| if damper { self.cross_by(Law::Damper) } else { None })
+        let (spring, damper) = (mechanism.spring.is_singular(), mechanism.damper.is_singular());
+        spring && self.cross_by(CrossedLaw::Spring) || damper && self.cross_by(CrossedLaw::Damper)
     }
 
-    fn cross_by(&mut self, law: Law) -> Option<Crossed> {
+    fn cross_by(&mut self, law: CrossedLaw) -> bool {
         let motion = self.body.motion();
         let variable = IndependentVariable::new(law, &motion, self.body.state);
         let room = variable.room(EXCHANGED_PART * self.body.tolerance.powf(EXCHANGED_POWER));
         if variable.heading == 0.0 || !room.is_finite() {
-            return None;
+            return false;
         }
         let crossed_to = &mut self.control.crossed_to[law as usize];
         if *crossed_to * variable.heading < 0.0 {
@@ -100,51 +95,53 @@ impl Simulation<'_> {
         }
     }
 
-    fn cross_in(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
+    fn cross_in(&mut self, variable: &IndependentVariable<'_>, room: f64) -> bool {
         let from = variable.now().abs();
         let refused = &mut self.control.crossing_refused[variable.law as usize];
         if *refused == REFUSED {
             *refused = f64::INFINITY;
         }
         if from > smaller(*refused, room) {
-            return None;
+            return false;
         }
         let Some(stretch) = self.stretch(variable, 0.0) else {
             self.control.crossing_refused[variable.law as usize] = RETRY_PART * from;
-            return None;
+            return false;
         };
         self.go(variable, &stretch);
-        if variable.law == Law::Damper && stretch.end.plate_m_s == 0.0 {
+        if variable.law == CrossedLaw::Damper && stretch.end.plate_m_s == 0.0 {
             self.turned_round();
         }
-        Some(Crossed(stretch.detected))
+        self.apply_detected(stretch.detected);
+        true
     }
 
     /// From the zero, or from close to it, as far as there is room.
-    fn cross_out(&mut self, variable: &IndependentVariable<'_>, room: f64) -> Option<Crossed> {
+    fn cross_out(&mut self, variable: &IndependentVariable<'_>, room: f64) -> bool {
         // Ordinary steps follow a velocity only as far as it matters: it may seem to have come back towards the zero it has left.
         let now = variable.now() * variable.heading;
         let has_left = now > 0.0 && now < self.control.crossed_to[variable.law as usize].abs();
         if has_left || self.control.crossing_refused[variable.law as usize] == REFUSED {
-            return None;
+            return false;
         }
         let mut far = room;
         for trial in 0..TRIALS {
             if variable.now().abs() > START_PART * far {
                 if trial == 0 {
-                    return None;
+                    return false;
                 }
                 break;
             }
             if let Some(stretch) = self.stretch(variable, variable.heading * far) {
                 self.go(variable, &stretch);
                 self.control.crossed_to[variable.law as usize] = variable.shown(&self.body.state);
-                return Some(Crossed(stretch.detected));
+                self.apply_detected(stretch.detected);
+                return true;
             }
             far *= SHORTENING;
         }
         self.control.crossing_refused[variable.law as usize] = REFUSED;
-        None
+        false
     }
 
     /// The stretch to `to`, or to the first event on it, if it is accurate.
@@ -184,7 +181,8 @@ impl Simulation<'_> {
     fn unbroken(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let from = variable.now();
         let scale = self.crossing_scale(variable, to - from);
-        let on_stop = variable.law == Law::Damper && variable.motion.stop.stiffness_n_m > 0.0;
+        let on_stop =
+            variable.law == CrossedLaw::Damper && variable.motion.stop.stiffness_n_m > 0.0;
         if on_stop && scale[3] < STOP_PATH_MIN * self.body.state.plate_m.abs() {
             return None;
         }
@@ -208,8 +206,8 @@ impl Simulation<'_> {
         let duration_s = (way / variable.speed()).abs();
         let path_m = self.body.state.travel_m.abs() + self.body.state.slip_m_s.abs() * duration_s;
         let plate = match variable.law {
-            Law::Spring => variable.energy(),
-            Law::Damper => {
+            CrossedLaw::Spring => variable.energy(),
+            CrossedLaw::Damper => {
                 (0.5 * way).abs() * duration_s
                     + self.body.resolved_part() * self.body.state.travel_m.abs()
             }
@@ -223,7 +221,7 @@ impl Simulation<'_> {
         let Stretch { graded, states, end, detected } = stretch;
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
-        let setting = self.body.setting(motion);
+        let setting = Setting { body: &self.body, motion };
         for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, variable.rate(state)[0] * point.dz);
             if place % DRAWN_EVERY == DRAWN_EVERY / 2 {
@@ -244,7 +242,7 @@ impl Simulation<'_> {
         }
         self.control.steps += 1;
         self.control.stretch_steps += 1;
-        self.control.count_turns(motion.accelerations(&self.body.state).1);
+        self.control.count_turns(motion.accelerations(&self.body.state).plate_m_s2);
         let took_s = graded.end[0];
         self.control.unit_s = larger(took_s, f64::MIN_POSITIVE);
         self.arrive(*end, motion, *detected);

@@ -4,11 +4,9 @@
 //! the plate follows the balance of forces: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is
 //! enough: the start is placed so early that the momentum in question is below the tolerance.
 
-use crate::model::contact_models::Scales;
-use crate::model::impact::problem::Problem;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::Simulation;
-use crate::model::impact::singular_crossing::Crossed;
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::mechanism::PowerLaw;
 use crate::model::motion::{Expansion, Motion};
 use crate::numerics::{larger, smaller};
 
@@ -21,59 +19,8 @@ const LATEST: f64 = 3e-3;
 const START_POWER: f64 = 0.125;
 /// No start is earlier than this, s.
 const START_MIN_S: f64 = 1e-40;
-/// Oscillations (in radians) within the contact that Taylor steps can still follow.
-const OSCILLATION_MAX_RAD: f64 = 1e5;
-/// Time constants of the damper within the contact up to which Taylor steps are the cheaper way.
-const DECAYS_MAX: f64 = 3e3;
 /// Momentum omitted at the start, relative to the projectile's, per tolerance.
 const OMITTED_MOMENTUM: f64 = 1e-4;
-
-/// How fast things happen.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TimeScales {
-    pub(super) contact_s: f64,
-    /// How far the mechanism yields to the contact force, relative to the travel.
-    pub(super) yields_part: f64,
-    /// Angular frequency of the plate on its spring, 1/s.
-    frequency_rad_s: f64,
-    /// Decay rate of the plate's velocity by its damper, 1/s.
-    decay_per_s: f64,
-}
-
-impl TimeScales {
-    /// Whether the implicit method should have the contact from the start. NaN counts as stiff.
-    pub(super) fn is_stiff(&self) -> bool {
-        let oscillations = self.frequency_rad_s * self.contact_s;
-        let decays = self.decay_per_s * self.contact_s;
-        !(oscillations < OSCILLATION_MAX_RAD && decays < DECAYS_MAX)
-    }
-}
-
-impl Problem {
-    /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
-    pub(super) fn time_scales(&self) -> TimeScales {
-        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
-        let (v, m_2) = (self.velocity_m_s, self.plate_kg);
-        let Scales { travel_m, duration_s, force_n: contact_n } = self.contact.scales();
-        let mut contact_s = duration_s;
-        let preload = spring.force(self.start_m).abs();
-        // A cocked plate that is thrown forward at the projectile's speed ends the contact.
-        if preload > 0.0 && damper.at_force(preload) > v {
-            contact_s = smaller(contact_s, m_2 * v / preload);
-        }
-        let drive = larger(contact_n, preload);
-        let thrown = drive * contact_s / m_2;
-        let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
-        let x = larger(yields, self.start_m.abs());
-        let w = smaller(damper.at_force(drive), thrown);
-        TimeScales {
-            contact_s,
-            yields_part: smaller(yields / travel_m, 1.0),
-            frequency_rad_s: (spring.tangent(x).abs() / m_2).sqrt(),
-            decay_per_s: damper.tangent(w) / m_2,
-        }
-    }
-}
 
 impl Simulation<'_> {
     /// Step over the singular start, if there is one.
@@ -81,14 +28,11 @@ impl Simulation<'_> {
         let problem = self.body.problem;
         let mechanism = &problem.mechanism;
         let spring_singular = mechanism.spring.is_singular() && self.body.state.plate_m == 0.0;
-        let damper_singular = mechanism.damper.kind() == PowerKind::General;
+        let damper_singular = mechanism.damper.is_singular();
         if self.body.rests_on_stop || problem.rigid || !(spring_singular || damper_singular) {
             return;
         }
-        if !spring_singular && let Some(Crossed(detected)) = self.cross_singularity() {
-            if let Some(event) = detected {
-                self.apply_transition(event);
-            }
+        if !spring_singular && self.cross_singularity() {
             return;
         }
         self.body.x_zero.omitted = spring_singular;
@@ -105,9 +49,9 @@ impl Simulation<'_> {
             let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
             let damper =
                 if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
-            let left_out = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
+            let omitted_n = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
             let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
-            inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
+            inside && omitted_n * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
         let scale_s = self.body.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
         let mut t_s = FIRST_GUESS * scale_s;
@@ -153,7 +97,7 @@ impl Simulation<'_> {
             // The implicit method starts from the very beginning: it has no trouble with zero.
             return;
         }
-        self.record.step(&self.body.setting(motion), &e, 1.0);
+        self.record.step(&Setting { body: &self.body, motion }, &e, 1.0);
         self.arrive(state, motion, None);
         self.control.steps += 1;
     }
@@ -167,5 +111,5 @@ fn drive_n<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
 
 /// Tangent per mass: the square of a frequency for a spring, a rate for a damper.
 fn stiffness_per_s(law: PowerLaw, z: f64, mass_kg: f64) -> f64 {
-    if law.kind() == PowerKind::General { law.tangent(z) / mass_kg } else { 0.0 }
+    if law.is_singular() { law.tangent(z) / mass_kg } else { 0.0 }
 }

@@ -7,7 +7,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
-use crate::model::impact::record::Times;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::impact::step_control::StepControl;
 use crate::model::motion::{Motion, State};
@@ -23,7 +23,7 @@ mod unknowns;
 use unknowns::Unknowns;
 
 /// Points drawn within a step, its end included.
-const POINTS_PER_STEP: usize = 4;
+const DRAWN_PER_STEP: usize = 4;
 /// How far from zero an event function may be where it has fallen, relative to its variation over the step.
 const EVENT_TOLERANCE: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
@@ -35,7 +35,7 @@ const ITERATION_WORK: usize = 1;
 const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
-const LOCAL: f64 = 1e-3;
+const ESTIMATE_PART: f64 = 1e-3;
 /// Displacement of the plate, relative to the travel, up to which the contact is independent of its oscillations; the estimate,
 /// relative to the impact velocity, below which it follows them all the same; and the power with which the rest of a tighter
 /// tolerance still counts, so that two tolerances do not share their steps.
@@ -110,7 +110,7 @@ impl Simulation<'_> {
 
     /// The tolerance for the estimate of a step, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
-        let allowed = LOCAL * self.body.tolerance.powf(2.0 / 3.0);
+        let allowed = ESTIMATE_PART * self.body.tolerance.powf(2.0 / 3.0);
         let unresolved = self.body.problem.yields_part < DECOUPLED
             && self.body.plate_scale_m < DECOUPLED * self.body.state.travel_m;
         if self.body.is_sliding() && unresolved && allowed < ESTIMATE_FLOOR {
@@ -162,7 +162,7 @@ impl Simulation<'_> {
             let state = system.state(stage, node * h);
             let push_n = motion.coupling * motion.contact_force(&state)
                 - motion.damper.force(state.plate_m_s)
-                - motion.stop.force(&state);
+                - motion.stop_force(&state);
             gained -= h * weight * push_n * state.plate_m_s;
         }
         gained
@@ -198,7 +198,7 @@ impl Simulation<'_> {
     fn rounding_of_speed_m_s(&self, motion: &Motion<'_>) -> f64 {
         let state = &self.body.state;
         let force_n =
-            larger(motion.spring.force(state.plate_m).abs(), motion.stop.force(state).abs());
+            larger(motion.spring.force(state.plate_m).abs(), motion.stop_force(state).abs());
         let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
         let mobility = motion.plate_mobility * self.control.unit_s;
         f64::EPSILON * force_n * mobility / (1.0 + damping * mobility)
@@ -276,7 +276,7 @@ impl Simulation<'_> {
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
         let record = &mut self.record;
-        let setting = self.body.setting(motion);
+        let setting = Setting { body: &self.body, motion };
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
             record.worked(&setting, &state, h * weight);
@@ -291,8 +291,7 @@ impl Simulation<'_> {
         });
         let penetrates = self.body.mode == Mode::Penetrating;
         let at = |part: f64| if penetrates { taken.exact(part) } else { taken.dense(part) };
-        let from_s = self.body.state.t_s;
-        record.draw(&setting, Times { from_s, to_s: from_s + h }, POINTS_PER_STEP, at);
+        record.draw(&setting, self.body.state.t_s + h, DRAWN_PER_STEP, at);
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::EventId;
+use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::{Simulation, is_finite};
 use crate::model::motion::{Expansion, Motion};
 use crate::model::run::{EndReason, Mode};
@@ -82,7 +83,7 @@ impl Simulation<'_> {
             self.control.unit_s = FIRST_STIFF_STEP * self.body.state.t_s;
             return ControlFlow::Continue(None);
         }
-        self.record.step(&self.body.setting(&motion), &e, span);
+        self.record.step(&Setting { body: &self.body, motion: &motion }, &e, span);
         self.control.unit_s = h * if detected.is_some() { trusted } else { span };
         self.control.steps += 1;
         self.control.stretch_steps += 1;
@@ -181,13 +182,15 @@ impl Simulation<'_> {
         let noise = ROUNDINGS * plate_noise(motion, e);
         let mut span = span;
         for _ in 0..60 {
-            let (slip, plate) = motion.accelerations(&e.state(span));
+            let at_end = motion.accelerations(&e.state(span));
             let time = span * self.control.unit_s;
             let slip_noise = motion.coupling * noise * time / speed;
             let plate_noise = noise * time / plate_speed;
-            let slip_defect = (slip * time - evaluate_slope(&e.slip, span) * span) / speed;
-            let plate_defect =
-                (plate * time - evaluate_slope(&e.plate_speed, span) * span) / plate_speed;
+            let slip_defect =
+                (at_end.slip_m_s2 * time - evaluate_slope(&e.slip, span) * span) / speed;
+            let plate_defect = (at_end.plate_m_s2 * time
+                - evaluate_slope(&e.plate_speed, span) * span)
+                / plate_speed;
             if slip_defect.abs() <= allowed + slip_noise
                 && plate_defect.abs() <= allowed + plate_noise
             {

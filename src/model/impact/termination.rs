@@ -111,7 +111,7 @@ impl Simulation<'_> {
     /// The time at which the tail after the contact ends, s.
     fn tail_s(&self) -> f64 {
         let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
-        let end_s = contact.or_else(|| self.record.exit.map(|exit| exit.0));
+        let end_s = contact.or_else(|| self.record.exit.map(|exit| exit.t_s));
         let end_s = end_s.unwrap_or(self.body.state.t_s);
         // A force history goes on after common velocity.
         let least_s = if self.body.problem.flows() {
@@ -245,7 +245,7 @@ impl Simulation<'_> {
         };
         if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
             if self.body.mode != Mode::Fused {
-                self.body.state.slip_m_s += self.body.state.plate_m_s * self.body.problem.cos;
+                self.body.state.slip_m_s = self.body.state.projectile_m_s(self.body.problem.cos);
             }
             (self.body.state.plate_m, self.body.state.plate_m_s) = (0.0, 0.0);
             self.body.at_rest = true;
@@ -258,6 +258,7 @@ impl Simulation<'_> {
 mod tests {
     use super::*;
     use crate::model::impact::problem::Problem;
+    use crate::model::run::Departure;
 
     /// Scene, mode and state (q, u, x, w), and why the run is over, if it is.
     #[rustfmt::skip]
@@ -294,15 +295,15 @@ mod tests {
         let free = Problem::with("k=0");
         let mut drawn = Simulation::at(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         drawn.record.keep_series = true;
-        drawn.record.exit = Some((1e-4, 60.0));
+        drawn.record.exit = Some(Departure { t_s: 1e-4, velocity_m_s: 60.0 });
         assert_eq!(drawn.finished(), None);
         assert!((drawn.until_s() / 1.25e-4 - 1.0).abs() < 1e-12, "{}", drawn.until_s());
         drawn.body.state.t_s = 1.25e-4;
         assert_eq!(drawn.finished(), Some(EndReason::Decided));
         let with_horizon = Problem::with("k=0 horizon=1e-3");
-        let mut asked = Simulation::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
-        assert_eq!(asked.finished(), None);
-        assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
+        let mut timed = Simulation::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        assert_eq!(timed.finished(), None);
+        assert!((timed.until_s() / 1e-3 - 1.0).abs() < 1e-12);
     }
 
     /// Both bodies weigh 29.5 g: the interface carries half of the spring's force, whose peak is sqrt(2 E k). Along the cylinder,

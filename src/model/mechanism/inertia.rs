@@ -8,7 +8,7 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, Mount, OwnMass, Scene};
+use crate::model::scene::{self, OwnMass, Scene};
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -24,7 +24,7 @@ pub struct Inertia {
 impl Inertia {
     /// Of a valid scene; nothing on a rigid mount.
     pub fn of(scene: &Scene) -> Self {
-        if scene.plate.mount == Mount::Rigid {
+        if scene.is_rigid() {
             return Self::default();
         }
         let mut sum = Self::default();

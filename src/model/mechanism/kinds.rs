@@ -24,6 +24,27 @@ mod table;
 pub use beam::Beam;
 pub use table::Table;
 
+/// Says where a part of a spring stands: the end of the key of its table, its place, and when a spring needs it.
+macro_rules! spring_part {
+    ($part:ty, $key:expr, |$spring:ident| $place:expr $(, $matters:expr)?) => {
+        impl SpringPart for $part {
+            const FIELD: &'static str = $key;
+
+            fn of($spring: &Spring) -> &Self {
+                &$place
+            }
+
+            fn of_mut($spring: &mut Spring) -> &mut Self {
+                &mut $place
+            }
+
+            $(fn matters($spring: &Spring) -> bool {
+                $matters
+            })?
+        }
+    };
+}
+
 /// Defines the spring and the kinds in the order of lists. A line has the module of a kind, its parameters, and the kind, or those
 /// of the same parameters, with the words for files and screens.
 macro_rules! kinds {
@@ -64,27 +85,16 @@ macro_rules! kinds {
             }
         }
 
-        $(impl SpringPart for $field::$part {
-            const FIELD: &'static str = concat!(".", stringify!($field));
-
-            fn of(spring: &Spring) -> &Self {
-                &spring.$field
-            }
-
-            fn of_mut(spring: &mut Spring) -> &mut Self {
-                &mut spring.$field
-            }
-
-            fn matters(spring: &Spring) -> bool {
-                matches!(spring.kind, $(SpringKind::$kind)|+)
-            }
+        $(spring_part! {
+            $field::$part, concat!(".", stringify!($field)), |spring| spring.$field,
+            matches!(spring.kind, $(SpringKind::$kind)|+)
         })+
 
         /// Adds the rows of one of the two springs.
-        fn add_rows_of<N: Numbered>(rows: &mut Vec<Variable>) {
-            Spring::add_rows::<N>(rows);
-            $($field::$part::add_rows::<N>(rows);)+
-            Wire::add_rows::<N>(rows);
+        fn add_rows_of<const SECOND: bool>(rows: &mut Vec<Variable>) {
+            Spring::add_rows::<Which<SECOND>>(rows);
+            $($field::$part::add_rows::<Which<SECOND>>(rows);)+
+            Wire::add_rows::<Which<SECOND>>(rows);
         }
     };
 }
@@ -250,73 +260,39 @@ trait SpringPart {
     fn of_mut(spring: &mut Spring) -> &mut Self;
 
     /// Whether a spring needs it.
-    fn matters(spring: &Spring) -> bool;
-}
-
-impl SpringPart for Spring {
-    const FIELD: &'static str = "";
-
-    fn of(spring: &Spring) -> &Self {
-        spring
-    }
-
-    fn of_mut(spring: &mut Spring) -> &mut Self {
-        spring
-    }
-
     fn matters(_: &Spring) -> bool {
         true
     }
 }
 
-impl SpringPart for Wire {
-    const FIELD: &'static str = ".wire";
-
-    fn of(spring: &Spring) -> &Self {
-        &spring.wire
-    }
-
-    fn of_mut(spring: &mut Spring) -> &mut Self {
-        &mut spring.wire
-    }
-
-    fn matters(spring: &Spring) -> bool {
-        spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
-    }
+spring_part!(Spring, "", |spring| *spring);
+spring_part! {
+    Wire, ".wire", |spring| spring.wire,
+    spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
 }
 
 /// One of the two springs, as a type.
-trait Numbered {
-    const WHICH: WhichSpring;
+enum Which<const SECOND: bool> {}
+
+impl<const SECOND: bool> Which<SECOND> {
+    const WHICH: WhichSpring = if SECOND { WhichSpring::Second } else { WhichSpring::First };
 }
 
-enum First {}
-
-enum Second {}
-
-impl Numbered for First {
-    const WHICH: WhichSpring = WhichSpring::First;
-}
-
-impl Numbered for Second {
-    const WHICH: WhichSpring = WhichSpring::Second;
-}
-
-impl<N: Numbered, T: SpringPart> Place<T> for N {
+impl<const SECOND: bool, T: SpringPart> Place<T> for Which<SECOND> {
     const GROUP: Group = Group::Mechanism;
-    const PATH: [&'static str; 2] = [N::WHICH.key(), T::FIELD];
+    const PATH: [&'static str; 2] = [Self::WHICH.key(), T::FIELD];
 
     fn part(scene: &Scene) -> &T {
-        T::of(scene.mechanism.one(N::WHICH))
+        T::of(scene.mechanism.one(Self::WHICH))
     }
 
     fn part_mut(scene: &mut Scene) -> &mut T {
-        T::of_mut(scene.mechanism.one_mut(N::WHICH))
+        T::of_mut(scene.mechanism.one_mut(Self::WHICH))
     }
 
     fn is_listed(scene: &Scene) -> bool {
         let mechanism = &scene.mechanism;
-        mechanism.acts(N::WHICH) && T::matters(mechanism.one(N::WHICH))
+        mechanism.acts(Self::WHICH) && T::matters(mechanism.one(Self::WHICH))
     }
 
     fn is_used(scene: &Scene) -> bool {
@@ -326,13 +302,13 @@ impl<N: Numbered, T: SpringPart> Place<T> for N {
 
 /// Adds the rows of the first spring.
 pub(in crate::model) fn add_first_rows(rows: &mut Vec<Variable>) {
-    add_rows_of::<First>(rows);
+    add_rows_of::<false>(rows);
 }
 
 /// Adds the rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
 pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
     let first = rows.len();
-    add_rows_of::<Second>(rows);
+    add_rows_of::<true>(rows);
     for row in &mut rows[first..] {
         row.own_name = "";
         row.symbol = [row.symbol, WhichSpring::Second.suffix()].concat().leak();

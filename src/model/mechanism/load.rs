@@ -1,7 +1,6 @@
 //! The load of the springs at a displacement: bending stress, yield margin, and whether the law still holds there.
 
 use crate::model::mechanism::kinds::Bounds;
-use crate::model::mechanism::piece::Piece;
 use crate::model::scene::{self, Combination, Scene};
 use crate::numerics::{larger, smaller};
 
@@ -18,16 +17,15 @@ pub struct Limit {
 
 /// The greatest bending stress of the beams at a plate displacement, over their yield strength; `None` without beams.
 pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
-    let shares = shares(&scene.mechanism, x_m);
-    let ratios = scene.mechanism.acting().zip(shares);
-    ratios.filter_map(|(spring, x)| spring.law().stress_ratio(spring, x)).reduce(larger)
+    displaced(&scene.mechanism, x_m)
+        .filter_map(|(spring, x)| spring.law().stress_ratio(spring, x))
+        .reduce(larger)
 }
 
 /// The limits that a plate displacement exceeds.
 pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
-    let shares = shares(&scene.mechanism, x_m);
     let mut found = Vec::new();
-    for (spring, required_m) in scene.mechanism.acting().zip(shares) {
+    for (spring, required_m) in displaced(&scene.mechanism, x_m) {
         for Bounds { what, low_m, high_m } in spring.law().bounds(spring) {
             let limit_m = if required_m < low_m { low_m } else { high_m };
             if required_m < low_m || required_m > high_m {
@@ -43,8 +41,7 @@ pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
 pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
     let mut least = None;
     for x_m in [from_m, to_m] {
-        let shares = shares(&scene.mechanism, x_m);
-        for (spring, required_m) in scene.mechanism.acting().zip(shares) {
+        for (spring, required_m) in displaced(&scene.mechanism, x_m) {
             for Bounds { low_m, high_m, .. } in spring.law().bounds(spring) {
                 let limit_m = if required_m < 0.0 { low_m } else { high_m };
                 let margin = limit_m / required_m;
@@ -57,16 +54,17 @@ pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
     least
 }
 
-/// The displacement of each spring at a displacement of the plate, m.
-fn shares(mechanism: &scene::Mechanism, x_m: f64) -> [f64; 2] {
-    if mechanism.combination != Combination::Series {
-        return [x_m; 2];
-    }
-    let whole = super::Spring::of(mechanism);
-    let Some(curve) = whole.curve() else {
-        return [x_m; 2];
-    };
-    let piece: &Piece = curve.piece(curve.region(x_m));
-    let first = piece.split(x_m);
-    [first, x_m - first]
+/// The springs that act, each with its displacement at a displacement of the plate, m.
+fn displaced(
+    mechanism: &scene::Mechanism,
+    x_m: f64,
+) -> impl Iterator<Item = (&scene::Spring, f64)> {
+    let in_series = mechanism.combination == Combination::Series;
+    let whole = in_series.then(|| super::Spring::of(mechanism));
+    let curve = whole.as_ref().and_then(super::Spring::curve);
+    let each = curve.map_or([x_m; 2], |curve| {
+        let first = curve.piece(curve.region(x_m)).split(x_m);
+        [first, x_m - first]
+    });
+    mechanism.acting().zip(each)
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerKind, PowerLaw, combine};
+use crate::model::mechanism::{PowerLaw, combine};
 use crate::model::scene::{self, Combination};
 use crate::numerics::larger;
 
@@ -41,27 +41,22 @@ impl Spring {
             let curve = || Self::Curve(Arc::new(spring.law().curve(spring, crushed_m)));
             spring.power_law().map_or_else(curve, Self::Power)
         };
-        let curves = || {
+        let both = |combined: fn(&Curve, &Curve) -> Curve| {
             let [a, b] = crushed_m;
-            (first.law().curve(first, a), second.law().curve(second, b))
+            let (a, b) = (first.law().curve(first, a), second.law().curve(second, b));
+            Self::Curve(Arc::new(combined(&a, &b)))
         };
         match mechanism.combination {
             Combination::Alone => alone(first, crushed_m[0]),
             Combination::Parallel if second.is_absent() => alone(first, crushed_m[0]),
             Combination::Parallel if first.is_absent() => alone(second, crushed_m[1]),
-            Combination::Parallel => {
-                let (a, b) = curves();
-                Self::Curve(Arc::new(combine::parallel(&a, &b)))
-            }
-            Combination::Series => {
-                let (a, b) = curves();
-                Self::Curve(Arc::new(combine::series(&a, &b)))
-            }
+            Combination::Parallel => both(combine::parallel),
+            Combination::Series => both(combine::series),
         }
     }
 
     /// No spring.
-    pub const NONE: Self = Self::Power(PowerLaw { coefficient: 0.0, exponent: 1.0 });
+    pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
     /// The power law, where it is one.
     pub fn power(&self) -> Option<PowerLaw> {
@@ -91,7 +86,7 @@ impl Spring {
 
     /// Whether it is a power law that cannot be expanded at zero.
     pub fn is_singular(&self) -> bool {
-        matches!(self, Self::Power(law) if law.kind() == PowerKind::General)
+        matches!(self, Self::Power(law) if law.is_singular())
     }
 
     /// Force at x, N.
@@ -158,13 +153,8 @@ impl Spring {
     /// The greatest force against the plate on the way from x with this energy, N, >= 0.
     pub fn greatest_push(&self, x: f64, energy_j: f64, reach_m: f64) -> f64 {
         match self {
-            Self::Power(law) => {
-                if reach_m.is_finite() {
-                    law.force(reach_m)
-                } else {
-                    0.0
-                }
-            }
+            Self::Power(law) if reach_m.is_finite() => law.force(reach_m),
+            Self::Power(_) => 0.0,
             Self::Curve(curve) => curve.forces_between(curve.backward(x, energy_j), reach_m).1,
         }
     }

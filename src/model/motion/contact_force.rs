@@ -1,7 +1,8 @@
 //! The contact force of each contact model, as a function of travel, slip and time.
 
-use crate::model::contact::{AreaLaw, Nose};
+use crate::model::contact::{AreaLaw, NoseGeometry};
 use crate::model::motion::State;
+use crate::model::scene::Scene;
 
 /// Part of the nose's radius over which the slope of an oblique section's area is taken.
 const SLOPE: f64 = 1e-6;
@@ -21,7 +22,7 @@ pub(crate) enum ContactForce {
 /// The flow of the target around the nose: engaged area times pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FlowForce {
-    pub(crate) nose: Nose,
+    pub(crate) nose: NoseGeometry,
     pub(crate) area: AreaLaw,
     pub(crate) pressure: Pressure,
 }
@@ -34,12 +35,12 @@ pub(crate) struct Pressure {
     pub(crate) drag_kg_m3: f64,
 }
 
-/// A spring and a damper between projectile and plate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A spring and a damper side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[expect(clippy::struct_field_names, reason = "they end in their units")]
 pub(crate) struct ElasticForce {
     pub(crate) stiffness_n_m: f64,
-    /// Travel at which the spring is slack, m.
+    /// Where the spring is slack, m.
     pub(crate) slack_m: f64,
     pub(crate) damping_n_s_m: f64,
 }
@@ -51,16 +52,31 @@ pub(crate) struct Pulse {
     pub(crate) duration_s: f64,
 }
 
+impl ElasticForce {
+    pub(crate) fn force(&self, z_m: f64, z_m_s: f64) -> f64 {
+        self.stiffness_n_m * (z_m - self.slack_m) + self.damping_n_s_m * z_m_s
+    }
+}
+
+impl Pressure {
+    /// Of the plate of a scene that is penetrated.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        Self { strength_pa: scene.flow_strength_pa(), drag_kg_m3: scene.drag_kg_m3() }
+    }
+
+    /// At a slip, Pa.
+    pub(crate) fn at(&self, slip_m_s: f64) -> f64 {
+        self.strength_pa + self.drag_kg_m3 * slip_m_s * slip_m_s
+    }
+}
+
 impl ContactForce {
     pub(crate) fn force(&self, state: &State) -> f64 {
         let (q, u) = (state.travel_m, state.slip_m_s);
         match self {
             Self::None => 0.0,
-            Self::Flow(flow) => {
-                let pressure = flow.pressure.strength_pa + flow.pressure.drag_kg_m3 * u * u;
-                flow.area.area_m2(&flow.nose, q) * pressure
-            }
-            Self::Elastic(law) => law.stiffness_n_m * (q - law.slack_m) + law.damping_n_s_m * u,
+            Self::Flow(flow) => flow.area.area_m2(&flow.nose, q) * flow.pressure.at(u),
+            Self::Elastic(law) => law.force(q, u),
             Self::HalfSine(pulse) => {
                 pulse.amplitude_n * (std::f64::consts::PI * state.t_s / pulse.duration_s).sin()
             }
@@ -72,10 +88,10 @@ impl ContactForce {
         match self {
             Self::None | Self::HalfSine(_) => [0.0; 2],
             Self::Flow(flow) => {
-                let (u, drag) = (state.slip_m_s, flow.pressure.drag_kg_m3);
-                let area = flow.area.area_m2(&flow.nose, state.travel_m);
-                let pressure = flow.pressure.strength_pa + drag * u * u;
-                [flow.area_slope(state.travel_m) * pressure, 2.0 * area * drag * u]
+                let (q, u) = (state.travel_m, state.slip_m_s);
+                let area = flow.area.area_m2(&flow.nose, q);
+                let slope = flow.area_slope(q) * flow.pressure.at(u);
+                [slope, 2.0 * area * flow.pressure.drag_kg_m3 * u]
             }
             Self::Elastic(law) => [law.stiffness_n_m, law.damping_n_s_m],
         }

@@ -1,7 +1,7 @@
 //! The contact force, one Taylor coefficient at a time.
 
 use super::contact_force::{ElasticForce, Pressure, Pulse};
-use crate::model::contact::{Nose, Section};
+use crate::model::contact::{NoseGeometry, Section};
 use crate::numerics::series::{product, quotient, square, square_root};
 
 /// A contact force whose coefficients are requested in order, 0 first.
@@ -92,7 +92,7 @@ pub(super) struct Partial<const N: usize> {
 
 impl<const N: usize> Partial<N> {
     pub(super) fn new(
-        nose: Nose,
+        nose: NoseGeometry,
         depth_m: f64,
         rate: f64,
         exit_depth_m: f64,
@@ -122,7 +122,7 @@ impl<const N: usize> ContactTerm<N> for Partial<N> {
 /// One face's section as a series. With kappa = 1 - p cos/R, r = sqrt(sin² - kappa²) and phi the fullness,
 /// dA = -2 R² (kappa cos phi + r) dkappa and dphi = cos dkappa / ((1 - kappa²) r).
 struct Face<const N: usize> {
-    nose: Nose,
+    nose: NoseGeometry,
     section: Section,
     start_m: f64,
     kappa: [f64; N],
@@ -141,7 +141,7 @@ struct Face<const N: usize> {
 }
 
 impl<const N: usize> Face<N> {
-    fn new(nose: Nose, start_m: f64) -> Self {
+    fn new(nose: NoseGeometry, start_m: f64) -> Self {
         let zero = [0.0; N];
         Self {
             nose,
@@ -161,7 +161,7 @@ impl<const N: usize> Face<N> {
 
     /// Coefficient j of the area; `step_m` is coefficient j >= 1 of the depth.
     fn area(&mut self, step_m: f64, j: usize) -> f64 {
-        let Nose { radius_m: r, sin, cos } = self.nose;
+        let NoseGeometry { radius_m: r, sin, cos } = self.nose;
         let full = 2.0 * r * r;
         match self.section {
             Section::Full if j == 0 => self.nose.area_m2(self.start_m),

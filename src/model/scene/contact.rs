@@ -1,7 +1,6 @@
 //! The force between projectile and plate: which of the models of thesis section 8.2, what each of them needs, and the interface
 //! that holds both together afterwards.
 
-use crate::model::contact_models::contact_models;
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
 use crate::model::worded::worded;
@@ -81,18 +80,23 @@ worded! {
     }
 }
 
-macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident = $word:literal, $about:path;)+) => {
-        worded! {
-            /// How the force between projectile and plate is modelled.
-            #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-            pub enum ContactModel: word {
-                $($(#[$doc])* $kind = $word,)+
-            }
-        }
-    };
+worded! {
+    /// How the force between projectile and plate is modelled.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum ContactModel: word {
+        /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
+        #[default]
+        Hydrodynamic = "hydrodynamic",
+        /// A prescribed half-sine force history, equation 8.9.
+        HalfSine = "half-sine",
+        /// A perfectly inelastic collision at once, equation 8.11.
+        InitialVelocity = "initial-velocity",
+        /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
+        Lumped = "lumped",
+        /// The listing of Appendix A.
+        Appendix = "appendix",
+    }
 }
-contact_models!(kinds);
 
 worded! {
     /// How one doubtful place of the listing is read.

@@ -152,12 +152,8 @@ impl Variable {
     /// A variable that is a field of a part, or goes with one; its further attributes follows.
     pub(in crate::model) fn at<T, P: Place<T>>(field: &str, kind: Kind) -> Self {
         let [path, of_path] = P::PATH;
-        let mut key = String::with_capacity(path.len() + of_path.len() + 1 + field.len());
-        for piece in [path, of_path, ".", field] {
-            key.push_str(piece);
-        }
         Self {
-            key: key.leak(),
+            key: [path, of_path, ".", field].concat().leak(),
             symbol: "",
             label: "",
             own_name: "",

@@ -2,8 +2,7 @@
 
 use super::VariableError;
 use crate::model::scene::{
-    self, Closure, Combination, ContactModel, Layer, Mount, OwnMass, Scene, Stack, Target,
-    WhichSpring,
+    self, Closure, Combination, ContactModel, Layer, OwnMass, Scene, Stack, Target, WhichSpring,
 };
 use crate::model::units::shortest;
 
@@ -76,7 +75,7 @@ fn check_interface_spring(scene: &Scene) -> Result<(), VariableError> {
 
 /// The rules between the values of the springs, and between them and the contact model.
 fn check_springs(scene: &Scene) -> Result<(), VariableError> {
-    if scene.plate.mount == Mount::Rigid {
+    if scene.is_rigid() {
         return Ok(());
     }
     let mechanism = &scene.mechanism;
@@ -180,7 +179,7 @@ pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
 /// # Errors
 /// [`VariableError`] when the scene has another one.
 pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
-    if scene.plate.mount == Mount::Rigid || scene.mechanism.is_plain() {
+    if scene.is_rigid() || scene.mechanism.is_plain() {
         return Ok(());
     }
     refuse(format!(

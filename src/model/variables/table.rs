@@ -51,12 +51,9 @@ places! {
     Run, run: RunSettings;
 }
 
-/// Room for all rows without growing.
-const COUNT_ABOUT: usize = 128;
-
 /// Every variable there is.
 pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
-    let mut rows = Vec::with_capacity(COUNT_ABOUT);
+    let mut rows = Vec::new();
     Projectile::add_rows::<Scene>(&mut rows);
     Target::add_rows::<Scene>(&mut rows);
     Plate::add_rows::<Scene>(&mut rows);

@@ -64,7 +64,7 @@ pub fn sentence(run: &Run) -> String {
         Outcome::Separated => {
             let left = run
                 .separation
-                .map_or_else(String::new, |(_, speed)| format!(" at {}", short(speed, "m/s")));
+                .map_or_else(String::new, |it| format!(" at {}", short(it.velocity_m_s, "m/s")));
             let depth =
                 depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
             format!("separated: the projectile leaves through the entry face{left}{depth}")
@@ -101,7 +101,7 @@ pub fn results(run: &Run) -> Vec<String> {
     };
     let (arrest, separation) = (run.first_arrest, run.separation);
     let (so_far, load) = (run.at_least, &run.mechanism);
-    let start_m = run.start_m();
+    let start_m = run.scene.start_m();
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
     let displacement = known(run.max_plate_displacement_m, "m");
     let is_known = displacement.is_some() || so_far.plate_displacement_m.is_some();
@@ -125,8 +125,8 @@ pub fn results(run: &Run) -> Vec<String> {
         ("  of the rigid mount's", rounded(run.percent_of_baseline(), " %")),
         ("exit time", known(run.exit_time_s, "s")),
         ("residual velocity", known(run.residual_velocity_m_s, "m/s")),
-        ("separation, time", known(separation.map(|it| it.0), "s")),
-        ("  projectile velocity", known(separation.map(|it| it.1), "m/s")),
+        ("separation, time", known(separation.map(|it| it.t_s), "s")),
+        ("  projectile velocity", known(separation.map(|it| it.velocity_m_s), "m/s")),
         ("peak contact force", known(run.peak_contact_force_n, "N")),
         ("greatest displacement", displacement),
         ("displacement so far", known(so_far.plate_displacement_m, "m")),

@@ -77,7 +77,7 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     let spring = &mechanism.spring;
     let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
     let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
-    Some(larger(larger(on_the_way, turn), spring.force(run.start_m()).abs()))
+    Some(larger(larger(on_the_way, turn), spring.force(run.scene.start_m()).abs()))
         .filter(|f| f.is_finite())
 }
 
@@ -104,7 +104,7 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         let left = match run.outcome {
             Outcome::Arrested => 0.0,
             Outcome::Perforated => run.residual_velocity_m_s?,
-            Outcome::Separated => run.separation?.1,
+            Outcome::Separated => run.separation?.velocity_m_s,
             Outcome::Moving => return None,
         };
         return Some(m_p * cos * (struck - left));

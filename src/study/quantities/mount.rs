@@ -51,14 +51,13 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::of(scene);
-    let is_rigid = scene.plate.mount == Mount::Rigid;
-    if is_rigid || mechanism.is_absent() || !turn_tells_force(scene) {
+    if scene.is_rigid() || mechanism.is_absent() || !turn_tells_force(scene) {
         return None;
     }
     if load::holds_still(scene, max_displacement_m) {
         return None;
     }
-    let (start_m, max_displacement_m) = (0.0 - scene.plate.cocking_m, max_displacement_m?);
+    let (start_m, max_displacement_m) = (scene.start_m(), max_displacement_m?);
     // A curve's greatest force may lie on the way.
     let (least, most) = mechanism.spring.curve().map_or_else(
         || (mechanism.spring.force(start_m), mechanism.spring.force(max_displacement_m)),

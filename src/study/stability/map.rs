@@ -310,7 +310,7 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
     };
     let scheme = Scheme::of(scene, method.listing(dt_s));
     let exit_m = Faces::of(scene).exit() * scene.projectile.tip_radius_m;
-    let (speed, moves) = (scene.projectile.velocity_m_s, scheme.plate().is_some());
+    let (speed, moves) = (scene.projectile.velocity_m_s, !scene.is_rigid());
     let blown_up_m_s = BLOWN_UP_FROM * larger(speed, target.peaks.speed_m_s);
     let mut state = scheme.start();
     let (mut fastest, mut reversals) = (0.0, 0);

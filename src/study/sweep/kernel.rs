@@ -137,12 +137,10 @@ impl<'p> Kernel<'p> {
             Baseline::Fixed(depth_m) => depth_m,
             Baseline::ByPoint => baseline_m(scene, &Geometry::of(scene)),
         };
-        let sprung = scene.plate.mount == Mount::Sprung;
-        let start_m = if sprung { 0.0 - scene.plate.cocking_m } else { 0.0 };
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
         let outcome = if end.arrested { PointOutcome::Arrested } else { PointOutcome::Perforated };
-        (outcome, Answer { end, baseline_m, max_displacement_m, start_m })
+        (outcome, Answer { end, baseline_m, max_displacement_m, start_m: scene.start_m() })
     }
 }
 

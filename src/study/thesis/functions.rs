@@ -97,8 +97,8 @@ functions! {
     Property "falls" 1 falls;
     Property "flattens" 1 flattens;
     // Velocities after an elastic collision at 100 m/s with a plate of some masses of the projectile.
-    Numbers "elastic_projectile" 1 |it| design::elastic((1.0, 100.0), (it[0], 0.0)).0;
-    Numbers "elastic_plate" 1 |it| design::elastic((1.0, 100.0), (it[0], 0.0)).1;
+    Numbers "elastic_projectile" 1 |it| design::elastic(1.0, 100.0, it[0], 0.0)[0];
+    Numbers "elastic_plate" 1 |it| design::elastic(1.0, 100.0, it[0], 0.0)[1];
     // Tate's angle, degrees, of a rod as thick as the thesis's projectile: density, strength, velocity, length.
     Numbers "ricochet_angle" 4 |it| {
         let rod = Rod {
@@ -111,7 +111,7 @@ functions! {
         rod.critical_obliquity_deg(2710.0)
     };
     // Mass, velocity and radius of the projectile, density of the target, parameter c_t.
-    Numbers "stone_depth" 5 |it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4]);
+    Numbers "stone_depth" 5 |it| design::stone_depth_m(it[0], it[1], it[2], it[3], it[4]);
     // The least mass of a coil of spring steel that stores some energy, kg.
     Numbers "coil_mass" 1 |it| design::coil_spring_mass_kg(it[0], &Wire::default());
     // The beam of Table 9.3.

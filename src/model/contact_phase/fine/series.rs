@@ -8,7 +8,7 @@ pub(super) type Series = [Number; TERMS];
 
 /// Newton steps to an event: more than double the digits need.
 const NEWTON: usize = 12;
-/// A factor on the step that those terms suggest.
+/// A factor on the step that the last terms suggest.
 const CAUTION: f64 = 0.8;
 /// Terms of the expansions.
 pub(super) const TERMS: usize = 34;

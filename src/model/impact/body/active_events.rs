@@ -2,7 +2,6 @@
 
 use super::{Body, NearZero};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
-use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::run::Mode;
 
 /// Part of the other forces on the plate below which one is lost in their rounding.
@@ -42,23 +41,14 @@ impl Body<'_> {
 
     fn add_interface_events(&self, events: &mut ActiveEvents, noted: Noted) {
         let (push, pull) = self.interface_limits_n();
-        let watches = |noted: bool| self.problem.plastic || (self.interface_n() > 0.0 && !noted);
-        let interface_fraction = self.problem.interface_fraction;
-        if watches(noted.push) {
-            let form = EventFunction {
-                offset: push,
-                mechanism: -interface_fraction,
-                ..EventFunction::default()
-            };
-            events.add(EventId::PushLimit, form);
-        }
-        if watches(noted.pull) {
-            let form = EventFunction {
-                offset: pull,
-                mechanism: interface_fraction,
-                ..EventFunction::default()
-            };
-            events.add(EventId::PullLimit, form);
+        let fraction = self.problem.interface_fraction;
+        for (event, offset, mechanism, noted) in [
+            (EventId::PushLimit, push, -fraction, noted.push),
+            (EventId::PullLimit, pull, fraction, noted.pull),
+        ] {
+            if self.problem.plastic || (self.interface_n() > 0.0 && !noted) {
+                events.add(event, EventFunction { offset, mechanism, ..EventFunction::default() });
+            }
         }
     }
 
@@ -71,7 +61,6 @@ impl Body<'_> {
             events.add(EventId::StopRelease, form);
             return;
         }
-        let singular = |law: PowerLaw| law.kind() == PowerKind::General && !stiff;
         if mechanism.spring.curve().is_some() {
             self.add_knots_events(events);
         } else if !stiff || self.x_zero.omitted {
@@ -79,7 +68,7 @@ impl Body<'_> {
         }
         // A plate that follows the slow manifold of its spring from rest is of either sign until its velocity matters.
         if !(stiff && self.plate_is_unresolved()) {
-            self.add_zero_of_w_events(events, singular(mechanism.damper));
+            self.add_zero_of_w_events(events, mechanism.damper.is_singular() && !stiff);
         }
         let at = mechanism.stop_at_m;
         if self.stop_touches {

@@ -39,13 +39,13 @@ impl Body<'_> {
         let apart_j = if self.mode == Mode::Fused {
             0.0
         } else {
-            let v = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+            let v = self.state.projectile_m_s(self.problem.cos);
             0.5 * self.problem.projectile_kg * v * v
         };
         self.energy_j() + apart_j
     }
 
-    /// Whether what still moves has less energy than rounding leaves of that at the start, squared.
+    /// Whether what still moves has no more energy than [`NO_ENERGY`] of the projectile's at first contact.
     pub(in crate::model::impact) fn has_no_energy(&self) -> bool {
         self.has_less_than(NO_ENERGY)
     }

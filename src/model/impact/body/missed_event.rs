@@ -20,8 +20,9 @@ impl Body<'_> {
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
         // So close that neither the time nor the displacement resolves the distance.
-        let presses =
-            || w == 0.0 && !self.released && self.motion().accelerations(&self.state).1 > 0.0;
+        let presses = || {
+            w == 0.0 && !self.released && self.motion().accelerations(&self.state).plate_m_s2 > 0.0
+        };
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(EventId::StopReached);
         }
@@ -113,7 +114,7 @@ impl Body<'_> {
 
     /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not resolve it.
     fn turns_within_resolution(&self) -> bool {
-        let (_, rate) = self.motion().accelerations(&self.state);
+        let rate = self.motion().accelerations(&self.state).plate_m_s2;
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let (on_stop, rounding_m) =
             (self.problem.mechanism.stop_at_m, HEIGHT_ROUNDING * self.stop_scale_m());

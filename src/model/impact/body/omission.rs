@@ -43,8 +43,7 @@ impl Body<'_> {
         let near = larger(self.near_zero_m_s(), 2.0 * self.state.plate_m_s.abs());
         self.w_zero.clear = larger(near, least);
         self.w_zero.omitted = true;
-        let (_, rate) = self.motion().accelerations(&self.state);
-        self.w_zero.clear / rate.abs()
+        self.w_zero.clear / self.motion().accelerations(&self.state).plate_m_s2.abs()
     }
 
     /// Restores an omitted law as soon as its argument has left the neighbourhood of zero. A plate that only touched zero is on
@@ -70,7 +69,7 @@ impl Body<'_> {
     pub(super) fn near_zero_m_s(&self) -> f64 {
         let damper = self.problem.mechanism.damper;
         let motion = self.motion();
-        let (_, rate) = motion.accelerations(&self.state);
+        let rate = motion.accelerations(&self.state).plate_m_s2;
         let damping = motion.damper.force(self.state.plate_m_s) * motion.plate_mobility;
         let others = (rate + damping).abs();
         let turning = damper.at_force(PASSING * others * self.problem.plate_kg);

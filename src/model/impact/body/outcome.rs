@@ -100,7 +100,7 @@ impl Body<'_> {
         if slip_m_s > 0.0 || (apart_m <= 0.0 && slip_m_s == 0.0) {
             return false;
         }
-        let v = slip_m_s + plate_m_s * problem.cos;
+        let v = self.state.projectile_m_s(problem.cos);
         let mechanism = &problem.mechanism;
         let energy = self.energy_j();
         let speed = (2.0 * energy / problem.plate_kg).sqrt();
@@ -114,7 +114,7 @@ impl Body<'_> {
         // The plate is driven away from it, ever faster.
         let driven = || mechanism.spring.drives_away(plate_m) == Some(1.0);
         if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
-            return self.motion().accelerations(&self.state).1 >= 0.0;
+            return self.motion().accelerations(&self.state).plate_m_s2 >= 0.0;
         }
         // The projectile flies away, and is already beyond the plate's greatest displacement backwards.
         let back = mechanism.spring.backward(plate_m, energy);

@@ -1,7 +1,7 @@
 //! The motion with displacement, or velocity, of the plate as the independent variable.
 
 use crate::model::event_function::EventId;
-use crate::model::mechanism::{Elastic, PowerKind, sign};
+use crate::model::mechanism::{Elastic, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
@@ -11,7 +11,7 @@ const OF_DISPLACEMENT: f64 = 0.3;
 
 /// The law whose zero is passed, and with it what the variable is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Law {
+pub(super) enum CrossedLaw {
     /// The spring's: the variable is x.
     Spring,
     /// The damper's: the variable is w.
@@ -24,15 +24,15 @@ pub(super) enum Law {
 pub(super) type Unknowns = [f64; 4];
 
 pub(super) struct IndependentVariable<'a> {
-    pub(super) law: Law,
+    pub(super) law: CrossedLaw,
     pub(super) motion: &'a Motion<'a>,
     pub(super) from: State,
-    /// The way in which the variable runs: the sign of its pace.
+    /// The way in which the variable runs: the sign of its rate.
     pub(super) heading: f64,
 }
 
 impl<'a> IndependentVariable<'a> {
-    pub(super) fn new(law: Law, motion: &'a Motion<'a>, from: State) -> Self {
+    pub(super) fn new(law: CrossedLaw, motion: &'a Motion<'a>, from: State) -> Self {
         let variable = Self { law, motion, from, heading: 0.0 };
         Self { heading: sign(variable.speed()), ..variable }
     }
@@ -43,16 +43,16 @@ impl<'a> IndependentVariable<'a> {
 
     pub(super) fn shown(&self, state: &State) -> f64 {
         match self.law {
-            Law::Spring => state.plate_m,
-            Law::Damper => state.plate_m_s,
+            CrossedLaw::Spring => state.plate_m,
+            CrossedLaw::Damper => state.plate_m_s,
         }
     }
 
     /// The event function that watches for the zero of this law.
     pub(super) fn own_trigger(&self) -> EventId {
         match self.law {
-            Law::Spring => EventId::PlateZero,
-            Law::Damper => EventId::PlateSpeedZero,
+            CrossedLaw::Spring => EventId::PlateZero,
+            CrossedLaw::Damper => EventId::PlateSpeedZero,
         }
     }
 
@@ -60,11 +60,11 @@ impl<'a> IndependentVariable<'a> {
     pub(super) fn state(&self, z: f64, y: &Unknowns) -> State {
         let State { t_s, travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
         let (moved_m, plate_m_s) = match self.law {
-            Law::Spring => {
+            CrossedLaw::Spring => {
                 let half_square = self.energy() + y[3] - self.potential(z);
                 (z - x, self.heading * (2.0 * half_square).sqrt())
             }
-            Law::Damper => (y[3], z),
+            CrossedLaw::Damper => (y[3], z),
         };
         let cos = self.motion.coupling;
         // A joined body has no coupling, and its speed may be beyond all bounds where the way is too long.
@@ -73,7 +73,7 @@ impl<'a> IndependentVariable<'a> {
             t_s: t_s + y[0],
             travel_m: travel_m + (y[1] - cos * moved_m),
             slip_m_s: slip_m_s + (y[2] - apart),
-            plate_m: if self.law == Law::Spring { z } else { x + moved_m },
+            plate_m: if self.law == CrossedLaw::Spring { z } else { x + moved_m },
             plate_m_s,
         }
     }
@@ -89,14 +89,14 @@ impl<'a> IndependentVariable<'a> {
         let (cos, w) = (motion.coupling, state.plate_m_s);
         let contact = motion.contact_force(state);
         let slowing = contact * (motion.slip_mobility - cos * cos * motion.plate_mobility);
-        let velocity = state.slip_m_s + cos * w;
+        let velocity = state.projectile_m_s(cos);
         match self.law {
-            Law::Spring => {
-                let push = cos * contact - motion.damper.force(w) - motion.stop.force(state);
+            CrossedLaw::Spring => {
+                let push = cos * contact - motion.damper.force(w) - motion.stop_force(state);
                 [1.0 / w, velocity / w, -slowing / w, push * motion.plate_mobility]
             }
-            Law::Damper => {
-                let (_, a) = motion.accelerations(state);
+            CrossedLaw::Damper => {
+                let a = motion.accelerations(state).plate_m_s2;
                 [1.0 / a, velocity / a, -slowing / a, w / a]
             }
         }
@@ -105,8 +105,8 @@ impl<'a> IndependentVariable<'a> {
     /// How fast the variable runs at the start, m/s or m/s².
     pub(super) fn speed(&self) -> f64 {
         match self.law {
-            Law::Spring => self.from.plate_m_s,
-            Law::Damper => self.motion.accelerations(&self.from).1,
+            CrossedLaw::Spring => self.from.plate_m_s,
+            CrossedLaw::Damper => self.motion.accelerations(&self.from).plate_m_s2,
         }
     }
 
@@ -115,23 +115,22 @@ impl<'a> IndependentVariable<'a> {
     pub(super) fn room(&self, part: f64) -> f64 {
         let motion = self.motion;
         let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
-        let (_, a) = motion.accelerations(&self.from);
+        let a = motion.accelerations(&self.from).plate_m_s2;
         match (self.law, motion.spring) {
-            (Law::Spring, Elastic::Power(spring)) => {
+            (CrossedLaw::Spring, Elastic::Power(spring)) => {
                 let kinetic = 0.5 * w * w;
                 let others = (a + spring.force(x) * mobility).abs();
                 let by_spring = spring.at_integral(part * kinetic / mobility);
                 smaller(by_spring, part * kinetic / others)
             }
-            (Law::Spring, Elastic::Piece(_)) => 0.0,
-            (Law::Damper, spring) => {
+            (CrossedLaw::Spring, Elastic::Piece(_)) => 0.0,
+            (CrossedLaw::Damper, spring) => {
                 let others = (a + motion.damper.force(w) * mobility).abs();
                 let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
                 let by_damper = motion.damper.at_force(part * others / mobility);
                 let by_spring = (part * others * others / (mobility * stiffness)).sqrt();
-                let broken =
-                    matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
-                let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
+                let singular = matches!(spring, Elastic::Power(law) if law.is_singular());
+                let back_m = if singular { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
                 smaller(by_damper, smaller(by_spring, (2.0 * others * back_m).sqrt()))
             }
         }

@@ -5,8 +5,8 @@
 //! that is lost in the rounding of the displacement itself.
 
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
-use crate::model::motion::{Motion, State, StopForce};
-use crate::numerics::implicit::{ImplicitSystem, NODES};
+use crate::model::motion::{ElasticForce, Motion, State};
+use crate::numerics::implicit::{ImplicitSystem, NODES, Unfolded};
 use crate::numerics::{larger, smaller};
 
 /// Part of the displacement up to which the stop's deflection is measured by itself.
@@ -41,24 +41,24 @@ impl<'a> Carrier<'a> {
     }
 
     /// The unknown of an argument, and what rounding has omitted from that.
-    fn unknown(self, z: f64, left_out: f64) -> f64 {
+    fn unknown(self, z: f64, compensation: f64) -> f64 {
         match self {
-            Self::Argument(_, datum) => (z - datum) + left_out,
+            Self::Argument(_, datum) => (z - datum) + compensation,
             Self::Force(law) => law.force(z),
         }
     }
 
-    /// (argument from the datum, its derivative, force, its derivative) by the unknown.
-    fn unfold(self, y: f64) -> (f64, f64, f64, f64) {
+    /// The argument, from the datum on, by the unknown.
+    fn unfold(self, y: f64) -> Unfolded {
         match self {
             Self::Argument(law, datum) => {
                 let z = datum + y;
-                (y, 1.0, law.force(z), law.tangent(z))
+                Unfolded { value: y, slope: 1.0, force: law.force(z), force_slope: law.tangent(z) }
             }
             Self::Force(law) => {
-                let z = law.at_force(y) * sign(y);
-                let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
-                (z, slope, y, 1.0)
+                let value = law.at_force(y) * sign(y);
+                let slope = if y == 0.0 { 0.0 } else { value / (law.exponent * y) };
+                Unfolded { value, slope, force: y, force_slope: 1.0 }
             }
         }
     }
@@ -68,8 +68,8 @@ impl<'a> Unknowns<'a> {
     pub(super) fn of(motion: &'a Motion<'a>, from: &State, scale: [f64; 4]) -> Self {
         let (stop, plate_m) = (motion.stop, from.plate_m);
         let on_stop =
-            stop.stiffness_n_m > 0.0 && (plate_m - stop.position_m).abs() < ON_STOP * plate_m.abs();
-        let datum_m = if on_stop { stop.position_m } else { 0.0 };
+            stop.stiffness_n_m > 0.0 && (plate_m - stop.slack_m).abs() < ON_STOP * plate_m.abs();
+        let datum_m = if on_stop { stop.slack_m } else { 0.0 };
         let spring = if on_stop {
             Carrier::Argument(motion.spring, datum_m)
         } else {
@@ -85,8 +85,8 @@ impl<'a> Unknowns<'a> {
             t_s: self.from_s + after_s,
             travel_m: y[0],
             slip_m_s: y[1],
-            plate_m: self.datum_m + self.spring.unfold(y[2]).0,
-            plate_m_s: self.damper.unfold(y[3]).0,
+            plate_m: self.datum_m + self.spring.unfold(y[2]).value,
+            plate_m_s: self.damper.unfold(y[3]).value,
         }
     }
 
@@ -102,13 +102,13 @@ impl<'a> Unknowns<'a> {
 
     /// The part of the displacement that rounding omits from the state with these unknowns, m.
     pub(super) fn compensation_m(&self, y: &[f64; 4]) -> f64 {
-        let z = self.spring.unfold(y[2]).0;
+        let z = self.spring.unfold(y[2]).value;
         z - ((self.datum_m + z) - self.datum_m)
     }
 
     fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.motion.stop;
-        stiffness_n_m * (x_from_datum - (position_m - self.datum_m)) + damping_n_s_m * w
+        let stop = self.motion.stop;
+        ElasticForce { slack_m: stop.slack_m - self.datum_m, ..stop }.force(x_from_datum, w)
     }
 
     /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
@@ -120,7 +120,7 @@ impl<'a> Unknowns<'a> {
             stage[0] += y[1] * t;
             let state = State { travel_m: stage[0], ..self.state(y, t) };
             let motion = self.motion;
-            let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
+            let others = motion.spring.force(state.plate_m) + motion.stop_force(&state);
             let drive = motion.contact_force(&state) * motion.coupling - others;
             let mut speed = drive * motion.plate_mobility * t;
             if let (Carrier::Force(law), true) = (self.spring, y[2] == 0.0) {
@@ -131,8 +131,8 @@ impl<'a> Unknowns<'a> {
                 // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
                 let by_inertia = law.force(state.plate_m_s + speed);
                 let held_n = larger(drive.abs(), y[3].abs());
-                let rests_on_stop = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
-                stage[3] = if by_inertia * drive > 0.0 { rests_on_stop } else { y[3] };
+                let bounded = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
+                stage[3] = if by_inertia * drive > 0.0 { bounded } else { y[3] };
             }
             stage
         })
@@ -141,36 +141,36 @@ impl<'a> Unknowns<'a> {
 
 impl ImplicitSystem<4> for Unknowns<'_> {
     fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
-        [y[0], y[1], self.spring.unfold(y[2]).0, self.damper.unfold(y[3]).0]
+        [y[0], y[1], self.spring.unfold(y[2]).value, self.damper.unfold(y[3]).value]
     }
 
     fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
-        [1.0, 1.0, self.spring.unfold(y[2]).1, self.damper.unfold(y[3]).1]
+        [1.0, 1.0, self.spring.unfold(y[2]).slope, self.damper.unfold(y[3]).slope]
     }
 
     fn rate(&self, after: f64, y: &[f64; 4]) -> [f64; 4] {
         let (motion, state) = (self.motion, self.state(y, after));
-        let (x, _, spring_n, _) = self.spring.unfold(y[2]);
-        let g = spring_n + self.damper.unfold(y[3]).2 + self.stop_n(x, state.plate_m_s);
-        let (slip, plate) = motion.response(motion.contact_force(&state), g);
-        [state.slip_m_s, slip, state.plate_m_s, plate]
+        let spring = self.spring.unfold(y[2]);
+        let damper_n = self.damper.unfold(y[3]).force;
+        let g = spring.force + damper_n + self.stop_n(spring.value, state.plate_m_s);
+        let rates = motion.response(motion.contact_force(&state), g);
+        [state.slip_m_s, rates.slip_m_s2, state.plate_m_s, rates.plate_m_s2]
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
         let motion = self.motion;
         // No slope depends on the time.
         let [f_q, f_u] = motion.contact.slopes(&self.state(y, 0.0));
-        let (_, x_y, _, k_y) = self.spring.unfold(y[2]);
-        let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
-        let g_x = k_y + motion.stop.stiffness_n_m * x_y;
-        let g_w = d_y + motion.stop.damping_n_s_m * w_y;
+        let (x, w) = (self.spring.unfold(y[2]), self.damper.unfold(y[3]));
+        let g_x = x.force_slope + motion.stop.stiffness_n_m * x.slope;
+        let g_w = w.force_slope + motion.stop.damping_n_s_m * w.slope;
         let columns = [(f_q, 0.0), (f_u, 0.0), (0.0, g_x), (0.0, g_w)];
         let columns = columns.map(|(f, g)| motion.response(f, g));
         [
             [0.0, 1.0, 0.0, 0.0],
-            columns.map(|(slip, _)| slip),
-            [0.0, 0.0, 0.0, w_y],
-            columns.map(|(_, plate)| plate),
+            columns.map(|column| column.slip_m_s2),
+            [0.0, 0.0, 0.0, w.slope],
+            columns.map(|column| column.plate_m_s2),
         ]
     }
 

@@ -1,5 +1,5 @@
-//! The terms that a contact does not need, decided from bounds before the integration. Shared by the simulation and the
-//! contact kernel, so that both omit the same.
+//! Whether the mechanism cannot move the plate noticeably, decided from bounds before the integration. Shared by the simulation
+//! and the contact kernel, so that both treat the same plates as fixed.
 
 use std::f64::consts::PI;
 
