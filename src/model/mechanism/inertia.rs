@@ -55,6 +55,36 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg()
 }
 
+/// The springs' own mass that a run leaves out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftOut {
+    /// All of it, kg: known, or the least that the stored energy needs.
+    pub mass_kg: f64,
+    /// Whether it is the least.
+    pub is_least: bool,
+    /// The part that would move with the plate, kg.
+    pub moving_kg: f64,
+}
+
+impl LeftOut {
+    /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
+    pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
+        let own = Inertia::of(scene);
+        if own.spring_mass_kg.is_none() {
+            let mass_kg = stored_j? / scene.mechanism.specific_energy_j_kg();
+            let moving_kg = scene.mechanism.spring.moving_part() * mass_kg;
+            return Some(Self { mass_kg, is_least: true, moving_kg });
+        }
+        let mut sum = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0 };
+        for spring in scene.mechanism.acting().filter(|it| it.own_mass == OwnMass::Ignored) {
+            let mass_kg = mass_kg(scene, spring).unwrap_or(0.0);
+            sum.mass_kg += mass_kg;
+            sum.moving_kg += spring.moving_part() * mass_kg;
+        }
+        Some(sum)
+    }
+}
+
 /// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
 fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     spring.mass_kg.or_else(|| spring.law().mass_kg(spring)).or_else(|| {
