@@ -308,8 +308,7 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
 /// The end of a coil spring that moves too fast.
 fn surge(run: &Run) -> Option<Breach> {
     let scene = &run.scene;
-    let is_coil =
-        scene.mechanism.spring.law().is_coil() && !Mechanism::of(scene).spring.is_absent();
+    let is_coil = scene.mechanism.acting().any(|it| it.law().is_coil() && !it.is_absent());
     let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
     let sprung = scene.plate.mount == Mount::Sprung;
     let speed = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S)?;
@@ -438,6 +437,14 @@ mod tests {
         let text =
             of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
         assert!(text.contains("end moves at"), "{text}");
+        // One coil that acts beside a beam is enough; one without force is none.
+        for (k, k_2, surges) in [("1e5", "0", true), ("0", "1e5", true), ("0", "0", false)] {
+            let pairs = format!("k={k} combine=parallel k_2={k_2}");
+            let kinds = if k == "0" { "spring=prbm-cantilever" } else { "spring_2=prbm-cantilever" };
+            let found = of_run(&run(&variables::scene_with(&format!("{pairs} {kinds}"))));
+            let is_found = found.iter().any(|it| it.to_string().contains("end moves at"));
+            assert_eq!(is_found, surges, "{pairs} {kinds}");
+        }
         // A stop that is never reached is not a breach of a run, one that is hit is.
         light.mechanism.stop.position_m = Some(10.0);
         assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
