@@ -214,9 +214,7 @@ fn nose_pressure(scene: &Scene) -> Option<Breach> {
 
 fn nose_mass(scene: &Scene) -> Option<Breach> {
     let projectile = &scene.projectile;
-    let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * projectile.tip_radius_m.powi(3);
-    let sphere =
-        Some(volume_m3 * projectile.density_kg_m3).filter(|kg| *kg > projectile.mass_kg)?;
+    let sphere = Some(projectile.nose_sphere_kg()).filter(|kg| *kg > projectile.mass_kg)?;
     let text = format!(
         "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
         significant(1e3 * sphere, 3),

@@ -20,8 +20,8 @@ parts! {
         /// Without effect where the first spring is alone.
         pub second: Spring = Spring::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
-            "energy per mass of the spring or absorber, which gives its least mass",
-            optional(SpecificEnergy, Positive, "auto").seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
+            "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
+            optional(SpecificEnergy, Positive, "auto").also(&["energy_j"]).seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
             .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
