@@ -17,7 +17,7 @@ use crate::files::{clean, read_table};
 use crate::model::library::{Library, choose_closure};
 use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::Bare;
-use crate::model::variables::{self, VARIABLES};
+use crate::model::variables::{self, VARIABLES, used_when};
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -103,16 +103,16 @@ impl Changes {
         Ok(())
     }
 
-    /// Names every `--set` of the target that the scene does not use. What a search or an axis changes may use other variables.
+    /// Names every `--set` that the scene does not use, and what would. What a search or an axis changes may do so.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
             let name = argument.split('=').next().unwrap_or_default().trim();
-            let of_target = variables::find(name).ok().filter(|it| it.key.starts_with("target."));
-            let unused = of_target.filter(|it| !variables::is_used(it, scene));
-            if let Some(variable) = unused {
-                let symbol = variable.symbol;
+            let found = variables::find(name).ok();
+            if let Some(variable) = found.filter(|it| !variables::is_used(it, scene)) {
                 output::note(&format!(
-                    "warning: {symbol} has no effect on this scene (`cmra explain {symbol}`)"
+                    "warning: {} has no effect on this scene: it is used {}",
+                    variable.symbol,
+                    used_when(variable)
                 ));
             }
         }
