@@ -71,7 +71,7 @@ impl LeftOut {
     pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
         let own = Inertia::of(scene);
         if own.spring_mass_kg.is_none() {
-            let mass_kg = stored_j? / scene.mechanism.specific_energy_j_kg();
+            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)?;
             let moving_kg = scene.mechanism.spring.moving_part() * mass_kg;
             return Some(Self { mass_kg, is_least: true, moving_kg });
         }
