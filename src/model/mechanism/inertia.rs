@@ -55,9 +55,9 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg()
 }
 
-/// The springs' own mass that a run leaves out.
+/// The springs' own mass that a run omits.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LeftOut {
+pub struct OmittedMass {
     /// All of it, kg: known, or the least that the stored energy needs.
     pub mass_kg: f64,
     /// Whether it is the least.
@@ -66,7 +66,7 @@ pub struct LeftOut {
     pub moving_kg: f64,
 }
 
-impl LeftOut {
+impl OmittedMass {
     /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
     pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
         let own = Inertia::of(scene);

@@ -9,7 +9,7 @@ pub mod numerical;
 use std::fmt;
 
 use crate::model::design::Rod;
-use crate::model::mechanism::{LeftOut, Mechanism};
+use crate::model::mechanism::{Mechanism, OmittedMass};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene};
 use crate::model::units::significant;
@@ -33,7 +33,7 @@ const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
 const OBLIQUE_LOW: f64 = 4.0;
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
-/// The moving part of the springs' own mass over the plate's that may be left out.
+/// The moving part of the springs' own mass over the plate's that may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
 
 worded! {
@@ -53,7 +53,7 @@ worded! {
         Obliquity = "obliquity",
         /// Velocity, stress and travel of the spring.
         Spring = "spring",
-        /// The springs' own mass, where it is left out.
+        /// The springs' own mass, where it is omitted.
         SpringMass = "spring mass",
         /// A rigid stop under a fused interface.
         Stop = "rigid stop",
@@ -318,18 +318,18 @@ fn surge(run: &Run) -> Option<Breach> {
     Some(breach(Check::Spring, Direction::Unconservative, text))
 }
 
-/// The springs' own mass where it would slow the plate down and is left out.
+/// The springs' own mass where it would slow the plate down and is omitted.
 fn spring_mass(run: &Run) -> Option<Breach> {
-    let left_out = LeftOut::of(&run.scene, run.mechanism.stored_j)?;
-    let over_plate = left_out.moving_kg / run.scene.plate_mass_kg();
+    let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
+    let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
     if over_plate <= SPRING_MASS_MOST {
         return None;
     }
     let text = format!(
-        "the spring's own mass, {}{} g, is left out: the part of it that moves with the plate is {} times the plate's mass; set \
+        "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; set \
          own_mass=counted",
-        if left_out.is_least { "at least " } else { "" },
-        significant(1e3 * left_out.mass_kg, 3),
+        if omitted.is_least { "at least " } else { "" },
+        significant(1e3 * omitted.mass_kg, 3),
         significant(over_plate, 3)
     );
     Some(breach(Check::SpringMass, Direction::Unconservative, text))
@@ -438,7 +438,8 @@ mod tests {
         // One coil that acts beside a beam is enough; one without force is none.
         for (k, k_2, surges) in [("1e5", "0", true), ("0", "1e5", true), ("0", "0", false)] {
             let pairs = format!("k={k} combine=parallel k_2={k_2}");
-            let kinds = if k == "0" { "spring=prbm-cantilever" } else { "spring_2=prbm-cantilever" };
+            let kinds =
+                if k == "0" { "spring=prbm-cantilever" } else { "spring_2=prbm-cantilever" };
             let found = of_run(&run(&variables::scene_with(&format!("{pairs} {kinds}"))));
             let is_found = found.iter().any(|it| it.to_string().contains("end moves at"));
             assert_eq!(is_found, surges, "{pairs} {kinds}");
@@ -458,7 +459,7 @@ mod tests {
 
     /// Thesis critique: half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.
     #[test]
-    fn a_springs_own_mass_that_is_left_out_is_a_breach() {
+    fn a_springs_own_mass_that_is_omitted_is_a_breach() {
         let text_of = |changes: &str| {
             let found = of_run(&run(&variables::scene_with(changes)));
             let breach = found.iter().find(|breach| breach.check == Check::SpringMass);
