@@ -14,7 +14,7 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
-use crate::model::library::{Library, choose_closure};
+use crate::model::library::{Library, note_closure};
 use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::Bare;
 use crate::model::variables::{self, VARIABLES, used_when};
@@ -85,21 +85,18 @@ impl Changes {
                 output::note(&format!("warning: {} {}: {}", library.word(), name, entry.warning));
             }
         }
+        let chosen = scene.closure();
         change(scene, &self.set)?;
-        let own_closure = [
-            "target.closure",
-            "target.dishing",
-            "target.drag_coefficient",
-            "target.flow_strength_pa",
-        ];
         let set = |key| self.set_of(|found| found == key).is_some();
-        if self.material.is_some() && set("target.flow_strength_pa") && !set("target.closure") {
+        if self.material.is_none() || set("target.closure") {
+            return Ok(());
+        }
+        if set("target.flow_strength_pa") {
             scene.target.closure = Closure::Given;
+        } else if set("target.dishing") || set("target.drag_coefficient") {
+            scene.target.closure = chosen;
         }
-        if self.material.is_some() && self.set_of(|key| own_closure.contains(&key)).is_none() {
-            // The thickness may have been changed since.
-            choose_closure(scene);
-        }
+        note_closure(scene);
         Ok(())
     }
 

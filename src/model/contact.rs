@@ -190,7 +190,7 @@ impl Geometry {
     pub fn of(scene: &Scene) -> Self {
         let nose = Nose::of(scene);
         let thickness_m = scene.effective_thickness_m();
-        let lag_m = if scene.target.dishing { 2.0 * nose.radius_m } else { 0.0 };
+        let lag_m = if scene.dishing() { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
         let exit_depth = thickness_m + nose.full_from_m();

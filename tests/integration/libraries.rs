@@ -35,14 +35,52 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     let variables = found(&["--set", "rho=2700", "--threat", "thesis-shot"])["variables"].clone();
     assert_eq!(variables["target.density_kg_m3"], 2700.0);
     assert_eq!(variables["target.yield_pa"], 490e6);
-    assert_eq!(variables["target.closure"], "cavity");
+    assert_eq!(variables["target.closure"], "by-thickness");
     let given = found(&["--set", "S_y=152MPa"])["variables"].clone();
     assert_eq!(given["target.closure"], "given");
     let thin = found(&["--set", "h=3mm", "--set", "v_i=50"])["variables"].clone();
     assert_eq!(
         (&thin["target.closure"], &thin["target.dishing"]),
-        (&"double-yield".into(), &true.into())
+        (&"by-thickness".into(), &true.into())
     );
+    assert_eq!(found(&["--set", "h=3mm", "--set", "v_i=50"])["closure"], "double-yield");
+    let own = found(&["--set", "h=3mm", "--set", "C_d=0.7"])["variables"].clone();
+    assert_eq!((&own["target.closure"], &own["target.dishing"]), (&"cavity".into(), &false.into()));
+}
+
+/// The core has 6.2 mm: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
+#[test]
+fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
+    let set = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
+    let sweep = ["--over", "h=3mm,5mm,8mm", "--outputs", "limit_velocity_m_s", "--csv"];
+    let swept = says("sweep", &[&set[..], &sweep[..]].concat(), 0).0;
+    let of_sweep: Vec<f64> = swept
+        .lines()
+        .skip(1)
+        .map(|line| line.rsplit(',').next().unwrap().parse().unwrap())
+        .collect();
+    let alone: Vec<f64> = ["h=3mm", "h=5mm", "h=8mm"]
+        .map(|h| {
+            let one = [&set[..], &["--set", h, "--json"]].concat();
+            let found: Value = serde_json::from_str(&says("limit", &one, 0).0).unwrap();
+            found["limit_velocity_m_s"].as_f64().unwrap()
+        })
+        .to_vec();
+    for (swept, alone) in of_sweep.iter().zip(&alone) {
+        assert!((swept / alone - 1.0).abs() < 1e-5, "{of_sweep:?} {alone:?}");
+    }
+    // The values of `limit` before there was a closure by thickness.
+    assert!(
+        (of_sweep[0] - 216.2).abs() < 0.05 && (of_sweep[1] - 254.5).abs() < 0.05,
+        "{of_sweep:?}"
+    );
+    // What is sized for the shot does not depend on the plate it starts from.
+    let efficiency = |h: &str| -> f64 {
+        let one = [&set[..], &["--set", h, "--set", "v_i=350", "--json"]].concat();
+        let found: Value = serde_json::from_str(&says("compare", &one, 0).0).unwrap();
+        found["mass_efficiency"].as_f64().unwrap()
+    };
+    assert!((efficiency("h=4mm") / efficiency("h=7mm") - 1.0).abs() < 1e-6);
 }
 
 #[test]

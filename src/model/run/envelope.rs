@@ -152,20 +152,22 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     }
     let ratio = thickness_ratio(scene);
     let shown = significant(ratio, 3);
-    if scene.target.dishing && ratio > THICKNESS + ABOUT {
-        let cure = match scene.target.closure {
+    if scene.dishing() && ratio > THICKNESS + ABOUT {
+        let cure = match scene.closure() {
             Closure::Given => "set dishing=off and a strength by cavity expansion",
-            Closure::DoubleYield | Closure::Cavity => "set dishing=off and closure=cavity",
+            Closure::DoubleYield | Closure::Cavity | Closure::ByThickness => {
+                "set dishing=off and closure=cavity"
+            }
         };
         let text =
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
         return Some(breach(Check::Thickness, Direction::Conservative, text));
     }
-    if scene.target.dishing {
+    if scene.dishing() {
         return None;
     }
-    let target = &scene.target;
-    let is_hard = target.closure == Closure::Cavity && target.yield_pa >= HARD_PA;
+    let (closure, target) = (scene.closure(), &scene.target);
+    let is_hard = closure == Closure::Cavity && target.yield_pa >= HARD_PA;
     if is_hard && ratio < HARD_THICKNESS {
         let text = format!(
             "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
@@ -177,9 +179,9 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     if ratio >= THICKNESS - ABOUT {
         return None;
     }
-    let cure = match target.closure {
+    let cure = match closure {
         Closure::Given | Closure::DoubleYield => "set dishing=on",
-        Closure::Cavity => "set closure=double-yield and dishing=on",
+        Closure::Cavity | Closure::ByThickness => "set closure=double-yield and dishing=on",
     };
     let text = format!(
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"

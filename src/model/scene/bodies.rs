@@ -42,7 +42,7 @@ parts! {
             number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| resists(scene) && scene.target.closure == Closure::Given)
             .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
-            "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
+            "where S_y comes from: given, 2 Y (with dishing), cavity expansion (without dishing), or the one of them that suits h",
             choice().seldom().used_when(resists).from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
             number(Pressure, Positive).called("yield_strength").seldom()
@@ -50,15 +50,14 @@ parts! {
             .used_when(|scene| resists(scene) && scene.target.closure != Closure::Given)
             .from("thesis Appendix A.1: 75.8 MPa");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
-            number(Pressure, Positive).seldom().listed_when(|scene| scene.target.closure == Closure::Cavity)
-            .used_when(|scene| resists(scene) && scene.target.closure == Closure::Cavity)
+            number(Pressure, Positive).seldom().listed_when(may_expand).used_when(|scene| resists(scene) && may_expand(scene))
             .from("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            number(Number, NonNegative).also(&["Cd"]).used_when(resists).from(TABLE_9_1);
+            number(Number, NonNegative).also(&["Cd"]).used_when(|scene| resists(scene) && scene.target.closure != Closure::ByThickness).from(TABLE_9_1);
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
-            is(DISHING).used_when(penetrates).from("thesis section 8.3.1 and Appendix A.2");
+            is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
     }
 
     /// The plate as a body.
@@ -101,6 +100,8 @@ worded! {
         /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
         /// without dishing.
         Cavity = "cavity",
+        /// The first of them for plates thinner than the projectile's diameter, the second from there on.
+        ByThickness = "by-thickness",
     }
 }
 
@@ -131,6 +132,34 @@ impl Projectile {
     pub fn nose_sphere_kg(&self) -> f64 {
         let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * self.tip_radius_m.powi(3);
         volume_m3 * self.density_kg_m3
+    }
+}
+
+fn may_expand(scene: &Scene) -> bool {
+    matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness)
+}
+
+/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
+/// it.
+const CAVITY_FROM: f64 = 1.0;
+
+impl Target {
+    /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
+    /// expansion with a hemisphere's drag on a thick one.
+    #[must_use]
+    pub fn in_effect(self, tip_radius_m: f64) -> Self {
+        if self.closure != Closure::ByThickness {
+            return self;
+        }
+        if self.thickness_m < CAVITY_FROM * 2.0 * tip_radius_m {
+            return Self {
+                closure: Closure::DoubleYield,
+                dishing: true,
+                drag_coefficient: 0.5,
+                ..self
+            };
+        }
+        Self { closure: Closure::Cavity, dishing: false, drag_coefficient: 1.0, ..self }
     }
 }
 

@@ -50,7 +50,7 @@ pub fn reasons(report: &Report) -> Vec<String> {
     lines.extend(outside_validity(report));
     let energy_j_kg = report.scene.mechanism.specific_energy_j_kg();
     if let Some((closed, energy_j_kg)) = report.closed_form().zip(energy_j_kg) {
-        let dishing = if report.scene.target.dishing { "; this plate dishes" } else { "" };
+        let dishing = if report.scene.dishing() { "; this plate dishes" } else { "" };
         lines.push(format!(
             "check in closed form, for a soft spring without dishing: {}; pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is \
              below {} with {} J/kg{dishing}",
