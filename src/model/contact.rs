@@ -167,7 +167,7 @@ impl Nose {
     }
 
     /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + asin-free remainder; see [`Nose::fullness`] for phi.
+    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2); see [`Nose::fullness`] for phi.
     fn partial_m2(&self, p_m: f64) -> f64 {
         let r = self.radius_m;
         let kappa = 1.0 - p_m * self.cos / r;
