@@ -147,7 +147,10 @@ mod tests {
         assert_eq!(when("k_stop"), "where x_stop given and stop_kind = elastic");
         assert!(when("gamma").starts_with("unless mount = rigid"), "{}", when("gamma"));
         assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
-        assert_eq!(when("Y"), "where closure = double-yield or closure = cavity");
+        assert_eq!(
+            when("Y"),
+            "where closure = double-yield or closure = cavity or closure = by-thickness"
+        );
         assert!(when("h").starts_with("unless model = initial-velocity"), "{}", when("h"));
         assert_eq!(when("d"), "unless mount = rigid");
         assert_eq!(when("rho_p"), "where theta > 0 or m_p below that of the nose sphere");
