@@ -21,7 +21,7 @@ parts! {
             number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
         pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet and of a nose sphere that weighs more than the projectile",
             number(Density, Positive).called("projectile_density")
-            .listed_when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
+            .when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
             .from("assumption: steel");
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
             number(Pressure, Positive).called("projectile_strength").when(is_oblique).from("assumption: 1 GPa");
@@ -144,6 +144,11 @@ fn may_expand(scene: &Scene) -> bool {
 const CAVITY_FROM: f64 = 1.0;
 
 impl Target {
+    /// The thickness from which a closure by thickness is cavity expansion, m.
+    pub fn thick_from_m(tip_radius_m: f64) -> f64 {
+        CAVITY_FROM * 2.0 * tip_radius_m
+    }
+
     /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
     /// expansion with a hemisphere's drag on a thick one.
     #[must_use]
@@ -151,7 +156,7 @@ impl Target {
         if self.closure != Closure::ByThickness {
             return self;
         }
-        if self.thickness_m < CAVITY_FROM * 2.0 * tip_radius_m {
+        if self.thickness_m < Self::thick_from_m(tip_radius_m) {
             return Self {
                 closure: Closure::DoubleYield,
                 dishing: true,
