@@ -15,9 +15,10 @@ use crate::files::preset::{self, Origin, Preset};
 use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
+use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
-use crate::model::units::Bare;
-use crate::model::variables::{self, VARIABLES, used_when};
+use crate::model::units::{self, Bare, Quantity, shortest};
+use crate::model::variables::{self, Kind, VARIABLES, Variable, used_when};
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -100,16 +101,22 @@ impl Changes {
         Ok(())
     }
 
-    /// Names every `--set` that the scene does not use, and what would. What a search or an axis changes may do so.
+    /// Names every `--set` that the scene does not use, and what would: what a search or an axis changes may do so. Names every
+    /// stiffness or damping of a linear law whose law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
-            let name = argument.split('=').next().unwrap_or_default().trim();
-            let found = variables::find(name).ok();
-            if let Some(variable) = found.filter(|it| !variables::is_used(it, scene)) {
+            let (name, value) = argument.split_once('=').unwrap_or_default();
+            let Ok(variable) = variables::find(name.trim()) else { continue };
+            let symbol = variable.symbol;
+            if !variables::is_used(variable, scene) {
+                let used = used_when(variable);
+                let text = format!("{symbol} has no effect on this scene: it is used {used}");
+                output::note(&format!("warning: {text}"));
+            } else if let Some(law) = bent_law(variable, value, scene) {
+                let (unit, exponent) = (variable.unit(), law.exponent);
                 output::note(&format!(
-                    "warning: {} has no effect on this scene: it is used {}",
-                    variable.symbol,
-                    used_when(variable)
+                    "warning: {argument}: {symbol} is in {unit} with an exponent of {exponent} here; it is taken as {symbol}={}",
+                    shortest(law.coefficient)
                 ));
             }
         }
@@ -147,6 +154,23 @@ impl Changes {
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
     }
+}
+
+/// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
+fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw> {
+    let Kind::Number(number) = &variable.kind else { return None };
+    let (linear, exponent) = match number.quantity {
+        Quantity::SpringCoefficient => {
+            let (which, _) = WhichSpring::of_key(variable.key)?;
+            (Quantity::Stiffness, scene.mechanism.one(which).exponent)
+        }
+        Quantity::DamperCoefficient => (Quantity::Damping, scene.mechanism.damper.exponent),
+        _ => return None,
+    };
+    let is_in = |quantity| units::parse(value, quantity, Bare::Si).is_ok();
+    let is_bent =
+        is_in(linear) && !is_in(Quantity::Number) && (exponent - 1.0).abs() > f64::EPSILON;
+    Some(PowerLaw { coefficient: (number.get)(scene)?, exponent }).filter(|_| is_bent)
 }
 
 /// Marks the title of a scene whose inputs were changed.

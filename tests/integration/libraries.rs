@@ -48,6 +48,35 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     assert_eq!((&own["target.closure"], &own["target.dishing"]), (&"cavity".into(), &false.into()));
 }
 
+#[test]
+fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
+    let notes = |sets: &[&str]| {
+        let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        says("run", &sets, 0).1
+    };
+    for (sets, note) in [
+        (
+            &["Y=300MPa"][..],
+            "Y has no effect on this scene: it is used where closure = double-yield",
+        ),
+        (
+            &["mount=rigid", "k=1e6"],
+            "k has no effect on this scene: it is used unless mount = rigid",
+        ),
+        (&["e=0.5"], "e has no effect on this scene: it is used where x_stop given"),
+        (&["l_beam=0.2"], "l_beam has no effect on this scene: it is used where spring = prbm"),
+        (&["t_d=1e-4"], "t_d has no effect on this scene: it is used where model = half-sine"),
+        (&["k=2MN/m", "n=2"], "k is in N/m^n with an exponent of 2 here; it is taken as k=2000000"),
+    ] {
+        let found = notes(sets);
+        assert!(found.split_whitespace().collect::<Vec<_>>().join(" ").contains(note), "{found}");
+    }
+    for sets in [&["k=2MN/m"][..], &["k=2e6", "n=2"], &["closure=double-yield", "Y=80MPa"]] {
+        let found = notes(sets);
+        assert!(!found.contains("no effect") && !found.contains("taken as"), "{found}");
+    }
+}
+
 /// The core has 6.2 mm: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
 #[test]
 fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
