@@ -217,8 +217,10 @@ fn masses(page: &mut String, report: &Report) {
 /// The energy that the springs take up per mass of their own.
 fn per_mass(scene: &Scene) -> String {
     let energy_j_kg = scene.mechanism.specific_energy_j_kg();
-    energy_j_kg
-        .map_or("unknown J/kg".to_owned(), |energy| format!("{} J/kg", significant(energy, 4)))
+    energy_j_kg.map_or_else(
+        || "unknown J/kg".to_owned(),
+        |energy| format!("{} J/kg", significant(energy, 4)),
+    )
 }
 
 fn map_page(name: &str, map: &Map) -> String {

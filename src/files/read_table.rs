@@ -95,7 +95,7 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
             (Some(x), Some(force)) => points.push([units[0] * x, units[1] * force]),
             (None, None) if index == 0 => {
                 let [x, force] = [0, 1].map(|at| row.get(at).unwrap_or_default());
-                let swapped = unit(x, Quantity::Force).or(unit(force, Quantity::Length));
+                let swapped = unit(x, Quantity::Force).or_else(|| unit(force, Quantity::Length));
                 if swapped.is_some() {
                     return Err(format!(
                         "`{shown}`, line {line}: `{}` names a force before a displacement: write displacement first, then force",
