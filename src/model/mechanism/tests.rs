@@ -170,3 +170,18 @@ fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
         assert!((mass / (energy * 5.081_673_469e-3) - 1.0).abs() < 1e-6, "{pairs}: {mass}");
     }
 }
+
+/// The wire of a coil takes up 196.8 J/kg; of aluminium honeycomb 19460 J/kg are known, of a crush force alone nothing.
+#[test]
+fn only_coils_have_a_least_mass_without_a_specific_energy() {
+    let least_g = |pairs: &str| {
+        let mechanism = crate::model::variables::scene_with(pairs).mechanism;
+        assert_eq!(mechanism.least_spring_kg(0.0), Some(0.0), "{pairs}");
+        mechanism.least_spring_kg(73.65).map(|kg| (1e4 * kg).round() / 10.0)
+    };
+    assert_eq!(least_g(""), Some(374.3));
+    assert_eq!(least_g("spring=normalised"), Some(374.3));
+    assert_eq!(least_g("spring=crush"), None);
+    assert_eq!(least_g("combine=parallel spring_2=crush"), None);
+    assert_eq!(least_g("spring=crush e_spring=19460"), Some(3.8));
+}
