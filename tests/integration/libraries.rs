@@ -66,7 +66,7 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
         (&["e=0.5"], "e has no effect on this scene: it is used where x_stop given"),
         (&["l_beam=0.2"], "l_beam has no effect on this scene: it is used where spring = prbm"),
         (&["t_d=1e-4"], "t_d has no effect on this scene: it is used where model = half-sine"),
-        (&["k=2MN/m", "n=2"], "k is in N/m^n with an exponent of 2 here; it is taken as k=2000000"),
+        (&["k=2MN/m", "n=2"], "k is in N/m^n with an exponent of 2 here; it is taken as k=2e6"),
     ] {
         let found = notes(sets);
         assert!(found.split_whitespace().collect::<Vec<_>>().join(" ").contains(note), "{found}");
