@@ -35,8 +35,9 @@
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the
-//! simulation. [`contact_phase`] and [`appendix`] are references that share nothing with the simulation but the laws. [`design`]
-//! has the formulas that need no simulation.
+//! simulation. [`contact_phase`] and [`appendix`] are references with equations of their own; the head of the first says what it
+//! shares with the simulation, and the second uses [`contact::Geometry`] to name its events. [`design`] has the formulas that need
+//! no simulation.
 
 pub mod appendix;
 pub mod closed_form;

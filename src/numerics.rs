@@ -5,9 +5,11 @@
 //! L-stable collocation method for what is too stiff for that; [`stepper`] are the Runge-Kutta methods everything is compared
 //! with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
 //! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
-//! [`random`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
+//! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`double_double`] has
+//! numbers of some 31 digits, for references; [`random`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
 //! standard library has for single ones alone; `exponential` has the functions of closed forms.
-//! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
+//! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
+//! is bounded.
 
 pub(crate) mod crossing;
 pub mod double_double;

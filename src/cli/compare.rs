@@ -185,10 +185,14 @@ fn masses(page: &mut String, report: &Report) {
         Some(kg) if report.hardware.spring_kg.is_some() => format!("{} g as given", gram(kg)),
         Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
         Some(kg) => format!(
-            "{} g, the least for the energy at {} J/kg (--spring-energy)",
+            "{} g, the least for the energy at {} (--spring-energy)",
             gram(kg),
-            significant(report.scene.mechanism.specific_energy_j_kg(), 4)
+            per_mass(&report.scene)
         ),
+        None if report.scene.mechanism.specific_energy_j_kg().is_none() => {
+            "not known, since it is no coil; give --spring-energy, --absorber or --spring-mass"
+                .to_owned()
+        }
         None => {
             "not known, since nothing stops the plate or the run ended early; give --spring-mass"
                 .to_owned()
@@ -208,13 +212,22 @@ fn masses(page: &mut String, report: &Report) {
     }
 }
 
+/// The energy that the springs take up per mass of their own.
+fn per_mass(scene: &Scene) -> String {
+    let energy_j_kg = scene.mechanism.specific_energy_j_kg();
+    energy_j_kg.map_or_else(
+        || "unknown J/kg".to_owned(),
+        |energy| format!("{} J/kg", significant(energy, 4)),
+    )
+}
+
 fn map_page(name: &str, map: &Map) -> String {
     let (x, y) = (map.x(), map.y());
     let mut page = format!(
-        "{name}: mass efficiency over {} and {}, springs of {} J/kg\n\n",
+        "{name}: mass efficiency over {} and {}, springs of {}\n\n",
         x.symbol(),
         y.symbol(),
-        significant(map.scene().mechanism.specific_energy_j_kg(), 4)
+        per_mass(map.scene())
     );
     let Some(drawn) = tables::picture(map).filter(|drawn| drawn.values().next().is_some()) else {
         page.push_str("no point has a mass efficiency\n");

@@ -14,10 +14,11 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
-use crate::model::library::{Library, choose_closure};
+use crate::model::library::{Library, note_closure};
+use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
-use crate::model::units::Bare;
-use crate::model::variables::{self, VARIABLES};
+use crate::model::units::{self, Bare, Quantity, shortest};
+use crate::model::variables::{self, Kind, VARIABLES, Variable, used_when};
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -85,34 +86,37 @@ impl Changes {
                 output::note(&format!("warning: {} {}: {}", library.word(), name, entry.warning));
             }
         }
+        let chosen = scene.closure();
         change(scene, &self.set)?;
-        let own_closure = [
-            "target.closure",
-            "target.dishing",
-            "target.drag_coefficient",
-            "target.flow_strength_pa",
-        ];
         let set = |key| self.set_of(|found| found == key).is_some();
-        if self.material.is_some() && set("target.flow_strength_pa") && !set("target.closure") {
+        if self.material.is_none() || set("target.closure") {
+            return Ok(());
+        }
+        if set("target.flow_strength_pa") {
             scene.target.closure = Closure::Given;
+        } else if set("target.dishing") || set("target.drag_coefficient") {
+            scene.target.closure = chosen;
         }
-        if self.material.is_some() && self.set_of(|key| own_closure.contains(&key)).is_none() {
-            // The thickness may have been changed since.
-            choose_closure(scene);
-        }
+        note_closure(scene);
         Ok(())
     }
 
-    /// Names every `--set` of the target that the scene does not use. What a search or an axis changes may use other variables.
+    /// Names every `--set` that the scene does not use, and what would: what a search or an axis changes may do so. Names every
+    /// stiffness or damping of a linear law whose law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
-            let name = argument.split('=').next().unwrap_or_default().trim();
-            let of_target = variables::find(name).ok().filter(|it| it.key.starts_with("target."));
-            let unused = of_target.filter(|it| !variables::is_used(it, scene));
-            if let Some(variable) = unused {
-                let symbol = variable.symbol;
+            let (name, value) = argument.split_once('=').unwrap_or_default();
+            let Ok(variable) = variables::find(name.trim()) else { continue };
+            let symbol = variable.symbol;
+            if !variables::is_used(variable, scene) {
+                let used = used_when(variable);
+                let text = format!("{symbol} has no effect on this scene: it is used {used}");
+                output::note(&format!("warning: {text}"));
+            } else if let Some(law) = bent_law(variable, value, scene) {
+                let (unit, exponent) = (variable.unit(), law.exponent);
                 output::note(&format!(
-                    "warning: {symbol} has no effect on this scene (`cmra explain {symbol}`)"
+                    "warning: {argument}: {symbol} is in {unit} with an exponent of {exponent} here; it is taken as {symbol}={}",
+                    shortest(law.coefficient)
                 ));
             }
         }
@@ -150,6 +154,23 @@ impl Changes {
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
     }
+}
+
+/// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
+fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw> {
+    let Kind::Number(number) = &variable.kind else { return None };
+    let (linear, exponent) = match number.quantity {
+        Quantity::SpringCoefficient => {
+            let (which, _) = WhichSpring::of_key(variable.key)?;
+            (Quantity::Stiffness, scene.mechanism.one(which).exponent)
+        }
+        Quantity::DamperCoefficient => (Quantity::Damping, scene.mechanism.damper.exponent),
+        _ => return None,
+    };
+    let is_in = |quantity| units::parse(value, quantity, Bare::Si).is_ok();
+    let is_bent =
+        is_in(linear) && !is_in(Quantity::Number) && (exponent - 1.0).abs() > f64::EPSILON;
+    Some(PowerLaw { coefficient: (number.get)(scene)?, exponent }).filter(|_| is_bent)
 }
 
 /// Marks the title of a scene whose inputs were changed.

@@ -63,7 +63,7 @@ fn page(report: &[Row]) -> String {
                 "alternative",
                 row.other.map_or_else(String::new, |value| {
                     let other = match row.closure {
-                        Closure::Cavity => Closure::DoubleYield,
+                        Closure::Cavity | Closure::ByThickness => Closure::DoubleYield,
                         Closure::Given | Closure::DoubleYield => Closure::Cavity,
                     };
                     format!("{} by {}", off(value), closure_words(other))
@@ -140,7 +140,7 @@ fn summary(report: &[Row]) -> String {
 fn closure_words(closure: Closure) -> &'static str {
     match closure {
         Closure::Given => "a flow strength that is given",
-        Closure::Cavity => "cavity, without dishing",
+        Closure::Cavity | Closure::ByThickness => "cavity, without dishing",
         Closure::DoubleYield => "double-yield, with dishing",
     }
 }

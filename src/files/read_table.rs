@@ -10,6 +10,7 @@ use toml::de::{DeValue, ValueDeserializer};
 use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::read::{self, Accepts, Reader};
+use crate::model::units::{self, Bare, Quantity};
 
 /// The key of a table of each spring.
 pub(super) const KEYS: [&str; 2] = ["mechanism.spring.table", "mechanism.second.table"];
@@ -52,8 +53,8 @@ pub(super) fn points(
     found.map_err(|(span, text)| reader.problem(span, text)).ok()
 }
 
-/// The points of a measured curve in a CSV file: displacement in m and force in N, the first two columns; a line of names may come
-/// first.
+/// The points of a measured curve in a CSV file: displacement and force, the first two columns; a line of names may come first. They
+/// are in m and N unless the names end in other units: `x_mm,F_kN` or `travel (in),force (lbf)`.
 ///
 /// # Errors
 /// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
@@ -67,6 +68,12 @@ fn beside(scene: &str, file: &str) -> PathBuf {
     Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
 }
 
+/// The unit that a heading ends in, in that of the stored quantity; `None` without one of its kind.
+fn unit(heading: &str, quantity: Quantity) -> Option<f64> {
+    let (_, unit) = heading.trim_end_matches([')', ']']).rsplit_once(['_', ' ', '(', '[', '/'])?;
+    units::parse(&format!("1 {unit}"), quantity, Bare::Stored).ok().filter(|_| !unit.is_empty())
+}
+
 fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
     const SHOWN_MAX: usize = 80;
     let name = path.to_string_lossy();
@@ -78,14 +85,26 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
     let mut points = Vec::new();
+    let mut units = [1.0; 2];
     for (index, row) in reader.records().enumerate() {
         let row = row.map_err(|error| format!("cannot read `{shown}` as CSV: {error}"))?;
         let finite = |number: &f64| number.is_finite();
         let field = |at: usize| row.get(at).and_then(|field| field.parse().ok()).filter(finite);
         let line = row.position().map_or(index as u64 + 1, csv::Position::line);
         match (field(0), field(1)) {
-            (Some(x), Some(force)) => points.push([x, force]),
-            (None, None) if index == 0 => {}
+            (Some(x), Some(force)) => points.push([units[0] * x, units[1] * force]),
+            (None, None) if index == 0 => {
+                let [x, force] = [0, 1].map(|at| row.get(at).unwrap_or_default());
+                let swapped = unit(x, Quantity::Force).or_else(|| unit(force, Quantity::Length));
+                if swapped.is_some() {
+                    return Err(format!(
+                        "`{shown}`, line {line}: `{}` names a force before a displacement: write displacement first, then force",
+                        clean::line(&format!("{x},{force}"))
+                    ));
+                }
+                units = [(x, Quantity::Length), (force, Quantity::Force)]
+                    .map(|(heading, quantity)| unit(heading, quantity).unwrap_or(1.0));
+            }
             _ => {
                 return Err(format!(
                     "`{shown}`, line {line}: `{}` is not a point: write displacement in m and force in N, separated by a comma, \
@@ -103,4 +122,27 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
         }
     }
     Ok(points.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_units_of_the_first_line_are_those_of_the_points() {
+        let points = |heading: &str| points_in(&format!("{heading}\n2,3\n"), Path::new("F.csv"));
+        let found = |heading: &str| points(heading).unwrap()[0];
+        for heading in ["x_m,F_N", "x_m,force_n", "displacement,force", "x,F [N]"] {
+            assert_eq!(
+                found(heading).map(f64::to_bits),
+                [2f64, 3f64].map(f64::to_bits),
+                "{heading}"
+            );
+        }
+        for heading in ["x_mm,F_kN", "travel (mm),force (kN)", "x/mm,F/kN"] {
+            let [x, force] = found(heading);
+            assert!((x - 2e-3).abs() < 1e-17 && (force - 3e3).abs() < 1e-9, "{heading}");
+        }
+        assert!(points("F_kN,x_mm").unwrap_err().contains("write displacement first"));
+    }
 }

@@ -167,7 +167,7 @@ impl NoseGeometry {
     }
 
     /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + asin-free remainder; see [`NoseGeometry::fullness`] for phi.
+    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2); see [`NoseGeometry::fullness`] for phi.
     fn partial_m2(&self, p_m: f64) -> f64 {
         let r = self.radius_m;
         let kappa = 1.0 - p_m * self.cos / r;
@@ -190,7 +190,7 @@ impl Geometry {
     pub fn of(scene: &Scene) -> Self {
         let nose = NoseGeometry::of(scene);
         let thickness_m = scene.effective_thickness_m();
-        let lag_m = if scene.target.dishing { 2.0 * nose.radius_m } else { 0.0 };
+        let lag_m = if scene.dishing() { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
         let exit_depth = thickness_m + nose.full_from_m();

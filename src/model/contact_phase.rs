@@ -1,6 +1,6 @@
 //! The contact phase alone, from first contact to first arrest or perforation, as a plain initial-value problem.
 //!
-//! A second implementation, independent of the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods.
+//! A second implementation beside the engine of `impact.rs`: own equations, area formulas, scaling and boundaries, other steppers.
 //! Each can check the other. In units of the nose radius R, the impact velocity v and R/v,
 //!
 //! ```text
@@ -8,7 +8,9 @@
 //! x' = w    w' = (f cos - g)/gamma                    g = K |x|^n sgn x + D |w|^m sgn w
 //! ```
 //!
-//! Of springs and damper only the force laws are shared with the engine.
+//! Shared with the engine are the force laws of springs and damper, the rule of a rigid stop (`stop::rebound`), the Newton step
+//! of the implicit method (`numerics::implicit::step`, in `radau`), and in `exact` the geometry and the closed form
+//! (`contact::Geometry`, `closed_form::Passage`). `fine` and `section` share none of them.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::mechanism::{self, Mechanism, PowerLaw, moving_plate_kg};

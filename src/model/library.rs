@@ -6,10 +6,6 @@ use crate::model::scene::{Closure, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
-/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
-/// it.
-const CAVITY_FROM: f64 = 1.0;
-
 worded! {
     /// Which library.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,7 +71,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Takes its values into a scene and notes where they come from. A material chooses the closure that suits the plate.
+    /// Takes its values into a scene and notes where they come from. A material takes the closure that suits the plate.
     ///
     /// # Errors
     /// [`VariableError`] where a value makes no physical sense.
@@ -84,7 +80,8 @@ impl Entry {
             variables::find(key)?.set(scene, *value)?;
         }
         if self.library == Library::Materials {
-            choose_closure(scene);
+            scene.target.closure = Closure::ByThickness;
+            note_closure(scene);
         }
         let start = format!("{}: ", self.library.word());
         let mut notes: Vec<&str> = scene.notes.lines().collect();
@@ -102,14 +99,8 @@ impl Entry {
     }
 }
 
-/// Chooses the closure for the flow strength that suits the plate's thickness: 2 Y with dishing for thin plates, cavity expansion
-/// without dishing from about one diameter on.
-pub fn choose_closure(scene: &mut Scene) {
-    let thin = scene.target.thickness_m < CAVITY_FROM * 2.0 * scene.projectile.tip_radius_m;
-    scene.target = Target {
-        closure: if thin { Closure::DoubleYield } else { Closure::Cavity },
-        dishing: thin,
-        drag_coefficient: if thin { 0.5 } else { 1.0 },
-        ..scene.target
-    };
+/// Writes the dishing and the drag in effect beside a closure by thickness: files show them, and a closure that is stated later
+/// starts from them.
+pub fn note_closure(scene: &mut Scene) {
+    scene.target = Target { closure: scene.target.closure, ..scene.target_in_effect() };
 }

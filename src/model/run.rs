@@ -388,7 +388,7 @@ pub struct Cost {
     pub events: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub rhs_evaluations: usize,
-    /// The method that did it, or the methods in the order used.
+    /// The method that did it, or the methods.
     pub method: &'static str,
     /// Why that method.
     pub reason: &'static str,

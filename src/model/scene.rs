@@ -163,13 +163,40 @@ impl Scene {
         (self.plate_mass_kg() / (self.target.density_kg_m3 * self.target.thickness_m)).sqrt()
     }
 
+    /// The closure that the plate's thickness chooses; `None` where the scene states one.
+    pub fn closure_by_thickness(&self) -> Option<Closure> {
+        (self.target.closure == Closure::ByThickness).then(|| self.closure())
+    }
+
+    /// The target with the closure, the dishing and the drag in effect.
+    pub fn target_in_effect(&self) -> Target {
+        self.target.in_effect(self.projectile.tip_radius_m)
+    }
+
+    /// The closure in effect: never [`Closure::ByThickness`].
+    pub fn closure(&self) -> Closure {
+        self.target_in_effect().closure
+    }
+
+    /// Whether the plate dishes.
+    pub fn dishing(&self) -> bool {
+        self.target_in_effect().dishing
+    }
+
+    /// The drag coefficient in effect.
+    pub fn drag_coefficient(&self) -> f64 {
+        self.target_in_effect().drag_coefficient
+    }
+
     /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.
     pub fn flow_strength_pa(&self) -> f64 {
         let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
-        match self.target.closure {
+        match self.closure() {
             Closure::Given => flow_strength_pa,
             Closure::DoubleYield => 2.0 * y,
-            Closure::Cavity => 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+            Closure::Cavity | Closure::ByThickness => {
+                2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln())
+            }
         }
     }
 
@@ -185,6 +212,6 @@ impl Scene {
 
     /// `c = C_d rho / 2`, kg/m³.
     pub fn drag_kg_m3(&self) -> f64 {
-        0.5 * self.target.drag_coefficient * self.target.density_kg_m3
+        0.5 * self.drag_coefficient() * self.target.density_kg_m3
     }
 }

@@ -83,6 +83,7 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
     base.mechanism.stop.position_m = None;
     base.target.thickness_m = scene.stack.base_thickness_m.unwrap_or(base.target.thickness_m);
     if let Some(strength_pa) = scene.stack.base_strength_pa {
+        base.target = base.target_in_effect();
         base.target.closure = Closure::Given;
         base.target.flow_strength_pa = strength_pa;
     }

@@ -56,7 +56,8 @@ const MATRIX: [[f64; STAGES]; STAGES] = [
 const GAMMA_0: f64 = 3.637_834_252_744_496;
 const ERROR_WEIGHTS: [f64; STAGES] =
     [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
-const NEWTON_MAX: usize = 25;
+/// Iterations of Newton's method in a step, at most.
+pub(crate) const NEWTON_MAX: usize = 25;
 /// Changes below which Newton's method has come to where rounding keeps it, once it no longer halves them; and where it has not
 /// for some rounds.
 const STALLED: f64 = 1e-12;
@@ -218,8 +219,7 @@ pub(crate) fn interpolate<const N: usize>(y: &[f64; N], step: &Step<N>, s: f64) 
 mod tests {
     use super::*;
 
-    /// y' = -rate (y - cos t), t' = 1: Prothero and Robinson, stiff for a large rate; solution cos t for y(0) = 1 only
-    /// up to the lag, so compared at rate -> moderate with the exact solution.
+    /// y' = -rate (y - cos t) - sin t, t' = 1: Prothero and Robinson, stiff for a large rate; from y(0) = 1 the solution is cos t.
     struct Relax(f64);
 
     impl ImplicitSystem<2> for Relax {

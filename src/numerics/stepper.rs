@@ -147,7 +147,7 @@ mod tests {
     use super::rk4::{Crossing, Rk4};
     use super::*;
 
-    /// y'' = -y with a count of its own, as (y, y', -) and a plane y = 0.5 from above.
+    /// y'' = -y as (y, y'), with a count of its evaluations and the planes to stop at.
     struct Oscillator {
         calls: Cell<usize>,
         planes: Vec<Boundary<2>>,

@@ -32,6 +32,10 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         remarks.push(Remark::new("at the limit", self::load(load).unwrap_or_else(none)));
     }
+    if let Some(closure) = report.scene.closure_by_thickness() {
+        let text = format!("{}, by the plate's thickness", closure.word());
+        remarks.push(Remark::new("closure", text));
+    }
     if let Some(closures) = &report.closures {
         remarks.push(Remark::new("closure band", self::closures(closures)));
     }
@@ -208,6 +212,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "stroke_at_limit_m": load.stroke_m,
         "stored_energy_at_limit_j": load.stored_j,
         "peak_mount_force_at_limit_n": load.mount_force_n,
+        "closure": report.scene.closure().word(),
         "closures": closures,
         "recht_ipson": report.recht_ipson.map(recht_ipson),
         "lambert_jonas": report.lambert_jonas.map(lambert_jonas),

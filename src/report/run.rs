@@ -248,6 +248,7 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
         ("model", word("contact.model")),
         ("interface", word("interface.law")),
         ("outcome", Value::from(run.shot_outcome().word())),
+        ("closure", Value::from(run.scene.closure().word())),
         ("end", Value::from(run.end.words())),
         ("complete", Value::from(run.end.is_complete())),
     ];

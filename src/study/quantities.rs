@@ -196,9 +196,9 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
     quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
-    quantity("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
+    quantity("least_spring_mass_kg", "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
         .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
-    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring; a damper, a stop and the mount are not counted", Source::Run(|run| mount::system_kg(&run.scene, run.max_plate_displacement_m)))
+    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted", Source::Run(|run| mount::system_kg(&run.scene, run.max_plate_displacement_m)))
         .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.max_displacement_m))).short("system"),
     quantity("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted", Source::Run(areal_mass_of_run))
         .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.max_displacement_m))),

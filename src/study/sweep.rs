@@ -190,6 +190,10 @@ impl Plan {
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
+        if axes.iter().any(|axis| axis.variable().key == "target.drag_coefficient") {
+            // A drag of its own is that of one closure.
+            base.target = base.target_in_effect();
+        }
         let mut plan = Self { base, axes, design, points, outputs, list: None, steps_max: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.

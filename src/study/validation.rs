@@ -217,7 +217,7 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
     Row {
         case,
         computed: value(case.quantity, &scene),
-        closure: scene.target.closure,
+        closure: scene.closure(),
         other: other(&scene).and_then(|scene| value(case.quantity, &scene)),
         thickness_ratio: 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m,
         pressure_pa: scene.flow_strength_pa() + scene.drag_kg_m3() * v * v,
@@ -232,12 +232,11 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 /// cavity expansion.
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
-    (own.target.closure, own.target.dishing, own.target.drag_coefficient) =
-        match scene.target.closure {
-            Closure::Given => return None,
-            Closure::DoubleYield => (Closure::Cavity, false, 1.0),
-            Closure::Cavity => (Closure::DoubleYield, true, 0.5),
-        };
+    (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
+        Closure::Given => return None,
+        Closure::DoubleYield => (Closure::Cavity, false, 1.0),
+        Closure::Cavity | Closure::ByThickness => (Closure::DoubleYield, true, 0.5),
+    };
     Some(own)
 }
 
@@ -258,7 +257,7 @@ fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
             Some(limit::closed_form(scene)? / limit::closed_form(&straight)?)
         }
         Quantity::Strength => Some(scene.flow_strength_pa()),
-        Quantity::Bulge => scene.target.dishing.then_some(2.0 * scene.projectile.tip_radius_m),
+        Quantity::Bulge => scene.dishing().then_some(2.0 * scene.projectile.tip_radius_m),
         Quantity::Depth => plain_run(scene)?.final_penetration_m,
     }
 }

@@ -35,14 +35,81 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     let variables = found(&["--set", "rho=2700", "--threat", "thesis-shot"])["variables"].clone();
     assert_eq!(variables["target.density_kg_m3"], 2700.0);
     assert_eq!(variables["target.yield_pa"], 490e6);
-    assert_eq!(variables["target.closure"], "cavity");
+    assert_eq!(variables["target.closure"], "by-thickness");
     let given = found(&["--set", "S_y=152MPa"])["variables"].clone();
     assert_eq!(given["target.closure"], "given");
     let thin = found(&["--set", "h=3mm", "--set", "v_i=50"])["variables"].clone();
     assert_eq!(
         (&thin["target.closure"], &thin["target.dishing"]),
-        (&"double-yield".into(), &true.into())
+        (&"by-thickness".into(), &true.into())
     );
+    assert_eq!(found(&["--set", "h=3mm", "--set", "v_i=50"])["closure"], "double-yield");
+    let own = found(&["--set", "h=3mm", "--set", "C_d=0.7"])["variables"].clone();
+    assert_eq!((&own["target.closure"], &own["target.dishing"]), (&"cavity".into(), &false.into()));
+}
+
+#[test]
+fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
+    let notes = |sets: &[&str]| {
+        let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        says("run", &sets, 0).1
+    };
+    for (sets, note) in [
+        (
+            &["Y=300MPa"][..],
+            "Y has no effect on this scene: it is used where closure = double-yield",
+        ),
+        (
+            &["mount=rigid", "k=1e6"],
+            "k has no effect on this scene: it is used unless mount = rigid",
+        ),
+        (&["e=0.5"], "e has no effect on this scene: it is used where x_stop given"),
+        (&["l_beam=0.2"], "l_beam has no effect on this scene: it is used where spring = prbm"),
+        (&["t_d=1e-4"], "t_d has no effect on this scene: it is used where model = half-sine"),
+        (&["k=2MN/m", "n=2"], "k is in N/m^n with an exponent of 2 here; it is taken as k=2e6"),
+    ] {
+        let found = notes(sets);
+        assert!(found.split_whitespace().collect::<Vec<_>>().join(" ").contains(note), "{found}");
+    }
+    for sets in [&["k=2MN/m"][..], &["k=2e6", "n=2"], &["closure=double-yield", "Y=80MPa"]] {
+        let found = notes(sets);
+        assert!(!found.contains("no effect") && !found.contains("taken as"), "{found}");
+    }
+}
+
+/// The core has 6.2 mm: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
+#[test]
+fn each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {
+    let set = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
+    let sweep = ["--over", "h=3mm,5mm,8mm", "--outputs", "limit_velocity_m_s", "--csv", "-"];
+    let swept = says("sweep", &[&set[..], &sweep[..]].concat(), 0).0;
+    let of_sweep: Vec<f64> = swept
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(2).unwrap().parse().unwrap())
+        .collect();
+    let alone: Vec<f64> = ["h=3mm", "h=5mm", "h=8mm"]
+        .map(|h| {
+            let one = [&set[..], &["--set", h, "--json"]].concat();
+            let found: Value = serde_json::from_str(&says("limit", &one, 0).0).unwrap();
+            found["limit_velocity_m_s"].as_f64().unwrap()
+        })
+        .to_vec();
+    for (swept, alone) in of_sweep.iter().zip(&alone) {
+        assert!((swept / alone - 1.0).abs() < 1e-5, "{of_sweep:?} {alone:?}");
+    }
+    // The values of `limit` before there was a closure by thickness.
+    assert!(
+        (of_sweep[0] - 216.2).abs() < 0.05 && (of_sweep[1] - 254.5).abs() < 0.05,
+        "{of_sweep:?}"
+    );
+    // What is sized for the shot does not depend on the plate it starts from.
+    let efficiency = |h: &str| -> f64 {
+        let one = [&set[..], &["--set", h, "--set", "v_i=350", "--json"]].concat();
+        let found: Value = serde_json::from_str(&says("compare", &one, 0).0).unwrap();
+        found["mass_efficiency"].as_f64().unwrap()
+    };
+    assert!((efficiency("h=4mm") / efficiency("h=7mm") - 1.0).abs() < 1e-6);
 }
 
 #[test]

@@ -62,6 +62,7 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
         if !rows[0].contains(key) {
             let elsewhere = [
                 "title",
+                "closure",
                 "complete",
                 "run_time_s",
                 "error_estimate_basis",

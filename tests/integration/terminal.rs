@@ -96,6 +96,8 @@ fn chart(terminal: &Terminal) -> Vec<String> {
 fn a_summary_can_stay_on_the_main_screen() {
     let mut terminal = started();
     let depth = depth_mm(&terminal.screen().contents());
+    // All of it is to be seen.
+    terminal.resize(120, 60);
     terminal.send("Q");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
     terminal.assert_restored();

@@ -28,7 +28,7 @@ const LOOK: usize = 64;
 /// Without anything that stops the plate, what follows the contact is shown for this part of its duration.
 const TAIL: f64 = 0.25;
 
-/// Without a spring, a plate that has this part of the impact residual velocity has arrived.
+/// Without a spring, a plate that has this part of the impact velocity has arrived.
 const FADED: f64 = 1e-6;
 
 struct Work<'a> {

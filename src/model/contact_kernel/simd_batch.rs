@@ -19,18 +19,18 @@ use crate::model::contact_kernel::slow_manifold::{ManifoldJob, run_manifold_batc
 use crate::model::contact_kernel::{Contact, ContactEnd, is_linear};
 use crate::numerics::wide::Wide;
 
-const ROWS: usize = 24;
+const ROWS: usize = SIZE + 1;
 const STATE: usize = 0;
 const RATES: usize = 4;
 const PIECE: usize = 7;
 const FIXED: usize = 11;
 const SPRING: usize = FIXED + CONSTANTS;
-const DAMPER: usize = 19;
-const PLATE_SCALE: usize = 20;
+const DAMPER: usize = SPRING + 2;
+const PLATE_SCALE: usize = DAMPER + 1;
 /// The result of a step.
-const TRUSTED: usize = 21;
-const SLOPE: usize = 22;
-const SIZE: usize = 23;
+const TRUSTED: usize = PLATE_SCALE + 1;
+const SLOPE: usize = TRUSTED + 1;
+const SIZE: usize = SLOPE + 1;
 
 /// Run contacts to the relative accuracy `tolerance` each, as [`Contact::run`] does; or tighter, for the plate's sake.
 pub fn run_batch(

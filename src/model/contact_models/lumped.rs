@@ -86,7 +86,7 @@ impl Lumped {
         let rate = 0.5 * self.damping_n_s_m / m;
         let square = self.load_n_m / m - rate * rate;
         let root = square.abs().sqrt();
-        // tan or tanh of the time to the turn, over the root.
+        // The time to the turn: by an angle, or by a hyperbolic one where the damper lets nothing oscillate.
         let to_turn_s = if square > 0.0 {
             root.atan2(rate) / root
         } else if root > 0.0 {

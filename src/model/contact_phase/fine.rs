@@ -287,12 +287,12 @@ impl Problem {
         let (r, h) = (number(scene.projectile.tip_radius_m), number(scene.target.thickness_m));
         let damper = scene.mechanism.damper.law();
         let two = number(2.0);
-        let lag_m = if scene.target.dishing { two * r } else { Number::ZERO };
+        let lag_m = if scene.dishing() { two * r } else { Number::ZERO };
         let mut problem = Self {
             pieces: Vec::new(),
             strength_pa: number(scene.flow_strength_pa()),
             drag_kg_m3: number(0.5)
-                * number(scene.target.drag_coefficient)
+                * number(scene.drag_coefficient())
                 * number(scene.target.density_kg_m3),
             per_projectile_kg: Number::ONE / number(scene.projectile.mass_kg),
             per_plate_kg: Number::ONE

@@ -41,7 +41,7 @@ impl Faces {
     pub fn of(scene: &Scene) -> Self {
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
         let thickness = scene.target.thickness_m / cos / scene.projectile.tip_radius_m;
-        let lag = if scene.target.dishing { 2.0 } else { 0.0 };
+        let lag = if scene.dishing() { 2.0 } else { 0.0 };
         let mut faces = Self { cos, sin, thickness, lag, ends: [0.0; JOINTS], count: 0 };
         let (cap, full) = (faces.cap_end(), faces.full_from());
         let mut depths = [cap, full, thickness, thickness + cap, thickness + full];

@@ -14,9 +14,6 @@ use crate::model::run::{
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 
-/// Displacements this part apart are the same.
-const SAME_DISPLACEMENT: f64 = 1e-8;
-
 pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReason) -> Run {
     let outcome = simulation
         .termination
@@ -235,8 +232,6 @@ fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
 fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
-    let reached = simulation.record.max_displacement_m;
-    let onward = matches!(simulation.termination.max_displacement, MaximumDisplacement::Known(far) if far > reached * (1.0 + SAME_DISPLACEMENT));
     let rows = [
         (problem.rigid, "plate motion"),
         (spring.is_absent(), "spring"),
@@ -250,7 +245,7 @@ fn omitted(problem: &Problem, simulation: &Simulation<'_>) -> Vec<&'static str> 
         (problem.plate_response == PlateResponse::Fixed, STILL_WITHIN_CONTACT),
         (!problem.plastic, "interface law"),
         (problem.drag_kg_m3 == 0.0, "drag"),
-        (onward, "way to the greatest displacement (energy balance)"),
+        (simulation.goes_farther(), "way to the greatest displacement (energy balance)"),
         (!simulation.record.keep_series, "series"),
     ];
     rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()

@@ -14,7 +14,7 @@ use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::event::{first_sign_change, land};
 use crate::numerics::implicit::{
-    ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
+    ImplicitSystem, NEWTON_MAX, NODES, Step, WEIGHTS, interpolate, step, step_factor,
 };
 use crate::numerics::{larger, maximum, smaller};
 
@@ -30,9 +30,6 @@ const EVENT_TOLERANCE: f64 = 1e-9;
 const TICK: f64 = 2.0 * f64::EPSILON;
 /// The step, relative to the time reached, at whose end an event is taken wherever on it the sign changes.
 const EVENT_STEP_MIN: f64 = 4.0 * TICK;
-/// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
-const ITERATION_WORK: usize = 1;
-const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const ESTIMATE_PART: f64 = 1e-3;
@@ -76,7 +73,7 @@ impl Simulation<'_> {
             h = larger(h, tick);
             let solved = self.solve(&system, &y, h);
             self.control.evaluations +=
-                solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations) * 3;
+                solved.as_ref().map_or(NEWTON_MAX, |step| step.iterations) * 3;
             let Some(solved) = solved else {
                 if at_tick {
                     return ControlFlow::Break(EndReason::StepUnderflow);
@@ -304,7 +301,8 @@ fn newton(
     guess: [[f64; 4]; 3],
 ) -> Option<Step<4>> {
     let solved = step::<4, 12>(system, y, h, guess);
-    control.worked(ITERATION_WORK * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
+    // An iteration is as much work as a Taylor expansion.
+    control.worked(solved.as_ref().map_or(NEWTON_MAX, |step| step.iterations));
     solved
 }
 

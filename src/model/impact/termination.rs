@@ -10,8 +10,8 @@ use crate::model::run::{EndReason, Mode, Outcome};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
-/// Extra time shown after everything is decided, relative to the contact.
-const TAIL: f64 = 1.25;
+/// The end of what is shown after everything is decided, relative to the end of the contact.
+const TAIL_END: f64 = 1.25;
 /// Maximum number of steps spent on it: a stiff mount may oscillate a million times in it.
 const TAIL_STEPS: usize = 200;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
@@ -119,7 +119,7 @@ impl Simulation<'_> {
         } else {
             self.body.problem.contact.scales().duration_s
         };
-        TAIL * larger(end_s, least_s)
+        TAIL_END * larger(end_s, least_s)
     }
 
     pub(super) fn until_s(&self) -> f64 {
@@ -144,7 +144,7 @@ impl Simulation<'_> {
     }
 
     /// Whether the plate is on its way to a greatest displacement that is known already.
-    fn goes_farther(&self) -> bool {
+    pub(super) fn goes_farther(&self) -> bool {
         let reached = self.record.max_displacement_m;
         matches!(self.termination.max_displacement, MaximumDisplacement::Known(far) if reached < far * (1.0 - 1e-9))
     }

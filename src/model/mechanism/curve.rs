@@ -184,7 +184,7 @@ impl Curve {
         inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
     }
 
-    /// The least and the greatest force between two displacements, N; infinite where it runs away on the way to an infinite one.
+    /// The least and the greatest of zero and the forces between two displacements, N; infinite where it runs away on the way to an infinite one.
     pub fn forces_between(&self, low: f64, high: f64) -> (f64, f64) {
         let inside = |x: &&f64| (low..=high).contains(*x);
         let ends = [low, high].into_iter().map(|x| self.force_towards(x));

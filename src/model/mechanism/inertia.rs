@@ -4,7 +4,7 @@
 //! the principle of rotational transfer). Of a spring's own mass a part moves with the plate: that with the kinetic energy
 //! of its static shape, 1/3 of a coil spring (Rayleigh), 33/140 of a cantilever, 13/35 of a beam guided at its end. A coil
 //! spring weighs at least `4 rho G U/tau²` for the energy U it has to store; U is that of the cocked spring and of
-//! projectile and plate at common velocity, together.
+//! projectile, plate and the spring's own moving part at common velocity, together.
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
@@ -55,21 +55,56 @@ pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::of(scene).added_kg()
 }
 
-/// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
-fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
-    spring.mass_kg.or_else(|| spring.law().mass_kg(spring)).or_else(|| {
-        let coil = || coil_spring_mass_kg(to_store_j(scene, spring), &spring.wire);
-        (spring.own_mass == OwnMass::Counted).then(coil)
-    })
+/// The springs' own mass that a run omits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OmittedMass {
+    /// All of it, kg: known, or the least that the stored energy needs.
+    pub mass_kg: f64,
+    /// Whether it is the least.
+    pub is_least: bool,
+    /// The part that would move with the plate, kg.
+    pub moving_kg: f64,
 }
 
-/// The energy a spring has to store, J: what it holds cocked, and what projectile and plate keep at common velocity. Of two
-/// springs each is taken to store all of the latter: an upper bound.
-fn to_store_j(scene: &Scene, spring: &scene::Spring) -> f64 {
+impl OmittedMass {
+    /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
+    pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
+        let own = Inertia::of(scene);
+        if own.spring_mass_kg.is_none() {
+            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)?;
+            let moving_kg = scene.mechanism.spring.moving_part() * mass_kg;
+            return Some(Self { mass_kg, is_least: true, moving_kg });
+        }
+        let mut sum = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0 };
+        for spring in scene.mechanism.acting().filter(|it| it.own_mass == OwnMass::Ignored) {
+            let mass_kg = mass_kg(scene, spring).unwrap_or(0.0);
+            sum.mass_kg += mass_kg;
+            sum.moving_kg += spring.moving_part() * mass_kg;
+        }
+        Some(sum)
+    }
+}
+
+/// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
+fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+    spring
+        .mass_kg
+        .or_else(|| spring.law().mass_kg(spring))
+        .or_else(|| (spring.own_mass == OwnMass::Counted).then(|| coil_kg(scene, spring)))
+}
+
+/// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
+/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound.
+fn coil_kg(scene: &Scene, spring: &scene::Spring) -> f64 {
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
-    let cocked = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
-    let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-    let cos = scene.cos_obliquity();
-    let common = m_p * v * cos / (m_p * cos * cos + scene.plate_mass_kg());
-    cocked + 0.5 * (m_p * cos * cos + scene.plate_mass_kg()) * common * common
+    let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
+    let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
+    let momentum = m_p * scene.projectile.velocity_m_s * cos;
+    let bodies_kg = m_p * cos * cos + scene.plate_mass_kg();
+    // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
+    let (part, energy_j_kg) = (spring.moving_part(), 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);
+    let product = bodies_kg * cocked_j + 0.5 * momentum * momentum;
+    let root = (half * half + part * energy_j_kg * product).sqrt();
+    if half > 0.0 { product / (half + root) } else { (root - half) / (part * energy_j_kg) }
 }

@@ -9,7 +9,7 @@ pub mod numerical;
 use std::fmt;
 
 use crate::model::design::Rod;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, OmittedMass};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene};
 use crate::model::units::significant;
@@ -33,6 +33,8 @@ const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
 const OBLIQUE_LOW: f64 = 4.0;
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
+/// The moving part of the springs' own mass over the plate's that may be omitted.
+const SPRING_MASS_MOST: f64 = 0.1;
 
 worded! {
     /// One row of the table.
@@ -51,6 +53,8 @@ worded! {
         Obliquity = "obliquity",
         /// Velocity, stress and travel of the spring.
         Spring = "spring",
+        /// The springs' own mass, where it is omitted.
+        SpringMass = "spring mass",
         /// A rigid stop under a fused interface.
         Stop = "rigid stop",
         /// The load of a fused interface.
@@ -69,6 +73,7 @@ impl Check {
             Self::Face => "gamma",
             Self::Obliquity => "theta",
             Self::Spring => "k",
+            Self::SpringMass => "own_mass",
             Self::Stop => "x_stop",
             Self::Interface => "interface",
         }
@@ -147,20 +152,22 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     }
     let ratio = thickness_ratio(scene);
     let shown = significant(ratio, 3);
-    if scene.target.dishing && ratio > THICKNESS + ABOUT {
-        let cure = match scene.target.closure {
+    if scene.dishing() && ratio > THICKNESS + ABOUT {
+        let cure = match scene.closure() {
             Closure::Given => "set dishing=off and a strength by cavity expansion",
-            Closure::DoubleYield | Closure::Cavity => "set dishing=off and closure=cavity",
+            Closure::DoubleYield | Closure::Cavity | Closure::ByThickness => {
+                "set dishing=off and closure=cavity"
+            }
         };
         let text =
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
         return Some(breach(Check::Thickness, Direction::Conservative, text));
     }
-    if scene.target.dishing {
+    if scene.dishing() {
         return None;
     }
-    let target = &scene.target;
-    let is_hard = target.closure == Closure::Cavity && target.yield_pa >= HARD_PA;
+    let (closure, target) = (scene.closure(), &scene.target);
+    let is_hard = closure == Closure::Cavity && target.yield_pa >= HARD_PA;
     if is_hard && ratio < HARD_THICKNESS {
         let text = format!(
             "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
@@ -172,9 +179,9 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     if ratio >= THICKNESS - ABOUT {
         return None;
     }
-    let cure = match target.closure {
+    let cure = match closure {
         Closure::Given | Closure::DoubleYield => "set dishing=on",
-        Closure::Cavity => "set closure=double-yield and dishing=on",
+        Closure::Cavity | Closure::ByThickness => "set closure=double-yield and dishing=on",
     };
     let text = format!(
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"
@@ -209,9 +216,7 @@ fn nose_pressure(scene: &Scene) -> Option<Breach> {
 
 fn nose_mass(scene: &Scene) -> Option<Breach> {
     let projectile = &scene.projectile;
-    let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * projectile.tip_radius_m.powi(3);
-    let sphere =
-        Some(volume_m3 * projectile.density_kg_m3).filter(|kg| *kg > projectile.mass_kg)?;
+    let sphere = Some(projectile.nose_sphere_kg()).filter(|kg| *kg > projectile.mass_kg)?;
     let text = format!(
         "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
         significant(1e3 * sphere, 3),
@@ -290,18 +295,7 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     if fused_stop_hits(run) == Some(0) {
         found.retain(|breach| breach.check != Check::Stop);
     }
-    let is_coil =
-        scene.mechanism.spring.law().is_coil() && !Mechanism::of(scene).spring.is_absent();
-    let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
-    let sprung = scene.plate.mount == Mount::Sprung;
-    if let Some(speed) = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S) {
-        let text = format!(
-            "the spring's end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static \
-             one, and its coils may close",
-            significant(speed, 3)
-        );
-        found.push(breach(Check::Spring, Direction::Unconservative, text));
-    }
+    found.extend([surge(run), spring_mass(run)].into_iter().flatten());
     for warning in &run.warnings {
         if let Some(check) = check_of(warning) {
             found.push(breach(check, Direction::Unconservative, warning.to_string()));
@@ -309,6 +303,38 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     }
     found.sort_by_key(|breach| breach.check);
     found
+}
+
+/// The end of a coil spring that moves too fast.
+fn surge(run: &Run) -> Option<Breach> {
+    let scene = &run.scene;
+    let is_coil = scene.mechanism.acting().any(|it| it.law().is_coil() && !it.is_absent());
+    let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
+    let sprung = scene.plate.mount == Mount::Sprung;
+    let speed = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S)?;
+    let text = format!(
+        "the spring's end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static \
+         one, and its coils may close",
+        significant(speed, 3)
+    );
+    Some(breach(Check::Spring, Direction::Unconservative, text))
+}
+
+/// The springs' own mass where it would slow the plate down and is omitted.
+fn spring_mass(run: &Run) -> Option<Breach> {
+    let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
+    let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
+    if over_plate <= SPRING_MASS_MOST {
+        return None;
+    }
+    let text = format!(
+        "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; set \
+         own_mass=counted",
+        if omitted.is_least { "at least " } else { "" },
+        significant(1e3 * omitted.mass_kg, 3),
+        significant(over_plate, 3)
+    );
+    Some(breach(Check::SpringMass, Direction::Unconservative, text))
 }
 
 /// The row of the table that a warning of a run belongs to.
@@ -411,6 +437,15 @@ mod tests {
         let text =
             of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
         assert!(text.contains("end moves at"), "{text}");
+        // One coil that acts beside a beam is enough; one without force is none.
+        for (k, k_2, surges) in [("1e5", "0", true), ("0", "1e5", true), ("0", "0", false)] {
+            let pairs = format!("k={k} combine=parallel k_2={k_2}");
+            let kinds =
+                if k == "0" { "spring=prbm-cantilever" } else { "spring_2=prbm-cantilever" };
+            let found = of_run(&run(&variables::scene_with(&format!("{pairs} {kinds}"))));
+            let is_found = found.iter().any(|it| it.to_string().contains("end moves at"));
+            assert_eq!(is_found, surges, "{pairs} {kinds}");
+        }
         // A stop that is never reached is not a breach of a run, one that is hit is.
         light.mechanism.stop.position_m = Some(10.0);
         assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
@@ -422,6 +457,32 @@ mod tests {
         let found = of_run(&run(&light));
         let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
         assert!(breach.to_string().contains("must carry 2.8"), "{breach}");
+    }
+
+    /// Thesis critique: half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.
+    #[test]
+    fn a_springs_own_mass_that_is_omitted_is_a_breach() {
+        let text_of = |changes: &str| {
+            let found = of_run(&run(&variables::scene_with(changes)));
+            let breach = found.iter().find(|breach| breach.check == Check::SpringMass);
+            breach.map(ToString::to_string)
+        };
+        let text = text_of("k=1e5").unwrap();
+        assert!(
+            text.contains("at least 37")
+                && text.contains("is 4.2")
+                && text.contains("(unconservative)"),
+            "{text}"
+        );
+        assert_eq!(text_of("k=1e5 own_mass=counted"), None);
+        assert_eq!(text_of("mount=rigid"), None);
+        assert_eq!(text_of("k=0"), None);
+        // A given mass: a third of 8 g is 0.0904 of the plate's 29.5 g, of 10 g 0.113.
+        assert_eq!(text_of("m_spring=8g"), None);
+        let text = text_of("m_spring=10g").unwrap();
+        assert!(text.contains("own mass, 10 g,") && text.contains("is 0.113 times"), "{text}");
+        // An absorber of 19460 J/kg needs 3.8 g for the same energy.
+        assert_eq!(text_of("e_spring=19460"), None);
     }
 
     /// Rolled armour of 6 to 14 mm under a core of 6.25 mm came out too high (`validate`): h/D from 0.96 to 2.2. Mild steel did not.

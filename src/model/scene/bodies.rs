@@ -3,7 +3,7 @@
 use crate::model::scene::Scene;
 use crate::model::units::Quantity;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts};
-use crate::model::variables::visible::{is_oblique, is_sprung};
+use crate::model::variables::visible::{has_stop, is_oblique, is_sprung, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 use crate::model::worded::worded;
 
@@ -19,8 +19,10 @@ parts! {
             number(Velocity, Positive).also(&["vi"]).from(TABLE_9_1);
         pub obliquity_deg: f64 = 0.0 => "theta", "obliquity", "obliquity, between the projectile's axis and the plate's normal",
             number(Angle, Below(0.0, 90.0)).from("thesis Appendix A.1; 0 throughout chapter 9");
-        pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, used for the ricochet warning only",
-            number(Density, Positive).called("projectile_density").when(is_oblique).from("assumption: steel");
+        pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet and of a nose sphere that weighs more than the projectile",
+            number(Density, Positive).called("projectile_density")
+            .when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
+            .from("assumption: steel");
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
             number(Pressure, Positive).called("projectile_strength").when(is_oblique).from("assumption: 1 GPa");
         pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
@@ -31,29 +33,31 @@ parts! {
     /// The plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Target {
-        pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive).from(TABLE_9_1);
+        pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive)
+            .used_when(|scene| penetrates(scene) || gives_mass(scene)).from(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
-            number(Density, Positive).from("thesis Table 9.1 (the Appendix has 2780)");
+            number(Density, Positive).used_when(|scene| resists(scene) || gives_mass(scene)).from("thesis Table 9.1 (the Appendix has 2780)");
         /// What counts is [`Scene::flow_strength_pa`].
         pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
-            number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| scene.target.closure == Closure::Given)
+            number(Pressure, NonNegative).also(&["Sy"]).used_when(|scene| resists(scene) && scene.target.closure == Closure::Given)
             .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
-            "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
-            choice().seldom().from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
+            "where S_y comes from: given, 2 Y (with dishing), cavity expansion (without dishing), or the one of them that suits h",
+            choice().seldom().used_when(resists).from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
             number(Pressure, Positive).called("yield_strength").seldom()
             .listed_when(|scene| scene.target.closure != Closure::Given)
+            .used_when(|scene| resists(scene) && scene.target.closure != Closure::Given)
             .from("thesis Appendix A.1: 75.8 MPa");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for the closure by cavity expansion",
-            number(Pressure, Positive).seldom().listed_when(|scene| scene.target.closure == Closure::Cavity)
+            number(Pressure, Positive).seldom().listed_when(may_expand).used_when(|scene| resists(scene) && may_expand(scene))
             .from("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            number(Number, NonNegative).also(&["Cd"]).from(TABLE_9_1);
+            number(Number, NonNegative).also(&["Cd"]).used_when(|scene| resists(scene) && scene.target.closure != Closure::ByThickness).from(TABLE_9_1);
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
-            is(DISHING).from("thesis section 8.3.1 and Appendix A.2");
+            is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
     }
 
     /// The plate as a body.
@@ -67,7 +71,7 @@ parts! {
         pub size: PlateSize = PlateSize::Ratio => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d, at rest",
             number(Length, NonNegative).searched(0.0, 0.5)
-            .used_when(|scene| is_sprung(scene) && scene.mechanism.has_springs()).from(TABLE_9_2);
+            .used_when(|scene| is_sprung(scene) && (scene.mechanism.has_springs() || has_stop(scene))).from(TABLE_9_2);
     }
 }
 
@@ -96,6 +100,8 @@ worded! {
         /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
         /// without dishing.
         Cavity = "cavity",
+        /// The first of them for plates thinner than the projectile's diameter, the second from there on.
+        ByThickness = "by-thickness",
     }
 }
 
@@ -119,6 +125,52 @@ pub enum PlateSize {
     Mass(f64),
     /// The side of its square face, > 0 m: the plate is a block of its material.
     Face(f64),
+}
+
+impl Projectile {
+    /// The mass of the sphere that its nose is half of, kg.
+    pub fn nose_sphere_kg(&self) -> f64 {
+        let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * self.tip_radius_m.powi(3);
+        volume_m3 * self.density_kg_m3
+    }
+}
+
+fn may_expand(scene: &Scene) -> bool {
+    matches!(scene.target.closure, Closure::Cavity | Closure::ByThickness)
+}
+
+/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with
+/// it.
+const CAVITY_FROM: f64 = 1.0;
+
+impl Target {
+    /// The thickness from which a closure by thickness is cavity expansion, m.
+    pub fn thick_from_m(tip_radius_m: f64) -> f64 {
+        CAVITY_FROM * 2.0 * tip_radius_m
+    }
+
+    /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
+    /// expansion with a hemisphere's drag on a thick one.
+    #[must_use]
+    pub fn in_effect(self, tip_radius_m: f64) -> Self {
+        if self.closure != Closure::ByThickness {
+            return self;
+        }
+        if self.thickness_m < Self::thick_from_m(tip_radius_m) {
+            return Self {
+                closure: Closure::DoubleYield,
+                dishing: true,
+                drag_coefficient: 0.5,
+                ..self
+            };
+        }
+        Self { closure: Closure::Cavity, dishing: false, drag_coefficient: 1.0, ..self }
+    }
+}
+
+/// Whether the plate's mass follows from its material and thickness.
+fn gives_mass(scene: &Scene) -> bool {
+    is_sprung(scene) && matches!(scene.plate.size, PlateSize::Face(_))
 }
 
 const DISHING: Kind =

@@ -20,8 +20,8 @@ parts! {
         /// Without effect where the first spring is alone.
         pub second: Spring = Spring::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
-            "energy per mass of the spring or absorber, which gives its least mass",
-            optional(SpecificEnergy, Positive, "auto").seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
+            "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
+            optional(SpecificEnergy, Positive, "auto").also(&["energy_j"]).seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
             .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
@@ -132,12 +132,24 @@ impl Mechanism {
         self.combination != Combination::Alone || !self.spring.is_absent()
     }
 
-    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion.
-    pub fn specific_energy_j_kg(&self) -> f64 {
+    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion;
+    /// `None` of other springs than coils.
+    pub fn specific_energy_j_kg(&self) -> Option<f64> {
         let wire = self.spring.wire;
-        let coil = wire.shear_strength_pa * wire.shear_strength_pa
-            / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa);
-        self.energy_j_kg.unwrap_or(coil)
+        let coil = || {
+            wire.shear_strength_pa * wire.shear_strength_pa
+                / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa)
+        };
+        let are_coils = self.acting().all(|spring| spring.law().is_coil());
+        self.energy_j_kg.or_else(|| are_coils.then(coil))
+    }
+
+    /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.
+    pub fn least_spring_kg(&self, stored_j: f64) -> Option<f64> {
+        if stored_j == 0.0 {
+            return Some(0.0);
+        }
+        Some(stored_j / self.specific_energy_j_kg()?)
     }
 
     /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.

@@ -4,9 +4,9 @@ use super::{Kind, VARIABLES, Variable, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
-const UNITS: [&str; 18] = [
-    "_kg_m3", "_kg_m2", "_n_s_m", "_rad_m", "_n_m", "_m_s", "_deg", "_kg", "_pa", "_m2", "_hz",
-    "_j", "_m", "_s", "_n", "_k", "_g", "_rad",
+const UNITS: [&str; 13] = [
+    "_kg_m3", "_kg_m2", "_n_s_m", "_rad_m", "_j_kg", "_n_m", "_m_s", "_deg", "_kg", "_pa", "_m",
+    "_s", "_n",
 ];
 
 impl Variable {
@@ -39,6 +39,7 @@ fn changes() -> Vec<(String, Scene)> {
     let mut list = vec![
         with("b > 0", |it| it.mechanism.damper.coefficient = 1.0),
         with("theta > 0", |it| it.projectile.obliquity_deg = 30.0),
+        with("m_p below that of the nose sphere", |it| it.projectile.mass_kg = 1e-3),
         with("x_stop given", |it| it.mechanism.stop.position_m = Some(0.01)),
         with("a base plate or more elements", |it| it.stack.base_thickness_m = Some(0.01)),
         with("m_2 given", |it| it.resize(crate::model::scene::PlateSize::Mass(0.1))),
@@ -127,6 +128,18 @@ mod tests {
     }
 
     #[test]
+    fn no_name_ends_in_a_unit() {
+        for variable in VARIABLES.iter() {
+            let name = variable.name();
+            let last = name.rsplit('_').next().unwrap_or_default();
+            let units = ["kg", "j", "m", "m2", "m3", "s", "n", "pa", "deg", "rad", "hz"];
+            assert!(!units.contains(&last), "{name}: {}", variable.key);
+        }
+        // The name it had before.
+        assert_eq!(find("energy_j").map(|found| found.key), Ok("mechanism.energy_j_kg"));
+    }
+
+    #[test]
     fn use_is_described_in_words() {
         let when = |name: &str| used_when(find(name).unwrap());
         assert_eq!(when("v_i"), "always");
@@ -134,6 +147,12 @@ mod tests {
         assert_eq!(when("k_stop"), "where x_stop given and stop_kind = elastic");
         assert!(when("gamma").starts_with("unless mount = rigid"), "{}", when("gamma"));
         assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
-        assert_eq!(when("Y"), "where closure = double-yield or closure = cavity");
+        assert_eq!(
+            when("Y"),
+            "where closure = double-yield or closure = cavity or closure = by-thickness"
+        );
+        assert!(when("h").starts_with("unless model = initial-velocity"), "{}", when("h"));
+        assert_eq!(when("d"), "unless mount = rigid");
+        assert_eq!(when("rho_p"), "where theta > 0 or m_p below that of the nose sphere");
     }
 }

@@ -37,8 +37,8 @@ fn check_stop(scene: &Scene) -> Result<(), VariableError> {
 
 /// The two closures for the flow strength each contain the bulge in their own way: never both.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
-    let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target;
-    if closure == Closure::Cavity && dishing {
+    let (closure, Target { yield_pa, modulus_pa, .. }) = (scene.closure(), scene.target);
+    if closure == Closure::Cavity && scene.dishing() {
         return refuse(
             "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
              material that holds it back: set dishing = off, or closure = double-yield"

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::part::Place;
-use super::visible::{is_hydrodynamic, is_listing, is_sprung, may_stop, uses_target};
+use super::visible::{is_hydrodynamic, is_listing, is_sprung, may_stop};
 use super::{Group, Variable};
 use crate::model::mechanism::kinds::{add_first_rows, add_second_rows};
 use crate::model::scene::{
@@ -39,7 +39,7 @@ macro_rules! places {
 
 places! {
     Projectile, projectile: Projectile;
-    Target, target: Target, used uses_target;
+    Target, target: Target;
     Plate, plate: Plate;
     Mechanism, mechanism: Mechanism, used is_sprung;
     Mechanism, mechanism.damper: Damper, used is_sprung;

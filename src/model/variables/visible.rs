@@ -55,8 +55,13 @@ pub(in crate::model) fn is_listing(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Appendix
 }
 
-/// Whether the plate's material matters: to the other models only where it fills in what was left open.
-pub(in crate::model) fn uses_target(scene: &Scene) -> bool {
+/// Whether the projectile penetrates: how deep depends on the plate's thickness.
+pub(in crate::model) fn penetrates(scene: &Scene) -> bool {
+    scene.contact.model != ContactModel::InitialVelocity
+}
+
+/// Whether the plate's resistance matters: to the other models only where it fills in what was left open.
+pub(in crate::model) fn resists(scene: &Scene) -> bool {
     match scene.contact.model {
         ContactModel::HalfSine => scene.contact.duration_s.is_none(),
         ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
@@ -75,4 +80,30 @@ pub(in crate::model) fn has_stop(scene: &Scene) -> bool {
 
 pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
     has_stop(scene) && scene.mechanism.stop.kind == kind
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_used;
+    use crate::model::variables::{find, scene_with};
+
+    /// Depth is travel times h/(h + 2 R) whatever gives the force; the start at -d is as far from a stop as from a spring's zero.
+    #[test]
+    fn what_a_scene_uses() {
+        for (scene, name, used) in [
+            ("model=half-sine t_d=1e-4", "h", true),
+            ("model=half-sine t_d=1e-4", "dishing", true),
+            ("model=half-sine t_d=1e-4", "S_y", false),
+            ("model=lumped k_load=1e7", "h", true),
+            ("model=lumped k_load=1e7", "rho", false),
+            ("model=lumped k_load=1e7 face=0.1", "rho", true),
+            ("model=initial-velocity", "h", false),
+            ("closure=double-yield", "S_y", false),
+            ("", "Y", false),
+            ("k=0", "d", false),
+            ("k=0 x_stop=0.01", "d", true),
+        ] {
+            assert_eq!(is_used(find(name).unwrap(), &scene_with(scene)), used, "{scene}: {name}");
+        }
+    }
 }

@@ -112,7 +112,9 @@ pub fn results(run: &Run) -> Vec<String> {
     } else {
         rounded(run.interface_demand_ratio, " of its strength A S_y")
     };
+    let closure = run.scene.closure_by_thickness().map(|it| format!("{}, by thickness", it.word()));
     let of_run = [
+        ("closure", closure),
         ("first arrest, depth", known(arrest.map(|it| it.penetration_m), "m")),
         ("  time", known(arrest.map(|it| it.t_s), "s")),
         ("  plate displacement", known(arrest.map(|it| it.plate_displacement_m), "m")),

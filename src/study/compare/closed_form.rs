@@ -43,6 +43,7 @@ impl ClosedForm {
             && hardware.spring_kg.is_none()
             && !is_own(scene);
         let (gamma, velocity_m_s) = (scene.plate.mass_ratio, scene.projectile.velocity_m_s);
-        fits.then(|| Self::new(gamma, velocity_m_s, scene.mechanism.specific_energy_j_kg()))
+        let energy_j_kg = scene.mechanism.specific_energy_j_kg().filter(|_| fits)?;
+        Some(Self::new(gamma, velocity_m_s, energy_j_kg))
     }
 }

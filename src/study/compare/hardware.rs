@@ -96,7 +96,7 @@ fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f6
     hardware
         .spring_kg
         .or_else(|| Inertia::of(element).spring_mass_kg)
-        .or_else(|| demand.stored_j.map(|stored| stored / element.mechanism.specific_energy_j_kg()))
+        .or_else(|| element.mechanism.least_spring_kg(demand.stored_j?))
 }
 
 /// Whether the springs of a scene know their own mass.
@@ -123,12 +123,14 @@ fn failure(
     demand.stored_j.filter(|stored| *stored > capacity_j * (1.0 + SAME)).map(|_| Failure::Energy)
 }
 
-/// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes.
+/// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes, and where
+/// their specific energy is not known.
 fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
     if hardware.spring_kg.is_none() && element.mechanism.spring.has_own_mass() {
         return f64::INFINITY;
     }
-    spring_kg.map_or(f64::INFINITY, |kg| kg * element.mechanism.specific_energy_j_kg())
+    let capacity_j = spring_kg.zip(element.mechanism.specific_energy_j_kg()).map(|(kg, e)| kg * e);
+    capacity_j.unwrap_or(f64::INFINITY)
 }
 
 #[derive(Clone, Debug, PartialEq)]

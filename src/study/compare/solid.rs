@@ -2,7 +2,8 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::scene::{ContactModel, Scene};
+use crate::model::scene::{ContactModel, Scene, Target};
+use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
 /// Thickness, m, of the plate of the scene's material that, held rigidly, has this limit velocity, m/s, against the scene's
@@ -11,8 +12,23 @@ pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
     thickness_of_limit(scene, limit_m_s, false)
 }
 
-/// The same of a plate that moves freely, or not at all.
+/// The same of a plate that moves freely, or not at all. Of a closure by thickness it is that of the thinner plates where one of them
+/// has the limit.
 pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
+    let of_nose = |tip_radius_m: f64| {
+        let target = scene.target.in_effect(tip_radius_m);
+        of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves)
+    };
+    // Under a nose without end every plate is thin, under none every plate is thick.
+    let thin = of_nose(f64::INFINITY)?;
+    let thick_from_m = Target::thick_from_m(scene.projectile.tip_radius_m);
+    if scene.closure_by_thickness().is_none() || thin < thick_from_m {
+        return Some(thin);
+    }
+    Some(larger(of_nose(0.0)?, thick_from_m))
+}
+
+fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     if scene.contact.model != ContactModel::Hydrodynamic || limit_m_s <= 0.0 {
         return None;
     }

@@ -48,15 +48,16 @@ pub fn reasons(report: &Report) -> Vec<String> {
     lines.extend(as_built(own));
     lines.extend(crushed(&report.scene));
     lines.extend(outside_validity(report));
-    if let Some(closed) = report.closed_form() {
-        let dishing = if report.scene.target.dishing { "; this plate dishes" } else { "" };
+    let energy_j_kg = report.scene.mechanism.specific_energy_j_kg();
+    if let Some((closed, energy_j_kg)) = report.closed_form().zip(energy_j_kg) {
+        let dishing = if report.scene.dishing() { "; this plate dishes" } else { "" };
         lines.push(format!(
             "check in closed form, for a soft spring without dishing: {}; pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is \
              below {} with {} J/kg{dishing}",
             fixed_significant(closed.mass_efficiency, 4),
             significant(closed.needed_j_per_kg, 4),
             velocity(closed.pays_below_m_s, 4),
-            significant(report.scene.mechanism.specific_energy_j_kg(), 4)
+            significant(energy_j_kg, 4)
         ));
     }
     lines.extend(limits(report));

@@ -31,7 +31,7 @@ fn close(a: f64, b: f64, relative: f64) -> bool {
 /// (2 (1 + 1) 196.7856)^(1/2) = 28.056 m/s.
 #[test]
 fn valid_closed_form_of_the_design_page() {
-    let coil = Scene::default().mechanism.specific_energy_j_kg();
+    let coil = Scene::default().mechanism.specific_energy_j_kg().unwrap();
     assert!((coil - STEEL_COIL_J_PER_KG).abs() < 5e-4, "{coil}");
     let closed = ClosedForm::new(1.0, 28.06, STEEL_COIL_J_PER_KG);
     assert!((closed.pays_below_m_s - 28.056).abs() < 5e-4, "{closed:?}");

@@ -119,7 +119,7 @@ fn depth_of(scene: &Scene, context: &mut Context<'_>) -> Option<f64> {
 fn strength_pa(target: &mut Target) -> &mut f64 {
     match target.closure {
         Closure::Given => &mut target.flow_strength_pa,
-        Closure::DoubleYield | Closure::Cavity => &mut target.yield_pa,
+        Closure::DoubleYield | Closure::Cavity | Closure::ByThickness => &mut target.yield_pa,
     }
 }
 

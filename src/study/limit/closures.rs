@@ -22,7 +22,7 @@ impl Closures {
             let own = Arc::new(by_closure(scene, closure));
             alone(&own, context).ok().and_then(super::Limit::velocity_m_s)
         };
-        (scene.target.closure != Closure::Given).then(|| Self {
+        (scene.closure() != Closure::Given).then(|| Self {
             double_yield_m_s: by(Closure::DoubleYield),
             cavity_m_s: by(Closure::Cavity),
         })
@@ -41,6 +41,7 @@ fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     own.sweep = None;
     let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
     for target in std::iter::once(&mut own.target).chain(layers) {
+        *target = target.in_effect(scene.projectile.tip_radius_m);
         if target.closure == Closure::Given {
             continue;
         }

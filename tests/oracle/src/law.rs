@@ -383,8 +383,7 @@ impl<'a> Shot<'a> {
     /// How deep the nose is at a travel, m.
     pub fn depth_m(&self, q: f64) -> f64 {
         let h = self.thickness_m;
-        let lag =
-            if self.scene.target.dishing { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };
+        let lag = if self.scene.dishing() { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };
         if q <= h + lag { q * h / (h + lag) } else { q - lag }
     }
 
@@ -448,7 +447,7 @@ impl<'a> Shot<'a> {
 /// Travel at which the nose is clear of the rear face.
 fn exit_m(scene: &Scene) -> f64 {
     let (r, cos) = (scene.projectile.tip_radius_m, scene.cos_obliquity());
-    let lag = if scene.target.dishing { 2.0 * r } else { 0.0 };
+    let lag = if scene.dishing() { 2.0 * r } else { 0.0 };
     scene.effective_thickness_m() + r * (1.0 + (1.0 - cos.powi(2)).sqrt()) / cos + lag
 }
 
@@ -462,10 +461,12 @@ impl Interface {
 /// `S_y`, or what a closure makes of Y and E, Pa.
 fn strength_pa(scene: &Scene) -> f64 {
     let (y, e) = (scene.target.yield_pa, scene.target.modulus_pa);
-    match scene.target.closure {
+    match scene.closure() {
         Closure::Given => scene.target.flow_strength_pa,
         Closure::DoubleYield => 2.0 * y,
-        Closure::Cavity => 2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+        Closure::Cavity | Closure::ByThickness => {
+            2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln())
+        }
     }
 }
 

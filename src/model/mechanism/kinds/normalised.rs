@@ -26,4 +26,8 @@ impl Law for Normalised {
     fn has_exponent(&self) -> bool {
         true
     }
+
+    fn is_coil(&self) -> bool {
+        true
+    }
 }
