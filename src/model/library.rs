@@ -30,6 +30,11 @@ impl Library {
         }
     }
 
+    /// The start of the line in a scene's notes that warns of one of its entries.
+    fn warning_start(self) -> String {
+        format!("{} warning: ", self.word())
+    }
+
     /// The table of a scene whose keys its entries have.
     pub fn table(self) -> &'static str {
         match self {
@@ -86,11 +91,16 @@ impl Entry {
         if self.library == Library::Materials {
             choose_closure(scene);
         }
-        let start = format!("{}: ", self.library.word());
+        let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
         let mut notes: Vec<&str> = scene.notes.lines().collect();
-        notes.retain(|line| !line.starts_with(&start));
+        notes.retain(|line| !line.starts_with(&start) && !line.starts_with(&warns));
         let own = format!("{start}{}. {}", self.title, self.evidence());
         notes.push(&own);
+        let warning: Vec<&str> = self.warning.split_whitespace().collect();
+        let warning = format!("{warns}{}: {}", self.name, warning.join(" "));
+        if !self.warning.is_empty() {
+            notes.push(&warning);
+        }
         scene.notes = notes.join("\n");
         Ok(())
     }
@@ -100,6 +110,13 @@ impl Entry {
         let note = if self.note.is_empty() { String::new() } else { format!(" ({})", self.note) };
         format!("{}: {}{note}", self.status.word(), self.source)
     }
+}
+
+/// The warnings of the entries that a scene was made from: they stand in its notes, so that a file keeps them.
+pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
+    scene.notes.lines().filter(|line| {
+        Library::ALL.iter().any(|library| line.starts_with(&library.warning_start()))
+    })
 }
 
 /// Chooses the closure for the flow strength that suits the plate's thickness: 2 Y with dishing for thin plates, cavity expansion
