@@ -12,6 +12,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
+use crate::report::limit::few_samples;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
     Report, Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
@@ -87,7 +88,8 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let report = progress::study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let (page, object) = (page(name, &report), monte_carlo::json(name, &report));
-    let warnings = validity::of_scene(&preset.scene);
+    let mut warnings = validity::of_scene(&preset.scene);
+    warnings.extend(few_samples(task.samples));
     let delivery = arguments.table.of(&arguments.scene, &preset.scene);
     delivery.deliver_warned(&warnings, &page, object, table(name, &report))?;
     if report.outcomes.failed > 0 {

@@ -280,12 +280,7 @@ impl<'t> Draw<'t> {
 fn perforated(counts: OutcomeCounts) -> Option<(f64, (f64, f64))> {
     let ended = (counts.arrested + counts.perforated + counts.separated) as f64;
     let part = counts.perforated as f64 / ended;
-    (ended > 0.0).then(|| {
-        let (low, high) = wilson(part, ended);
-        // None and all leave nothing on that side but rounding.
-        let low = if counts.perforated == 0 { 0.0 } else { low };
-        (part, (low, if part < 1.0 { high } else { 1.0 }))
-    })
+    (ended > 0.0).then(|| (part, wilson(part, ended)))
 }
 
 impl Summary {
