@@ -11,7 +11,7 @@ use crate::cli::outlook::say_if_long;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
-use crate::cli::text::width;
+use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
@@ -204,6 +204,7 @@ fn page(name: &str, task: &Task, fronts: &[Front]) -> String {
 fn front_lines(page: &mut String, task: &Task, front: &Front) {
     let count = front.designs.len();
     let kind = match (task.objectives.len(), count) {
+        (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),
         (_, 0) => "no design satisfies every constraint".to_owned(),
         (1, _) => "the best design".to_owned(),
         (_, _) => format!("a front of {count} designs"),
@@ -223,6 +224,9 @@ fn front_lines(page: &mut String, task: &Task, front: &Front) {
             page,
             "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
         );
+    }
+    for lack in front::lacks(front) {
+        *page += &hanging("  ", &lack, 2);
     }
     // Spread over the front, the first and the last among them.
     let listed = count.min(LISTED);
