@@ -136,6 +136,7 @@ pub fn json(name: &str, report: &Report) -> Value {
     let own = report.of(Candidate::Scene);
     json!({
         "scene": name,
+        "interface": report.scene.interface.law.word(),
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
         "verdict": report.verdict().words(),
         "pays": report.verdict().pays(),
