@@ -13,6 +13,7 @@ use crate::cli::search::{Random, Threads, bounds};
 use crate::cli::table::TableArguments;
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
+use crate::model::library;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
 use crate::report::front;
@@ -152,12 +153,13 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let fronts =
         progress::study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let mut warnings = Vec::new();
+    let known: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
+    let mut warnings = known.clone();
     for front in &fronts {
         let law = front.law.word();
         if let [design] = &*front.designs {
             let (name, scene) = (format!("best design, {law}"), front.scene(&task, design));
-            warnings.extend(validity::of_design(&name, &scene, &task.axes, &[]));
+            warnings.extend(validity::of_design(&name, &scene, &task.axes, &known));
         } else if !front.outside.is_empty() {
             let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
             warnings.push(format!(

@@ -110,13 +110,12 @@ fn closures(closures: &Closures) -> String {
 fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let asked = found.sampling;
     let percent = |part: f64| significant(100.0 * part, 3);
-    let known = |value: Option<f64>| value.map_or_else(|| "?".to_owned(), velocity);
-    let ends = |(low, high): (Option<f64>, Option<f64>)| {
-        let low = low.map_or_else(|| "?".to_owned(), |low| fixed_significant(low, 4));
-        format!("{low} to {}", known(high))
+    let known = |value: Option<f64>| {
+        value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
     };
+    let ends = |(low, high)| format!("{} to {}", known(low), known(high));
     let mut v50 = format!(
-        "{} (95 %: {}), spread {}; 90 % in {}",
+        "{} (95 %: {}), spread {}, 90 % in {} m/s",
         known(found.v50_m_s),
         ends(found.v50_95_m_s),
         known(found.deviation_m_s),
