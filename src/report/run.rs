@@ -189,7 +189,7 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
 
 /// The text in place of a depth that does not exist.
 pub fn no_depth(run: &Run) -> Option<&'static str> {
-    match run.outcome {
+    match run.shot_outcome() {
         Outcome::Perforated => Some("perforated!"),
         Outcome::Separated => Some("separated!"),
         Outcome::Arrested | Outcome::Moving => None,
