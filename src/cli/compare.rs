@@ -87,7 +87,14 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     }
     let over = (!arguments.over.is_empty()).then(|| arguments.over.join(","));
     if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
-        let axes = axes(&preset.scene, text)?;
+        let option = if arguments.map.is_some() { "--map" } else { "--over" };
+        let axes = axes(&preset.scene, option, text)?;
+        let over_velocity = axes.iter().any(|axis| axis.symbol() == "v_i");
+        if let Some(velocity_m_s) = arguments.design_velocity.filter(|_| over_velocity) {
+            return Err(CliError::Option(format!(
+                "--design-velocity {velocity_m_s} and {option} {text}: both give v_i; omit one of them"
+            )));
+        }
         return arguments.draw_map(&preset, &axes, hardware);
     }
     if arguments.pictures.is_wanted() {
@@ -130,11 +137,11 @@ impl CompareArguments {
     }
 }
 
-fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
+fn axes(scene: &Scene, option: &str, text: &str) -> Result<[Axis; 2], CliError> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let [x, y] = parts[..] else {
         return Err(CliError::Option(format!(
-            "--map {text}: give two variables, for example v_i,gamma or v_i=10..90:101,gamma=0.2..7:101:log"
+            "{option} {text}: give two variables, for example v_i,gamma or v_i=10..90:101,gamma=0.2..7:101:log"
         )));
     };
     let axis = |part: &str| {
@@ -147,7 +154,7 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     let (x, y) = (axis(x)?, axis(y)?);
     if x.variable().key == y.variable().key {
         return Err(CliError::Option(format!(
-            "--map {text}: both variables are {}; give two different ones",
+            "{option} {text}: both variables are {}; give two different ones",
             x.symbol()
         )));
     }
@@ -260,12 +267,12 @@ mod tests {
     #[test]
     fn a_map_has_two_different_variables() {
         let scene = Scene::default();
-        let [x, y] = axes(&scene, "v_i=10..90:5,gamma").unwrap();
+        let [x, y] = axes(&scene, "--map", "v_i=10..90:5,gamma").unwrap();
         assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 101));
         for (text, word) in
             [("v_i", "two variables"), ("v_i,v_i", "both variables"), ("v_i,gama", "gama")]
         {
-            assert!(axes(&scene, text).unwrap_err().to_string().contains(word), "{text}");
+            assert!(axes(&scene, "--map", text).unwrap_err().to_string().contains(word), "{text}");
         }
     }
 }

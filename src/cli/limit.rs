@@ -66,6 +66,12 @@ impl LimitArguments {
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let LimitArguments { study, pictures, .. } = arguments;
     pictures.check(&study.table)?;
+    if arguments.monte_carlo == 0.0 && (arguments.model_bias != 0.0 || arguments.model_spread > 0.0)
+    {
+        let text = "--model-bias and --model-spread correct V50, which --monte-carlo 0 skips: omit them, or give --monte-carlo a \
+                    fraction above 0";
+        return Err(CliError::Option(text.to_owned()));
+    }
     let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling() };
     let preset = study.load()?;
     let scene = Arc::new(preset.scene);
@@ -73,7 +79,8 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     // They are those of the shot at the limit; without a limit, of the scene's own.
     let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
-    let warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
+    let mut warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
+    warnings.extend(effort.sampling.and_then(|it| limit::few_samples(it.samples)));
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
         let answer = Answer { warnings, page, object, rows: limit::shots(name, &report) };

@@ -9,6 +9,7 @@ use crate::cli::study::{Answer, Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
+use crate::report::limit::few_samples;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
     Report, Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
@@ -77,8 +78,10 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     arguments.study.announce_if_long(&space(&preset.scene, &task)?, task.samples as u64);
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
+    let mut warnings = validity::of_scene(&preset.scene);
+    warnings.extend(few_samples(task.samples));
     let answer = Answer {
-        warnings: validity::of_scene(&preset.scene),
+        warnings,
         page: page(name, &report),
         object: monte_carlo::json(name, &report),
         rows: table(name, &report),

@@ -8,8 +8,9 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::amount::count;
 use crate::cli::study::{Answer, Random, StudyArguments, bounds};
-use crate::cli::text::width;
+use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
+use crate::model::library;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
 use crate::report::front;
@@ -142,12 +143,13 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     arguments.study.announce_if_long(&space, task.runs() as u64);
     let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let mut warnings = Vec::new();
+    let known: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
+    let mut warnings = known.clone();
     for front in &fronts {
         let law = front.law.word();
         if let [design] = &*front.designs {
             let (name, scene) = (format!("best design, {law}"), front.scene(&task, design));
-            warnings.extend(validity::of_design(&name, &scene, &task.axes, &[]));
+            warnings.extend(validity::of_design(&name, &scene, &task.axes, &known));
         } else if !front.outside.is_empty() {
             let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
             warnings.push(format!(
@@ -193,6 +195,7 @@ fn page(name: &str, task: &Task, fronts: &[Front]) -> String {
 fn front_lines(page: &mut String, task: &Task, front: &Front) {
     let count = front.designs.len();
     let kind = match (task.objectives.len(), count) {
+        (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),
         (_, 0) => "no design satisfies every constraint".to_owned(),
         (1, _) => "the best design".to_owned(),
         (_, _) => format!("a front of {count} designs"),
@@ -212,6 +215,9 @@ fn front_lines(page: &mut String, task: &Task, front: &Front) {
             page,
             "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
         );
+    }
+    for lack in front::lacks(front) {
+        *page += &hanging("  ", &lack, 2);
     }
     // Spread over the front, the first and the last among them.
     let listed = count.min(LISTED);

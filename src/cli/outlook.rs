@@ -53,7 +53,7 @@ pub(super) fn announce_if_long(space: &Plan, runs: u64, what: &str, threads: usi
     let takes_s = start.elapsed().as_secs_f64() * runs as f64 / done as f64;
     if takes_s > LONG.as_secs_f64() {
         output::note(&format!(
-            "{runs} {what} will take about {} (estimated from {done} of them); an interrupt keeps what is finished",
+            "{runs} {what} will take up to about {} (estimated from {done} of them); an interrupt keeps what is finished",
             duration(takes_s)
         ));
     }

@@ -18,6 +18,9 @@ pub(super) struct PictureArguments {
     svg: Option<PathBuf>,
 }
 
+/// Endings of pictures of other kinds.
+const OTHER_FORMATS: [&str; 7] = ["png", "jpg", "jpeg", "gif", "pdf", "eps", "webp"];
+
 impl PictureArguments {
     pub(super) fn is_wanted(&self) -> bool {
         self.svg.is_some()
@@ -34,6 +37,16 @@ impl PictureArguments {
             return Err(CliError::Option(
                 "--svg - writes to standard output, as --json and --csv - do: name a file for one of them".to_owned(),
             ));
+        }
+        if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
+            let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+            if OTHER_FORMATS.contains(&&*ending) {
+                return Err(CliError::Option(format!(
+                    "--svg {}: pictures are SVG; name the file {}",
+                    path.display(),
+                    path.with_extension("svg").display()
+                )));
+            }
         }
         match &self.svg {
             Some(path) if !self.is_stdout() => Ok(atomic::check(path, table.existing())?),

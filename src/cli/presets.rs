@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, Target};
 use crate::cli::{CliError, output, scene};
 use crate::files::clean;
 use crate::files::paths::Paths;
@@ -34,6 +34,12 @@ enum Action {
 pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
     match &arguments.action {
         None | Some(Action::List) => list(&arguments.table),
+        Some(Action::Show { .. })
+            if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
+        {
+            let text = "presets show prints the preset's file: --json and --csv are for the list";
+            return Err(CliError::Option(text.to_owned()));
+        }
         Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
     }?;
     Ok(ExitCode::SUCCESS)

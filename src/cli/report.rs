@@ -141,8 +141,7 @@ fn head(computed: &Computed, scene: &Scene) -> Document {
 /// The results, each with the estimate of its error.
 fn results(document: &mut Document, run: &Run) {
     let error = |name: &str| {
-        let own = run.error_estimates.iter().find(|error| error.name == name);
-        own.map_or_else(|| "-".to_owned(), |error| units::scientific(error.relative, 1))
+        run.error_of(name).map_or_else(|| "-".to_owned(), |error| units::scientific(error, 1))
     };
     let row = |column: &Quantity| {
         let value = column.value(run)?;

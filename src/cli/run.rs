@@ -15,7 +15,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, at_top, choice};
 use crate::cli::text::{fitted, labelled, width};
-use crate::cli::{CliError, Glyphs, draw, output};
+use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
 use crate::files::export::RunTable;
 use crate::files::preset::Preset;
@@ -33,6 +33,7 @@ use crate::report::svg::Picture;
 use crate::study::models::{Comparison, Row, What, compare};
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
+use crate::worker::clock;
 
 #[derive(Debug, Args)]
 #[command(
@@ -152,7 +153,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         }
         Target::File(to) => {
             let (to, table) = (to.placed(!was_interrupted()), table());
-            let written = to.write(table.text(to.meta)?.as_bytes(), &table.scenes());
+            let mut scenes = table.scenes();
+            if let Some(first) = scenes.first_mut() {
+                let outcome = std::mem::replace(&mut first.notes, Box::new(|_| String::new()));
+                first.notes = Box::new(move |own| outcome(own) + &again::comment(Some(own)));
+            }
+            let written = to.write(table.text(to.meta)?.as_bytes(), &scenes);
             output::note_written(&written?);
         }
     }
@@ -260,8 +266,7 @@ fn summary(computed: &Computed) -> String {
 }
 
 fn compare_models(preset: &Preset, what: What) -> Result<Comparison, CliError> {
-    let start = Instant::now();
-    Ok(compare(&preset.scene, what, &mut || start.elapsed().as_secs_f64())?)
+    Ok(compare(&preset.scene, what, &mut clock::processor_s)?)
 }
 
 fn models_page(name: &str, found: &Comparison) -> String {

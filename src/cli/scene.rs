@@ -16,9 +16,11 @@ use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::{Closure, Scene, Spring, SpringKind, Table, WhichSpring};
+use crate::model::scene::{Closure, PlateSize, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::{self, Bare, Quantity, shortest};
 use crate::model::variables::{self, Kind, VARIABLES, Variable, used_when};
+
+const VELOCITY: &str = "projectile.velocity_m_s";
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -82,8 +84,15 @@ impl Changes {
         for (library, name) in self.entries() {
             let entry = library::find(library, name, Paths::of_user().ok().as_ref())?;
             entry.apply(scene)?;
-            if !entry.warning.is_empty() {
-                output::note(&format!("warning: {} {}: {}", library.word(), name, entry.warning));
+            let has_velocity = entry.values.iter().any(|(key, _)| *key == VELOCITY);
+            if library == Library::Threats
+                && !has_velocity
+                && self.set_of(|key| key == VELOCITY).is_none()
+            {
+                let v = scene.projectile.velocity_m_s;
+                output::note(&format!(
+                    "warning: threat {name} has no velocity: v_i = {v} m/s is the scene's; set v_i"
+                ));
             }
         }
         let chosen = scene.closure();
@@ -216,12 +225,11 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
 
 /// Refuses two inputs that both give the plate's size: the last one would win without a word.
 fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
-    const SIZES: [&str; 3] = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"];
     let key = |argument: &String| {
         let variable = variables::find(argument.split('=').next()?.trim()).ok()?;
         Some((variable.key, argument.clone()))
     };
-    let mut given = set.iter().filter_map(key).filter(|(key, _)| SIZES.contains(key));
+    let mut given = set.iter().filter_map(key).filter(|(key, _)| PlateSize::KEYS.contains(key));
     let Some((first_key, first)) = given.next() else { return Ok(()) };
     given.find(|(key, _)| *key != first_key).map_or(Ok(()), |(_, second)| {
         Err(CliError::Option(format!(

@@ -28,7 +28,7 @@ pub(super) struct SensitivityArguments {
     /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// The result: a key of `cmra run --json`
+    /// The quantity: `cmra explain quantities` lists all
     #[arg(long, alias = "outputs", value_name = "NAME", default_value = "percent_of_baseline")]
     output: String,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable

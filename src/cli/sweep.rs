@@ -37,8 +37,7 @@ use axes::PointArguments;
 #[command(
     after_help = format!(
         "Without --over, computes the scene's own [sweep], for example `cmra sweep figure-9.7`.\n\
-        Columns: the axes' values, then every key of `cmra run --json` except run_time_s (which differs \
-         from run to run); \
+        Columns: the axes' values, then every quantity of a run that needs neither its time series nor a limit search; \
         with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
         keeps its row and says why.\n\
         Shards: part I of N is a contiguous block of rows, and only part 1 has the header line. `cmra join` checks the parts and \

@@ -103,6 +103,9 @@ fn page(report: &[Row]) -> String {
     page
 }
 
+/// Points from which a class has a scatter.
+const SCATTER_FROM: usize = 3;
+
 /// Bias and scatter by class, and what was done.
 fn summary(report: &[Row]) -> String {
     let mut table = format!(
@@ -111,8 +114,10 @@ fn summary(report: &[Row]) -> String {
     );
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
     for it in biases(report) {
-        let scatter =
-            it.deviation.map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
+        let scatter = it
+            .deviation
+            .filter(|_| it.points >= SCATTER_FROM)
+            .map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
         let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
         let _ = writeln!(
             table,

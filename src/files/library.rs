@@ -186,6 +186,7 @@ mod tests {
     use std::fs;
 
     use super::*;
+    use crate::model::library::warnings;
     use crate::model::scene::Closure;
 
     #[test]
@@ -211,6 +212,14 @@ mod tests {
         find(Library::Threats, "m855-ball", None).unwrap().apply(&mut scene).unwrap();
         let shot = scene.projectile;
         assert_eq!((shot.mass_kg, shot.velocity_m_s), (0.004, 950.0));
+        assert_eq!(scene.notes.lines().count(), 2, "{}", scene.notes);
+        let warnings: Vec<&str> = warnings(&scene).collect();
+        assert!(
+            matches!(warnings[..], [one] if one.contains("m855-ball: steel tip")),
+            "{warnings:?}"
+        );
+        // What has no warning leaves none.
+        find(Library::Threats, "m2-ap", None).unwrap().apply(&mut scene).unwrap();
         assert_eq!(scene.notes.lines().count(), 1, "{}", scene.notes);
     }
 

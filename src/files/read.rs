@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
 use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
-use crate::model::scene::{Scene, SpringKind, WhichSpring};
+use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
@@ -71,7 +71,7 @@ pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<Strin
     }
     String::from_utf8(bytes).map_err(|_not_text| {
         FileError::Refused(format!(
-            "`{}` is not UTF-8 text, as every scene is: is this the right file? if so, save it as UTF-8",
+            "`{}` is not UTF-8 text: is this the right file? if so, save it as UTF-8",
             shown(path)
         ))
     })
@@ -145,8 +145,17 @@ impl<'t> Reader<'t> {
         }
         self.measured_curves(scene, document);
         // After gamma, which follows from them.
-        for key in ["plate.mass_kg", "plate.face_m"] {
-            let found = VARIABLES.iter().find(|variable| variable.key == key);
+        let sizes = PlateSize::KEYS.iter().filter_map(|key| Some((*key, find(document, key)?)));
+        // A word says that it is absent.
+        let sizes = sizes.filter(|(_, span)| !self.text[span.clone()].starts_with(['"', '\'']));
+        if let [(first, _), (second, span), ..] = &sizes.collect::<Vec<_>>()[..] {
+            let all = PlateSize::KEYS.join(", ");
+            let text =
+                format!("{first} and {second} both give the plate's size: give only one of {all}");
+            self.problem(span.clone(), text);
+        }
+        for key in &PlateSize::KEYS[1..] {
+            let found = VARIABLES.iter().find(|variable| variable.key == *key);
             let plate = document.get("plate").map(Spanned::get_ref);
             if let (Some(variable), Some(DeValue::Table(plate))) = (found, plate)
                 && let Some(value) = plate.get(&key["plate.".len()..])

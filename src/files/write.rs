@@ -70,10 +70,17 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
         put(root, "notes", &quoted(&scene.notes));
     }
     for variable in VARIABLES.iter() {
-        if same(variable.value(&old), variable.value(scene)) {
+        let (parent, key) = split(variable);
+        let is_ratio = variable.key == PlateSize::Ratio.key();
+        if is_ratio && scene.plate.size != PlateSize::Ratio {
+            // A scene gives the plate's size once.
+            table_at(root, parent).remove(key);
             continue;
         }
-        let (parent, key) = split(variable);
+        let is_given = !is_ratio || old.plate.size == PlateSize::Ratio;
+        if is_given && same(variable.value(&old), variable.value(scene)) {
+            continue;
+        }
         match value_text(variable, scene) {
             Some(value) => put(table_at(root, parent), key, &value),
             None => {

@@ -26,6 +26,11 @@ impl Library {
         }
     }
 
+    /// The start of the line in a scene's notes that warns of one of its entries.
+    fn warning_start(self) -> String {
+        format!("{} warning: ", self.word())
+    }
+
     /// The table of a scene whose keys its entries have.
     pub fn table(self) -> &'static str {
         match self {
@@ -83,11 +88,16 @@ impl Entry {
             scene.target.closure = Closure::ByThickness;
             note_closure(scene);
         }
-        let start = format!("{}: ", self.library.word());
+        let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
         let mut notes: Vec<&str> = scene.notes.lines().collect();
-        notes.retain(|line| !line.starts_with(&start));
+        notes.retain(|line| !line.starts_with(&start) && !line.starts_with(&warns));
         let own = format!("{start}{}. {}", self.title, self.evidence());
         notes.push(&own);
+        let warning: Vec<&str> = self.warning.split_whitespace().collect();
+        let warning = format!("{warns}{}: {}", self.name, warning.join(" "));
+        if !self.warning.is_empty() {
+            notes.push(&warning);
+        }
         scene.notes = notes.join("\n");
         Ok(())
     }
@@ -103,4 +113,11 @@ impl Entry {
 /// starts from them.
 pub fn note_closure(scene: &mut Scene) {
     scene.target = Target { closure: scene.target.closure, ..scene.target_in_effect() };
+}
+
+/// The warnings of the entries that a scene was made from: they stand in its notes, so that a file keeps them.
+pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
+    scene.notes.lines().filter(|line| {
+        Library::ALL.iter().any(|library| line.starts_with(&library.warning_start()))
+    })
 }

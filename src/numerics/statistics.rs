@@ -49,7 +49,8 @@ pub fn wilson(p: f64, n: f64) -> (f64, f64) {
     let z2 = Z95 * Z95;
     let centre = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
     let half = Z95 / (1.0 + z2 / n) * (p * (1.0 - p) / n + 0.25 * z2 / (n * n)).sqrt();
-    (centre - half, centre + half)
+    // None and all leave nothing on that side but rounding.
+    (if p > 0.0 { centre - half } else { 0.0 }, if p < 1.0 { centre + half } else { 1.0 })
 }
 
 /// The slope of the straight line that fits points (x, y) best by least squares; not finite where they do not differ in x.
@@ -70,8 +71,7 @@ mod tests {
         // E. B. Wilson's formula for 10 of 100, as tabulated by R. G. Newcombe, *Statistics in Medicine* 17 (1998), by hand.
         let (low, high) = wilson(0.1, 100.0);
         assert!((low - 0.0552).abs() < 1e-4 && (high - 0.1744).abs() < 1e-4, "{low} {high}");
-        let (low, _) = wilson(0.0, 50.0);
-        assert!(low.abs() < 1e-15);
+        assert_eq!((wilson(0.0, 1000.0).0, wilson(1.0, 7.0).1), (0.0, 1.0));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use serde_json::{Map as Object, Value, json};
 
+use crate::model::library;
 use crate::model::run::envelope;
 use crate::model::units::fixed_significant;
 use crate::report::chart::Scale;
@@ -137,6 +138,7 @@ pub fn json(name: &str, report: &Report) -> Value {
     let own = report.of(Candidate::Scene);
     json!({
         "scene": name,
+        "interface": report.scene.interface.law.word(),
         "design_velocity_m_s": report.scene.projectile.velocity_m_s,
         "verdict": report.verdict().words(),
         "pays": report.verdict().pays(),
@@ -169,7 +171,9 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
         .with("warnings", "warnings", "", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
-            breaches.iter().map(ToString::to_string).collect::<Vec<String>>().join("; ")
+            let breaches = breaches.iter().map(ToString::to_string);
+            let of_entries = library::warnings(map.scene()).map(str::to_owned);
+            breaches.chain(of_entries).collect::<Vec<String>>().join("; ")
         })
 }
 

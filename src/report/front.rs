@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::model::scene::InterfaceLaw;
+use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
-use crate::study::search::front::{Candidate, Front, Standing, Task};
+use crate::study::search::front::{Candidate, Front, Lack, Standing, Task};
 use crate::study::sweep::{PointOutcome, Spacing};
 
 /// A candidate's standing in a sentence.
@@ -31,6 +32,24 @@ pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
         }
         Standing::Impossible => Remark::caution("", "not possible with this scene"),
     }
+}
+
+/// Why a front without designs has none, beside its constraints: objectives that do not exist.
+pub fn lacks(front: &Front) -> Vec<String> {
+    let v = front.base.projectile.velocity_m_s;
+    let say = |lack: &Lack| {
+        let why = match lack.outcome {
+            PointOutcome::Perforated => format!(
+                "the shot of v_i = {} m/s perforates them; set a slower v_i, or take a quantity that does not depend on the shot, such \
+                 as plate_mass_kg",
+                significant(v, 4)
+            ),
+            other => other.without_value(lack.measure).to_owned(),
+        };
+        let (name, count) = (lack.measure.name, lack.count);
+        format!("{name} does not exist in {count} of {} runs: {why}", front.runs)
+    };
+    front.lacks.iter().filter(|_| front.designs.is_empty()).map(say).collect()
 }
 
 /// A candidate's standing in a word.
@@ -162,6 +181,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
         "interface": front.law.word(),
         "runs": front.runs,
         "given_up": front.given_up,
+        "no_design": lacks(front),
         "generations": front.generations,
         "complete": front.is_complete,
         "designs": designs(task, front, 0..front.designs.len()).objects(is_own),

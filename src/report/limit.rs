@@ -11,7 +11,7 @@ use crate::report::table::Table;
 use crate::study::compare::Load;
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
-use crate::study::limit::{AtLimit, Closures, Limit, Report, Shot};
+use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to a given number of limits.
@@ -83,6 +83,14 @@ fn load(load: &Load) -> Option<String> {
     (!known.is_empty()).then(|| known.join(", "))
 }
 
+/// That a number of samples says little, if so.
+pub fn few_samples(samples: usize) -> Option<String> {
+    const ENOUGH: usize = 30;
+    (samples < ENOUGH).then(|| {
+        format!("{samples} samples: median, quantiles and spread are rough; take {ENOUGH} or more")
+    })
+}
+
 /// The band between the closures.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
@@ -100,22 +108,35 @@ fn closures(closures: &Closures) -> String {
 fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let asked = found.sampling;
     let percent = |part: f64| significant(100.0 * part, 3);
-    let (low, high) = found.range90_m_s;
+    let known = |value: Option<f64>| {
+        value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
+    };
+    let ends = |(low, high)| format!("{} to {}", known(low), known(high));
     let mut v50 = format!(
-        "{}, spread {}; 90 % in {} to {}",
-        velocity(found.v50_m_s, 4),
-        velocity(found.deviation_m_s, 4),
-        fixed_significant(low, 4),
-        velocity(high, 4),
+        "{} (95 %: {}), spread {}, 90 % in {} m/s",
+        known(found.v50_m_s),
+        ends(found.v50_95_m_s),
+        known(found.deviation_m_s),
+        ends(found.range90_m_s),
     );
-    if found.without > 0 {
-        let _ = write!(v50, "; {} samples have no limit in the searched range", found.without);
+    let (low, high) = RANGE_M_S;
+    for (count, what) in [
+        (found.above, format!("have a limit beyond {high} m/s")),
+        (found.below, format!("have one below {low} m/s")),
+        (found.undecided, "have a limit that runs do not decide".to_owned()),
+    ] {
+        if count > 0 {
+            let _ = write!(v50, "; {count} of {} samples {what}", asked.samples);
+        }
+    }
+    if v50.contains('?') {
+        v50.push_str("; ?: falls among these");
     }
     let through = format!(
         "{} % of shots at the scene's {} (95 %: {} to {} %)",
         percent(found.perforated),
         velocity(report.scene.projectile.velocity_m_s, 4),
-        percent(found.perforated95.0.max(0.0)),
+        percent(found.perforated95.0),
         percent(found.perforated95.1),
     );
     let mut inputs = format!(
@@ -172,7 +193,12 @@ fn monte_carlo(found: SampledLimit) -> Value {
         "samples": asked.samples,
         "seed": asked.seed,
         "with_limit": found.found,
+        "limit_below_range": found.below,
+        "limit_beyond_range": found.above,
+        "limit_undecided": found.undecided,
         "v50_m_s": found.v50_m_s,
+        "v50_low_95_m_s": found.v50_95_m_s.0,
+        "v50_high_95_m_s": found.v50_95_m_s.1,
         "deviation_m_s": found.deviation_m_s,
         "quantile_05_m_s": found.range90_m_s.0,
         "quantile_95_m_s": found.range90_m_s.1,
@@ -200,6 +226,7 @@ pub fn json(name: &str, report: &Report) -> Value {
     json!({
         "scene": name,
         "limit_velocity_m_s": report.limit.velocity_m_s(),
+        "interface": report.scene.interface.law.word(),
         "criterion": report.criterion.word(),
         "basis": basis,
         "no_limit": report.limit.absence(),

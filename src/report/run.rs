@@ -189,7 +189,7 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
 
 /// The text in place of a depth that does not exist.
 pub fn no_depth(run: &Run) -> Option<&'static str> {
-    match run.outcome {
+    match run.shot_outcome() {
         Outcome::Perforated => Some("perforated!"),
         Outcome::Separated => Some("separated!"),
         Outcome::Arrested | Outcome::Moving => None,
@@ -334,8 +334,9 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
 
 /// The relative error estimate of each result.
 fn estimates(run: &Run) -> Value {
-    let rows = run.error_estimates.iter();
-    Value::Object(rows.map(|error| (error.name.to_owned(), error.relative.into())).collect())
+    let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
+    let names = run.error_estimates.iter().map(|error| error.name).filter(|name| exists(name));
+    Value::Object(names.map(|name| (name.to_owned(), run.error_of(name).into())).collect())
 }
 
 struct LedgerPart {

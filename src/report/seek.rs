@@ -75,6 +75,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Line> {
         .with("target", "goal", "", |_| report.target)
         .with("value", "value", "", |line| line.place.value)
         .with("outcome", "outcome", "", |line| line.outcome.map(PointOutcome::word))
+        .with("interface", "interface", "", |_| report.law.word())
 }
 
 /// Everything, as one object; null for what does not exist.
@@ -95,6 +96,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "high": high,
         "log": report.axis.spacing() == Spacing::Log,
         "scan_points": report.scan.len(),
+        "interface": report.law.word(),
         "output": report.measure.name,
         "target": report.target,
         "solutions": list(&[Kind::Solution, Kind::Touch, Kind::Plateau]),

@@ -50,6 +50,7 @@ pub use solid::thickness_of_limit_m;
 
 pub(in crate::study) use hardware::spring_energy_j;
 use judge::Judge;
+pub(in crate::study) use sized::{plates_kg, system_mass_of_run};
 
 enumeration! {
     /// Who is compared.

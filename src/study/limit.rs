@@ -9,7 +9,7 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
-use crate::model::run::envelope::Breach;
+use crate::model::run::envelope::{Breach, oblique_error};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
@@ -36,10 +36,6 @@ const SCAN: usize = 41;
 const BELOW: usize = 6;
 const ABOVE: usize = 24;
 const CURVE: (f64, f64) = (0.5, 2.5);
-
-/// How far limits at 30 deg come out below the measured ones, percent: by the mean ratio of the limits at 30 and at 0 deg of twelve
-/// hard cores on aluminium, 1.117 measured and 1.077 computed (`cmra validate`).
-pub const OBLIQUE_SHORTFALL: f64 = 4.0;
 
 enumeration! {
     /// How the limit is known.
@@ -136,11 +132,9 @@ impl Limit {
     /// What measurements say against this limit of a scene: an oblique one comes out low. `None` along the plate's normal, or
     /// without a limit.
     pub fn caution(self, scene: &Scene) -> Option<String> {
-        let is_oblique = scene.projectile.obliquity_deg > 0.0;
-        self.velocity_m_s().filter(|_| is_oblique)?;
-        Some(format!(
-            "oblique limits come out below measured ones, about {OBLIQUE_SHORTFALL} % at 30 deg (cmra validate)"
-        ))
+        let theta = scene.projectile.obliquity_deg;
+        self.velocity_m_s().filter(|_| theta > 0.0)?;
+        Some(oblique_error(theta))
     }
 }
 

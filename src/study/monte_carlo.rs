@@ -285,10 +285,8 @@ fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
     let ended = (counts.arrested + counts.perforated + counts.separated) as f64;
     let part = counts.perforated as f64 / ended;
     (ended > 0.0).then(|| {
-        let (low, high) = wilson(part, ended);
-        // None and all leave nothing on that side but rounding.
-        let low_95 = if counts.perforated == 0 { 0.0 } else { low };
-        Estimate { value: part, low_95, high_95: if part < 1.0 { high } else { 1.0 } }
+        let (low_95, high_95) = wilson(part, ended);
+        Estimate { value: part, low_95, high_95 }
     })
 }
 

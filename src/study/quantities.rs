@@ -10,15 +10,20 @@ use crate::model::run::{Run, envelope};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, engineering};
 use crate::study::compare::load::impulse_n_s;
-use crate::study::compare::{Hardware, WIDTH, areal_mass_of_run, mass_efficiency};
+use crate::study::compare::{
+    Hardware, WIDTH, areal_mass_of_run, mass_efficiency, plates_kg, system_mass_of_run,
+};
 use crate::study::limit;
 use crate::study::sweep::kernel::Answer;
 
 mod mount;
 mod names;
+mod stack;
 
 pub(in crate::study) use mount::turn_tells_force;
 pub use names::{find, listing, named, nearest};
+pub(in crate::study) use stack::Join;
+use stack::OfStack;
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +45,7 @@ pub struct Quantity {
     is_of_perforation: bool,
     /// It tells of the computation, not of the design.
     is_of_computation: bool,
+    of_stack: OfStack,
     /// A count of the computation, which JSON has as a whole number.
     pub is_whole: bool,
 }
@@ -107,6 +113,10 @@ const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> 
         absence: "does not exist here",
         is_of_perforation: false,
         is_of_computation: false,
+        of_stack: match source {
+            Source::Scene(_) | Source::Shots(_) => Whole,
+            Source::Run(_) | Source::Course(..) => OfStack::Absent,
+        },
         is_whole: false,
     }
 }
@@ -140,9 +150,15 @@ impl Quantity {
     const fn whole(self) -> Self {
         Self { is_whole: true, ..self }
     }
+
+    const fn stack(self, of_stack: OfStack) -> Self {
+        Self { of_stack, ..self }
+    }
 }
 
 use FromContact::{Displacement, End, WithScene};
+use Join::{Greatest, Least, Sum};
+use OfStack::{Elements, Known, Plates, Whole};
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
@@ -159,58 +175,58 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))),
     quantity("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
-    quantity("final_penetration_m", "depth of the hole at the end", Source::Run(|run| run.final_penetration_m))
+    quantity("final_penetration_m", "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
-        .at_least(|run| run.at_least.penetration_m).short("depth"),
+        .at_least(|run| run.at_least.penetration_m).short("depth").stack(Whole),
     quantity("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
         .short("of baseline").absent(NO_BASELINE),
     quantity("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
-    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
+    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact").stack(Plates(Greatest)),
     quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
-        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
+        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED).stack(Elements(Greatest)),
     quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
-        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
-    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation(),
+        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED).stack(Elements(Greatest)),
+    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().stack(Whole),
     quantity("exit_time_s", "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
     quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
-    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
-    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(|run| Some(run.ledger.residual()))).of_computation(),
-    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation(),
-    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
-    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
-    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
-    quantity("spring_mass_kg", "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
-    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
-    quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)),
-    quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))),
-    quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)),
+    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand").stack(Known(Greatest)),
+    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().stack(Whole),
+    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().stack(Plates(Greatest)),
+    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)).stack(Elements(Sum)),
+    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)).stack(Known(Least)),
+    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)).stack(Known(Sum)),
+    quantity("spring_mass_kg", "the springs' own mass", Source::Run(mount::own_spring_kg)).stack(Whole),
+    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)).stack(Known(Sum)),
+    quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)).stack(Whole),
+    quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))).stack(Whole),
+    quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)).stack(Whole),
     quantity("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", Source::Course(mount::peak_force_n, mount::needs_course))
-        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force"),
-    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
-    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
-    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
-    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
+        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force").stack(Plates(Greatest)),
+    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement; of a stack, into all mounts", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)).stack(Plates(Sum)),
+    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)).stack(Known(Least)),
+    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))).stack(Known(Sum)),
+    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile; of a stack, of all plates", Source::Scene(|scene| Some(plates_kg(scene)))),
     quantity("least_spring_mass_kg", "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
-    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted", Source::Run(|run| mount::system_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.max_displacement_m))).short("system"),
-    quantity("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted", Source::Run(areal_mass_of_run))
-        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.max_displacement_m))),
+        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).stack(Elements(Sum)),
+    quantity("system_mass_kg", "plates and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(system_mass_of_run))
+        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").stack(Whole),
+    quantity("areal_mass_kg_m2", "plates and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(areal_mass_of_run))
+        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).stack(Whole),
     quantity("plate_face_m", "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
     quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Source::Shots(limit::velocity_m_s)).short("limit"),
     quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).ok())).short("efficiency"),
-    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
-    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
-    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
+    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
+    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole().stack(Plates(Sum)),
+    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole().stack(Plates(Sum)),
 ];
 
 /// How names end, and the units that means; a longer ending stands before its own end.
@@ -295,15 +311,17 @@ impl Quantity {
 
     /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.
     pub fn lower_bound(&self, run: &Run) -> Option<f64> {
-        self.lower_bound?(run).filter(|bound| bound.is_finite())
+        // The bounds of a run are those of its first plate.
+        self.lower_bound?(run).filter(|bound| bound.is_finite() && run.stack.is_none())
     }
 
     /// Its value for a run; `None` where it does not exist, never a number that is not finite.
     pub fn value(&self, run: &Run) -> Option<f64> {
-        let value = match self.source {
+        let own = |run: &Run| match self.source {
             Source::Scene(get) | Source::Shots(get) => get(&run.scene),
             Source::Run(get) | Source::Course(get, _) => get(run),
         };
+        let value = if run.stack.is_some() { self.of_stack.value(run, own) } else { own(run) };
         value.filter(|value| value.is_finite())
     }
 
@@ -331,6 +349,12 @@ impl Quantity {
 
 fn sprung(scene: &Scene) -> bool {
     scene.plate.mount == Mount::Sprung
+}
+
+/// The error of the energy balance of the plate where it is greatest.
+fn energy_residual(run: &Run) -> Option<f64> {
+    let residuals = run.plates().map(|run| run.ledger.residual());
+    residuals.max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
 /// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.

@@ -3,6 +3,11 @@
 use crate::model::run::StackRun;
 use crate::model::run::{Outcome, Run};
 use crate::model::units;
+use crate::study::quantities::find;
+
+/// The quantities of the whole stack that are listed.
+const WHOLE: [&str; 5] =
+    ["stroke_m", "peak_mount_force_n", "mount_impulse_n_s", "system_mass_kg", "areal_mass_kg_m2"];
 
 /// The sentence, and a line for every plate that was struck, at most 76 columns wide.
 pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
@@ -32,6 +37,13 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     let left = stack.elements + 1 - (stack.behind.len() + 1);
     if left > 0 {
         lines.push(format!("{left} more behind, not reached"));
+    }
+    let whole = WHOLE.iter().filter_map(|name| find(name));
+    let whole: Vec<String> = whole
+        .filter_map(|it| Some(format!("{} {}", it.title(), it.show(it.value(first)?, 4))))
+        .collect();
+    for pair in whole.chunks(2) {
+        lines.push(format!("in all: {}", pair.join(", ")));
     }
     lines
 }

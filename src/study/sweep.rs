@@ -20,7 +20,8 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::model::scene::Scene;
+use crate::model::library;
+use crate::model::scene::{PlateSize, Scene};
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
@@ -186,10 +187,12 @@ impl Plan {
                 return Err(SweepError(text));
             }
         }
+        one_size(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
         let points = points(&axes, design)?;
         let mut base = scene.clone();
-        (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
+        (base.title, base.sweep) = (String::new(), None);
+        base.notes = library::warnings(scene).collect::<Vec<&str>>().join("\n");
         if axes.iter().any(|axis| axis.variable().key == "target.drag_coefficient") {
             // A drag of its own is that of one closure.
             base.target = base.target_in_effect();
@@ -212,7 +215,7 @@ impl Plan {
         Self::new(scene, Axis::all_of(sweep)?, Design::FACTORIAL, &sweep.outputs)
     }
 
-    /// The scene whose other variables are held, without title, notes and sweep.
+    /// The scene whose other variables are held, without title and sweep; of its notes with the warnings of library entries alone.
     pub fn base(&self) -> &Scene {
         &self.base
     }
@@ -300,6 +303,28 @@ impl Plan {
         }
         Ok(())
     }
+}
+
+/// Refuses two inputs that both give the plate's size: the last one would win without a word.
+fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
+    let mut sizes = axes.iter().filter(|axis| PlateSize::KEYS.contains(&axis.variable().key));
+    let Some(first) = sizes.next() else { return Ok(()) };
+    let axis = first.symbol();
+    if let Some(second) = sizes.next() {
+        let second = second.symbol();
+        return Err(SweepError(format!(
+            "axes {axis} and {second}: both give the plate's size; omit one of them"
+        )));
+    }
+    let key = scene.plate.size.key();
+    let given = variables::find(key).ok().filter(|it| it.key != first.variable().key);
+    let Some(given) = given.filter(|_| scene.plate.size != PlateSize::Ratio) else { return Ok(()) };
+    let (symbol, value) = (given.symbol, given.show(scene));
+    Err(SweepError(format!(
+        "axis {axis}: the scene has {symbol} = {value} {}, and both give the plate's size; use an axis over {symbol}, or set \
+         {axis} in place of {symbol}",
+        given.unit()
+    )))
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::library;
 use crate::model::run::envelope::{self, Breach, Check};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
@@ -23,7 +24,10 @@ pub fn of_scene(scene: &Scene) -> Vec<String> {
 
 fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<String> {
     run.map_or_else(
-        || envelope::of_scene(scene).iter().map(ToString::to_string).collect(),
+        || {
+            let breaches = envelope::of_scene(scene).into_iter().map(|it| it.to_string());
+            breaches.chain(library::warnings(scene).map(str::to_owned)).collect()
+        },
         envelope::warnings,
     )
 }
@@ -58,24 +62,32 @@ fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
 }
 
 /// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
-/// not have, the loads of spring, stop and interface among them.
+/// not have, the loads of spring, stop and interface among them. Of each breach the worst is given.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
-    let far = far.into_iter().map(|(place, breach)| format!("{place}: {breach}"));
-    warnings(scene, own.as_ref()).into_iter().chain(far).collect()
+    let mut list = warnings(scene, own.as_ref());
+    for breach in breaches(scene, own.as_ref()) {
+        if far.iter().any(|(_, worse)| worse.is_worse_than(&breach)) {
+            list.retain(|text| *text != breach.to_string());
+        }
+    }
+    list.extend(far.into_iter().map(|(place, breach)| format!("{place}: {breach}")));
+    list
 }
 
 /// The checks that fail at an end of an axis, and not for the scene itself.
 pub fn checks_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<Check> {
     let own = run(scene, STEPS_MAX);
-    at_ends(scene, own.as_ref(), axes).into_iter().map(|(_, breach)| breach.check).collect()
+    let known = breaches(scene, own.as_ref());
+    let far = at_ends(scene, own.as_ref(), axes).into_iter().map(|(_, breach)| breach.check);
+    far.filter(|check| known.iter().all(|breach| breach.check != *check)).collect()
 }
 
-/// What comes up at the ends of each axis that the scene itself does not have, and where.
+/// What is worse at the ends of each axis than in the scene itself, or comes up there, and where it is worst.
 fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Breach)> {
-    let mut known: Vec<Check> = breaches(scene, own).iter().map(|breach| breach.check).collect();
-    let mut list = Vec::new();
+    let known = breaches(scene, own);
+    let mut list: Vec<(String, Breach)> = Vec::new();
     for axis in axes {
         for end in [axis.ends().0, axis.ends().1] {
             let mut far = scene.clone();
@@ -84,9 +96,13 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
                 continue;
             }
             for breach in breaches(&far, run(&far, END_STEPS_MAX).as_ref()) {
-                if !known.contains(&breach.check) {
-                    known.push(breach.check);
-                    let place = format!("at {} = {}", axis.symbol(), shortest(end));
+                let place = format!("at {} = {}", axis.symbol(), shortest(end));
+                let is_same = |other: &Breach| {
+                    (other.check, other.direction) == (breach.check, breach.direction)
+                };
+                let mut all = known.iter().chain(list.iter().map(|(_, other)| other));
+                if !all.any(|other| is_same(other) && !breach.is_worse_than(other)) {
+                    list.retain(|(_, other)| !is_same(other));
                     list.push((place, breach));
                 }
             }
@@ -185,6 +201,22 @@ mod tests {
         let list = of_axes(&scene, &axes);
         assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
         assert_eq!(count(&list, "h/D"), 1, "{list:?}");
+    }
+
+    /// S = 1.1e9 Pa and c = 677.5 kg/m³: 0.551 times the strength of the projectile at 50 m/s, 0.635 at 500 m/s.
+    #[test]
+    fn of_a_breach_along_an_axis_the_worst_is_given() {
+        let mut scene = Scene::default();
+        scene.target.flow_strength_pa = 1.1e9;
+        scene.projectile.velocity_m_s = 50.0;
+        let axes = [Axis::new("v_i", (50.0, 500.0), 9, Spacing::Linear).unwrap()];
+        let list = of_axes(&scene, &axes);
+        let found: Vec<&String> = list.iter().filter(|text| text.contains("S + c v^2")).collect();
+        let is_worst =
+            |text: &str| text.starts_with("at v_i = 500: ") && text.contains("is 0.635 times");
+        assert!(matches!(found[..], [text] if is_worst(text)), "{list:?}");
+        // It is not new there.
+        assert!(!checks_at_ends(&scene, &axes).contains(&Check::NosePressure));
     }
 
     fn cocked(distance_m: f64) -> Scene {

@@ -263,3 +263,22 @@ fn stacks_are_compared() {
     assert!(own["perforation_velocity_m_s"].as_f64().unwrap() > 250.0);
     assert!(own["areal_mass_kg_m2"].as_f64().unwrap() > 2710.0 * 0.019);
 }
+
+/// Two inputs for one number: each would win somewhere.
+#[test]
+fn two_sizes_of_a_plate_and_two_design_velocities_are_refused() {
+    let map = ["--map", "v_i=10..20:2,gamma=1..2:2"];
+    for (more, told) in [
+        (
+            ["--design-velocity", "20"],
+            "--design-velocity 20 and --map v_i=10..20:2,gamma=1..2:2: both",
+        ),
+        (["--set", "face=100mm"], "axis gamma: the scene has face = 0.1 m"),
+    ] {
+        let (_, error) = says("compare", &[&map[..], &more].concat(), 2);
+        assert!(error.contains(told), "{error}");
+    }
+    let axes = ["--over", "gamma=1..2:3", "--over", "m_2=1..2:3"];
+    let (_, error) = says("sweep", &axes, 2);
+    assert!(error.contains("axes gamma and m_2: both give the plate's size"), "{error}");
+}

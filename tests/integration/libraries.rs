@@ -142,8 +142,13 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
     );
     let (_, error) = says("run", &["--material", "unobtainium"], 2);
     assert!(error.contains("aa6061-t6511") && error.contains("cmra libraries"), "{error}");
-    let (_, error) = says("run", &["--threat", "fsp-22"], 0);
-    assert!(error.contains("blunt chisel nose"), "{error}");
+    let (page, error) = says("run", &["--threat", "fsp-22"], 0);
+    assert!(
+        page.contains("blunt chisel nose") && error.contains("no velocity: v_i = 100 m/s"),
+        "{error}"
+    );
+    let (_, error) = says("run", &["--threat", "fsp-22", "--set", "v_i=438"], 0);
+    assert!(!error.contains("velocity"), "{error}");
 }
 
 #[test]
@@ -179,8 +184,23 @@ fn the_scene_beside_an_export_holds_the_values_and_names_the_source() {
     for words in ["mass_kg = 0.0095", "energy_j_kg = 578.3", "NIJ Standard 0123.00", "Wahl"] {
         assert!(scene.contains(words), "{words}: {scene}");
     }
+    assert!(scene.contains("# again: cmra run ./out.toml --csv -"), "{scene}");
+    // The warning of the bullet goes with the scene into every study of it.
     let again = place.path().join("out.toml");
-    says("run", &[again.to_str().unwrap()], 0);
+    let again = again.to_str().unwrap();
+    let over = ["--over", "v_i=100..200:3", "--outputs", "stroke_m"];
+    let map = ["--map", "v_i=20..40:2,gamma=1..2:2"];
+    let studies: [(&str, &[&str]); 5] = [
+        ("run", &[]),
+        ("sweep", &over),
+        ("compare", &[]),
+        ("compare", &map),
+        ("limit", &["--monte-carlo", "0"]),
+    ];
+    for (command, more) in studies {
+        let page = says(command, &[&[again], more].concat(), 0).0;
+        assert!(page.contains("threat warning: m80-ball: lead core"), "{command}: {page}");
+    }
 }
 
 #[test]

@@ -53,6 +53,20 @@ fn a_front_has_both_laws_and_the_designs_of_the_thesis() {
 }
 
 #[test]
+fn an_objective_that_no_design_has_is_named_with_the_reason() {
+    let scene = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
+    let task = ["--over", "h=2mm..12mm", "--minimise", "areal_mass_kg_m2", "--laws", "fused"];
+    let (page, _) = out(&[&scene[..], &task, &QUICK].concat(), 1);
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("interface fused: no design ("), "{page}");
+    assert!(
+        page.contains("areal_mass_kg_m2 does not exist in")
+            && page.contains("v_i = 878 m/s perforates"),
+        "{page}"
+    );
+}
+
+#[test]
 fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
     let over = ["--over", "gamma=0.8..7", "--laws", "fused"];
     let impossible = ["--subject-to", "percent_of_baseline<=1"];

@@ -39,6 +39,21 @@ fn the_command_that_runs_a_solution_names_the_interface_of_the_search() {
     assert!(!page.contains("interface=plastic"), "{page}");
 }
 
+/// The plate has turned although the projectile may still move in it: its stroke is final, the depth is not.
+#[test]
+fn a_final_quantity_of_an_undecided_run_is_a_value() {
+    let goal = ["--over", "h=26mm..60mm", "--goal", "stroke_m=38.382mm", "--json"];
+    let found: Value = serde_json::from_str(&out(&goal, 0).0).unwrap();
+    let solution = &found["solutions"][0];
+    assert_eq!((&solution["outcome"], &found["interface"]), (&"moving".into(), &"plastic".into()));
+    let set = format!("h={}", solution["at"]);
+    let run = ["--set", &set, "--set", "interface=plastic", "--json"];
+    let run: Value = serde_json::from_str(&says("run", &run, 0).0).unwrap();
+    assert!((run["stroke_m"].as_f64().unwrap() - 0.038_382).abs() < 1e-9, "{run}");
+    let bounds = run["lower_bounds"].as_array().unwrap();
+    assert!(bounds.contains(&"final_penetration_m".into()) && !bounds.contains(&"stroke_m".into()));
+}
+
 #[test]
 fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     let fused = ["--set", "interface=fused"];
@@ -49,9 +64,9 @@ fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
         assert!(page.contains(fragment), "{page} lacks {fragment}");
     }
     let (csv, _) = out(&[&arguments[..], &["--csv", "-"]].concat(), 1);
-    assert!(
-        csv.starts_with("scene,kind,variable,key,at,until,output,target,value,outcome,warnings\n")
-    );
+    assert!(csv.starts_with(
+        "scene,kind,variable,key,at,until,output,target,value,outcome,interface,warnings\n"
+    ));
     assert!(csv.contains("thesis-baseline,nearest,k,mechanism.spring.coefficient,0,"), "{csv}");
 }
 

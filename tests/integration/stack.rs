@@ -56,6 +56,40 @@ fn the_outcome_and_the_areal_mass_of_a_stack_are_those_of_all_its_plates() {
     assert_eq!(outcomes, ["arrested", "arrested", "perforated"], "{page}");
 }
 
+/// The plates stop the shot and turn: the impulse into all mounts is the momentum of the shot, 0.0295 kg at 250 m/s.
+#[test]
+fn valid_quantities_of_a_stack_are_those_of_all_its_plates() {
+    let json = |command: &str, more: &[&str]| {
+        let out = says(command, &[&["array-stacked", "--json"], more].concat(), 0).0;
+        serde_json::from_str::<serde_json::Value>(&out).unwrap()
+    };
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let found = json("run", &[]);
+    assert_near(number(&found["mount_impulse_n_s"]), 0.0295 * 250.0, 1e-9);
+    let plates = found["stack"]["plates"].as_array().unwrap();
+    let greatest = |key: &str| plates.iter().filter_map(|it| it[key].as_f64()).fold(0.0, f64::max);
+    for key in ["stroke_m", "peak_mount_force_n", "max_plate_displacement_m"] {
+        assert_near(number(&found[key]), greatest(key), 1e-12);
+    }
+    // The base plate takes the greatest force, an element the greatest stroke.
+    assert_near(greatest("peak_mount_force_n"), number(&plates[3]["peak_mount_force_n"]), 1e-12);
+    assert_near(
+        number(&found["system_mass_kg"]),
+        number(&found["areal_mass_kg_m2"]) * number(&found["plate_face_m"]).powi(2),
+        1e-9,
+    );
+    assert!(found["exit_time_s"].is_null() && found["percent_of_baseline"].is_null());
+    let compared = json("compare", &[]);
+    let over = ["--over", "v_i=200,250", "--outputs"];
+    let keys = ["stroke_m", "mount_impulse_n_s", "peak_mount_force_n", "areal_mass_kg_m2"];
+    let swept = json("sweep", &[&over[..], &[&keys.join(",")]].concat());
+    for key in keys {
+        let own = number(&found[key]);
+        assert_near(number(&compared["candidates"]["scene"][key]), own, 1e-8);
+        assert_near(number(&swept["rows"][1][key]), own, 1e-8);
+    }
+}
+
 /// Free plates: by momentum, and the closed form of the relative motion (Recht-Ipson's with p = 2).
 #[test]
 fn valid_free_plates_leave_the_velocity_of_the_closed_form() {

@@ -32,7 +32,7 @@ pub(super) struct PointArguments {
     /// Seed of the design: the same seed gives the same points [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
-    /// Quantities to compute, separated by commas; `all` for every key
+    /// Quantities to compute, separated by commas; `all` for every one that needs neither a time series nor a limit search
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
 }

@@ -9,6 +9,7 @@ pub mod numerical;
 use std::fmt;
 
 use crate::model::design::Rod;
+use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene};
@@ -29,8 +30,10 @@ const RIGID_UP_TO: f64 = 0.5;
 pub const FACE_LEAST: f64 = 3.0;
 /// Quasi-static to moderate impact velocities, m/s.
 const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
-/// How far oblique limits come out low at 30 degrees, percent.
-const OBLIQUE_LOW: f64 = 4.0;
+/// How far limits of a hard core on aluminium come out low at an angle, deg and percent (`validate`), and the angle up to which the
+/// model may be used.
+pub const OBLIQUE_LOW: [(f64, f64); 3] = [(15.0, 3.6), (30.0, 8.6), (45.0, 16.1)];
+const OBLIQUE_UP_TO: f64 = 20.0;
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
@@ -100,8 +103,17 @@ pub struct Breach {
     pub check: Check,
     /// On which side the answer errs.
     pub direction: Direction,
+    /// How far it goes: of two breaches of one check in one direction the greater is the worse.
+    pub degree: f64,
     /// The number and what it means.
     text: String,
+}
+
+impl Breach {
+    /// Whether it is the same as another and goes farther.
+    pub fn is_worse_than(&self, other: &Self) -> bool {
+        (self.check, self.direction) == (other.check, other.direction) && self.degree > other.degree
+    }
 }
 
 impl fmt::Display for Breach {
@@ -142,8 +154,8 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     found.into_iter().flatten().collect()
 }
 
-fn breach(check: Check, direction: Direction, text: String) -> Breach {
-    Breach { check, direction, text }
+fn breach(check: Check, direction: Direction, degree: f64, text: String) -> Breach {
+    Breach { check, direction, degree, text }
 }
 
 fn thickness(scene: &Scene) -> Option<Breach> {
@@ -161,7 +173,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         };
         let text =
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
-        return Some(breach(Check::Thickness, Direction::Conservative, text));
+        return Some(breach(Check::Thickness, Direction::Conservative, ratio, text));
     }
     if scene.dishing() {
         return None;
@@ -174,7 +186,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
              came out up to 59 % too high",
             significant(1e-6 * target.yield_pa, 4)
         );
-        return Some(breach(Check::Thickness, Direction::Unconservative, text));
+        return Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text));
     }
     if ratio >= THICKNESS - ABOUT {
         return None;
@@ -186,7 +198,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     let text = format!(
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"
     );
-    Some(breach(Check::Thickness, Direction::Unconservative, text))
+    Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text))
 }
 
 fn nose(scene: &Scene) -> Option<Breach> {
@@ -201,7 +213,7 @@ fn nose(scene: &Scene) -> Option<Breach> {
             (Direction::Unknown, "nose = pointed: the law is for a hemispherical nose")
         }
     };
-    Some(breach(Check::Nose, direction, text.to_owned()))
+    Some(breach(Check::Nose, direction, 1.0, text.to_owned()))
 }
 
 fn nose_pressure(scene: &Scene) -> Option<Breach> {
@@ -211,7 +223,7 @@ fn nose_pressure(scene: &Scene) -> Option<Breach> {
          deform or break",
         significant(pressure, 3)
     );
-    Some(breach(Check::NosePressure, Direction::Conservative, text))
+    Some(breach(Check::NosePressure, Direction::Conservative, pressure, text))
 }
 
 fn nose_mass(scene: &Scene) -> Option<Breach> {
@@ -222,7 +234,7 @@ fn nose_mass(scene: &Scene) -> Option<Breach> {
         significant(1e3 * sphere, 3),
         significant(1e3 * projectile.mass_kg, 3)
     );
-    Some(breach(Check::NoseMass, Direction::Unknown, text))
+    Some(breach(Check::NoseMass, Direction::Unknown, sphere / projectile.mass_kg, text))
 }
 
 fn face(scene: &Scene) -> Option<Breach> {
@@ -233,20 +245,35 @@ fn face(scene: &Scene) -> Option<Breach> {
         significant(1e3 * scene.plate_face_m(), 3),
         significant(face, 3)
     );
-    Some(breach(Check::Face, Direction::Unconservative, text))
+    Some(breach(Check::Face, Direction::Unconservative, 1.0 / face, text))
 }
 
 fn velocity(scene: &Scene) -> Option<Breach> {
     let (v, (slow, fast)) = (scene.projectile.velocity_m_s, VELOCITIES_M_S);
-    let fault = if v < slow {
-        format!("below the {slow} m/s of measurements")
+    let (degree, fault) = if v < slow {
+        (slow / v, format!("below the {slow} m/s of measurements"))
     } else if v > fast {
-        format!("above {fast} m/s: heating, rate and erosion are not modelled")
+        (v / fast, format!("above {fast} m/s: heating, rate and erosion are not modelled"))
     } else {
         return None;
     };
     let text = format!("v_i = {} m/s is {fault}", significant(v, 4));
-    Some(breach(Check::Velocity, Direction::Unknown, text))
+    Some(breach(Check::Velocity, Direction::Unknown, degree, text))
+}
+
+/// What measurements say of limits at this angle > 0, deg: by the nearest angle that was measured.
+pub fn oblique_error(theta: f64) -> String {
+    let far = |it: &(f64, f64)| (it.0 - theta).abs();
+    let nearest = OBLIQUE_LOW.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+    let (angle, percent) = nearest.unwrap_or_default();
+    let beyond = if theta > OBLIQUE_UP_TO {
+        format!("; the model is not for more than about {OBLIQUE_UP_TO} deg")
+    } else {
+        String::new()
+    };
+    format!(
+        "oblique limits come out below measured ones, by {percent} % at {angle} deg (cmra validate){beyond}"
+    )
 }
 
 fn obliquity(scene: &Scene) -> Option<Breach> {
@@ -260,11 +287,8 @@ fn obliquity(scene: &Scene) -> Option<Breach> {
     } else {
         String::new()
     };
-    let text = format!(
-        "theta = {} deg: limits at 30 deg come out about {OBLIQUE_LOW} % low against ten measured pairs, more for some{glances}",
-        significant(theta, 4)
-    );
-    Some(breach(Check::Obliquity, Direction::Conservative, text))
+    let text = format!("theta = {} deg: {}{glances}", significant(theta, 4), oblique_error(theta));
+    Some(breach(Check::Obliquity, Direction::Conservative, theta, text))
 }
 
 /// Whether a scene has a rigid stop under a fused interface, which cannot carry a hit on it.
@@ -285,7 +309,7 @@ fn stop(scene: &Scene) -> Option<Breach> {
     let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
                 interface=plastic"
         .to_owned();
-    Some(breach(Check::Stop, Direction::Unconservative, text))
+    Some(breach(Check::Stop, Direction::Unconservative, 1.0, text))
 }
 
 /// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface.
@@ -297,8 +321,8 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     }
     found.extend([surge(run), spring_mass(run)].into_iter().flatten());
     for warning in &run.warnings {
-        if let Some(check) = check_of(warning) {
-            found.push(breach(check, Direction::Unconservative, warning.to_string()));
+        if let Some((check, degree)) = check_of(warning) {
+            found.push(breach(check, Direction::Unconservative, degree, warning.to_string()));
         }
     }
     found.sort_by_key(|breach| breach.check);
@@ -317,7 +341,7 @@ fn surge(run: &Run) -> Option<Breach> {
          one, and its coils may close",
         significant(speed, 3)
     );
-    Some(breach(Check::Spring, Direction::Unconservative, text))
+    Some(breach(Check::Spring, Direction::Unconservative, speed, text))
 }
 
 /// The springs' own mass where it would slow the plate down and is omitted.
@@ -334,14 +358,16 @@ fn spring_mass(run: &Run) -> Option<Breach> {
         significant(1e3 * omitted.mass_kg, 3),
         significant(over_plate, 3)
     );
-    Some(breach(Check::SpringMass, Direction::Unconservative, text))
+    Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
 }
 
-/// The row of the table that a warning of a run belongs to.
-fn check_of(warning: &Warning) -> Option<Check> {
+/// The row of the table that a warning of a run belongs to, and how far it goes.
+fn check_of(warning: &Warning) -> Option<(Check, f64)> {
     match warning {
-        Warning::Limit(_) => Some(Check::Spring),
-        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => Some(Check::Interface),
+        Warning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
+        Warning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
+        // The grip is an assumption: a push is the surer of the two.
+        Warning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
         _ => None,
     }
 }
@@ -352,6 +378,7 @@ pub fn warnings(run: &Run) -> Vec<String> {
     let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
     list.extend(remarks(run));
     list.extend(variables::range_warnings(&run.scene));
+    list.extend(library::warnings(&run.scene).map(str::to_owned));
     list
 }
 
@@ -399,7 +426,12 @@ mod tests {
             (|it| it.projectile.mass_kg = 0.03, Check::NoseMass, Unknown, "32.9 g"),
             (|it| it.projectile.velocity_m_s = 20.0, Check::Velocity, Unknown, "20 m/s"),
             (|it| it.projectile.velocity_m_s = 1200.0, Check::Velocity, Unknown, "erosion"),
-            (|it| it.projectile.obliquity_deg = 30.0, Check::Obliquity, Conservative, "4 % low"),
+            (
+                |it| it.projectile.obliquity_deg = 30.0,
+                Check::Obliquity,
+                Conservative,
+                "8.6 % at 30",
+            ),
             (|it| it.mechanism.stop.position_m = Some(0.01), Check::Stop, Unconservative, "stop"),
         ];
         for (change, check, direction, number) in cases {

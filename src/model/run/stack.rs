@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
+use crate::numerics::larger;
 
 /// The outcome of a shot into a stack.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,31 @@ pub struct StackRun {
     pub penetration_m: Option<f64>,
     /// Velocity behind a perforated base plate, m/s.
     pub residual_velocity_m_s: Option<f64>,
+}
+
+impl Run {
+    /// The runs of the plates that were struck, in order; of a stack, the base plate at the end where it was.
+    pub fn plates(&self) -> impl Iterator<Item = &Self> {
+        let behind = self.stack.iter().flat_map(|stack| stack.behind.iter());
+        std::iter::once(self).chain(behind.map(|run| &**run))
+    }
+
+    /// The same without the base plate.
+    pub fn elements(&self) -> impl Iterator<Item = &Self> {
+        self.plates().take(self.stack.as_ref().map_or(1, |stack| stack.elements))
+    }
+
+    /// The depth of the whole shot: into a stack, all thickness perforated and the depth in what stopped it, m.
+    pub fn shot_depth_m(&self) -> Option<f64> {
+        self.stack.as_ref().map_or(self.final_penetration_m, |stack| stack.penetration_m)
+    }
+
+    /// The relative error estimate of a result; of a stack, the greatest of its plates.
+    pub fn error_of(&self, name: &str) -> Option<f64> {
+        let errors = self.plates().flat_map(|run| &run.error_estimates);
+        let own = errors.filter(|error| error.name == name).map(|error| error.relative);
+        own.fold(None, |most, error| Some(most.map_or(error, |most| larger(most, error))))
+    }
 }
 
 impl StackRun {

@@ -173,6 +173,21 @@ fn gives_mass(scene: &Scene) -> bool {
     is_sprung(scene) && matches!(scene.plate.size, PlateSize::Face(_))
 }
 
+impl PlateSize {
+    /// The keys of the inputs that give the plate's size: a scene takes one.
+    pub const KEYS: [&str; 3] = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"];
+
+    /// The key of the input that gives it.
+    pub fn key(self) -> &'static str {
+        let [ratio, mass, face] = Self::KEYS;
+        match self {
+            Self::Ratio => ratio,
+            Self::Mass(_) => mass,
+            Self::Face(_) => face,
+        }
+    }
+}
+
 const DISHING: Kind =
     Kind::Switch { get: |scene| scene.target.dishing, set: |scene, on| scene.target.dishing = on };
 

@@ -64,8 +64,6 @@ impl Judge<'_, '_> {
         let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit));
         let equivalent = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
         let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
-        let depth_m =
-            run.stack.as_ref().map_or(run.final_penetration_m, |stack| stack.penetration_m);
         Some(Entry {
             candidate,
             outcome: run.shot_outcome(),
@@ -80,7 +78,7 @@ impl Judge<'_, '_> {
             as_built: equivalent.zip(areal_kg_m2).map(|(equal, own)| equal / own),
             load: Load::of(&run),
             limit_load,
-            depth_m: depth_m.filter(|_| stays),
+            depth_m: run.shot_depth_m().filter(|_| stays),
             residual_m_s: run.shot_residual_m_s(),
             scene,
         })

@@ -4,8 +4,9 @@ use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
+use crate::study::quantities::Join;
 
-/// The load of a shot on the mechanisms and their mounts; in a stack, the greatest of any element. `None` where there is no such
+/// The load of a shot on the mechanisms and their mounts; in a stack, the greatest of any plate. `None` where there is no such
 /// thing, or where it is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Load {
@@ -17,7 +18,7 @@ pub struct Load {
     pub stored_j: Option<f64>,
     /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
     pub mount_force_n: Option<f64>,
-    /// Impulse into the mount up to the greatest displacement, N s; in a stack, into all of them.
+    /// Impulse into the mount up to the greatest displacement, N s; in a stack, into all of them and the base plate.
     pub impulse_n_s: Option<f64>,
     /// Energy in the cocked spring, J; in a stack of all elements together.
     pub preload_j: Option<f64>,
@@ -26,23 +27,16 @@ pub struct Load {
 impl Load {
     /// Of a run that kept its series.
     pub fn of(run: &Run) -> Self {
-        let behind = run.stack.iter().flat_map(|stack| stack.behind.iter());
-        let elements = run.stack.as_ref().map_or(1, |stack| stack.elements);
-        let runs = || std::iter::once(run).chain(behind.clone().map(|run| &**run)).take(elements);
-        let greatest = |get: &dyn Fn(&Run) -> Option<f64>| {
-            runs().map(get).try_fold(None, |most: Option<f64>, value| {
-                let value = value?;
-                Some(Some(most.map_or(value, |most| larger(most, value))))
-            })
-        };
         let has_spring = !Mechanism::of(&run.scene).is_absent();
         Self {
-            max_displacement_m: greatest(&|run| run.max_plate_displacement_m).flatten(),
-            stroke_m: greatest(&|run| run.stroke_m()).flatten(),
-            stored_j: runs().map(|run| run.mechanism.stored_j).sum(),
-            mount_force_n: greatest(&peak_n).flatten(),
-            impulse_n_s: runs().map(impulse_n_s).sum(),
-            preload_j: has_spring.then(|| runs().map(|run| run.ledger.initial_spring_j).sum()),
+            max_displacement_m: Join::Greatest
+                .of(run.elements().map(|run| run.max_plate_displacement_m)),
+            stroke_m: Join::Greatest.of(run.elements().map(Run::stroke_m)),
+            stored_j: run.elements().map(|run| run.mechanism.stored_j).sum(),
+            mount_force_n: Join::Greatest.of(run.plates().map(peak_n)),
+            impulse_n_s: run.plates().map(impulse_n_s).sum(),
+            preload_j: has_spring
+                .then(|| run.elements().map(|run| run.ledger.initial_spring_j).sum()),
         }
     }
 }

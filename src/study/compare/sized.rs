@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::Mechanism;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
-use crate::study::compare::{elements, is_held};
+use crate::study::compare::{elements, face_m2, is_held};
 use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
 
@@ -98,15 +97,33 @@ pub fn mass_efficiency(scene: &Scene, hardware: &Hardware, width: f64) -> Result
     sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
 }
 
+/// A run's scene as built, its springs sized for that shot; a shot that perforates does not size them.
+fn built(run: &Run) -> Built {
+    let elements = elements(&run.scene);
+    let demands = if run.shot_outcome() == Outcome::Perforated {
+        elements.iter().map(|element| Demand::of(element, None)).collect()
+    } else {
+        Demand::of_run(run, &elements)
+    };
+    Built::for_demands(elements, &Hardware::default(), &demands)
+}
+
 /// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known, as for springs
-/// behind a plate that is perforated: the shot does not size them.
+/// behind a plate that is perforated.
 pub fn areal_mass_of_run(run: &Run) -> Option<f64> {
-    let is_sized = run.shot_outcome() != Outcome::Perforated
-        || elements(&run.scene).iter().all(|element| Mechanism::of(element).spring.is_absent());
-    if !is_sized {
-        return None;
-    }
-    Built::of(&run.scene, &Hardware::default(), run).areal_kg_m2(&run.scene)
+    built(run).areal_kg_m2(&run.scene)
+}
+
+/// The same in all: plates and springs, kg.
+pub(in crate::study) fn system_mass_of_run(run: &Run) -> Option<f64> {
+    Some(plates_kg(&run.scene) + built(run).spring_kg()?)
+}
+
+/// The mass of all plates of a scene, kg: a base plate is as large as the first plate.
+pub(in crate::study) fn plates_kg(scene: &Scene) -> f64 {
+    let Some(base_m) = scene.stack.base_thickness_m else { return scene.plate_mass_kg() };
+    let base_kg = base_m * scene.target.density_kg_m3 * face_m2(scene);
+    elements(scene).iter().map(Scene::plate_mass_kg).sum::<f64>() + base_kg
 }
 
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
@@ -146,7 +163,7 @@ struct Shot {
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: &Scene) -> Option<Shot> {
     let tolerance = kernel::TOLERANCE_FRACTION * scene.run.tolerance;
-    if let Some(end) = kernel::contact(scene, Wanted::Load, tolerance) {
+    if let Some(end) = kernel::contact(scene, Wanted::Displacement, tolerance) {
         let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));
         return Some(Shot { stopped: end.arrested, demands: vec![demand] });
     }

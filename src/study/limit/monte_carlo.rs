@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::numerics::random::Random;
-use crate::numerics::statistics::{moments, quantile, wilson};
+use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::limit::search::{Range, Scan};
 use crate::study::limit::{Criterion, Limit};
 use crate::study::monte_carlo::{Draw, usual_tolerances};
 
-/// Each sample's limit is searched within this factor of the nominal one, with a given number of points, to this relative width.
+/// Each sample's limit is searched within this factor of the nominal one, with a given number of points, to this relative width; where
+/// it is not there, over all velocities.
 const WITHIN: f64 = 2.0;
 const POINTS: usize = 9;
 const WIDTH: f64 = 1e-5;
@@ -44,29 +45,35 @@ pub struct Sampling {
     pub model: ModelError,
 }
 
-/// The result.
+/// The result. A sample without a limit in the range of velocities counts as below or above all limits; what falls among such samples
+/// is `None`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledLimit {
     /// The request.
     pub sampling: Sampling,
-    /// Samples with a limit near the nominal one.
+    /// Samples with a limit.
     pub found: usize,
-    /// Samples without.
-    pub without: usize,
+    /// Samples that everything in the range of velocities perforates.
+    pub below: usize,
+    /// Samples that nothing in it perforates.
+    pub above: usize,
+    /// Samples whose limit runs do not decide: they have no rank.
+    pub undecided: usize,
     /// Half of the limits lie below this, m/s.
-    pub v50_m_s: f64,
-    /// Standard deviation of the limits, m/s.
-    pub deviation_m_s: f64,
+    pub v50_m_s: Option<f64>,
+    /// Its 95 % confidence interval, from order statistics, m/s.
+    pub v50_95_m_s: (Option<f64>, Option<f64>),
+    /// Standard deviation of the limits, m/s; `None` where one is not known.
+    pub deviation_m_s: Option<f64>,
     /// One in twenty lies below this, and one in twenty above the other, m/s.
-    pub range90_m_s: (f64, f64),
+    pub range90_m_s: (Option<f64>, Option<f64>),
     /// Part of the samples that the scene's own velocity perforates.
     pub perforated: f64,
     /// Its 95 % confidence interval (Wilson's).
     pub perforated95: (f64, f64),
 }
 
-/// The limits of sampled scenes, with every input of Monte Carlo's own that a limit depends on. `None` when stopped, or when too few
-/// have a limit.
+/// The limits of sampled scenes, with every input of Monte Carlo's own that a limit depends on. `None` when stopped.
 pub(super) fn sample(
     scene: &Arc<Scene>,
     sampling: Sampling,
@@ -78,10 +85,10 @@ pub(super) fn sample(
     let mut tolerances = usual_tolerances(scene, sampling.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
     let mut errors = Random::new(!sampling.seed);
-    let mut limits = Vec::new();
-    let (mut without, mut through) = (0, 0_usize);
+    let mut limits: Vec<f64> = Vec::new();
+    let (mut undecided, mut through) = (0, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
-    let scan = Scan {
+    let near = Scan {
         low_m_s: nominal_m_s / WITHIN,
         high_m_s: nominal_m_s * WITHIN,
         points: POINTS,
@@ -95,7 +102,11 @@ pub(super) fn sample(
         }
         let watch = &mut |_, _: Option<&()>| stop.flow();
         let context = &mut Context::new(1, watch);
-        let limit = Range { scene: &Arc::new(own), criterion, context }.limit(scan);
+        let mut range = Range { scene: &Arc::new(own), criterion, context };
+        let mut limit = range.limit(near);
+        if matches!(limit, Limit::Always | Limit::Never) {
+            limit = range.limit(Scan { width: WIDTH, ..Scan::WHOLE });
+        }
         (!context.is_stopped() && limit != Limit::Unknown).then_some(limit)
     };
     let mut draw = Draw::new(scene, &tolerances, sampling.seed);
@@ -103,37 +114,60 @@ pub(super) fn sample(
         let limit_of = |sample: &Vec<f64>| limit_of(sample);
         for limit in context.map_items(samples, limit_of, |context, _| context.goes_on()) {
             let factor = sampling.model.factor(&mut errors);
-            match limit {
-                Limit::Found { velocity_m_s, .. } => {
-                    through += usize::from(factor * velocity_m_s < own_m_s);
-                    limits.push(factor * velocity_m_s);
+            let velocity_m_s = match limit {
+                Limit::Found { velocity_m_s, .. } => velocity_m_s,
+                Limit::Always => f64::NEG_INFINITY,
+                Limit::Never => f64::INFINITY,
+                Limit::Between { perforated_m_s, .. } => {
+                    undecided += 1;
+                    through += usize::from(perforated_m_s.is_some_and(|it| factor * it < own_m_s));
+                    continue;
                 }
-                // Beyond the bracket on a known side.
-                Limit::Always => {
-                    without += 1;
-                    through += usize::from(own_m_s > factor * scan.low_m_s);
-                }
-                Limit::Between { .. } | Limit::Never | Limit::Unknown => without += 1,
-            }
+                Limit::Unknown => continue,
+            };
+            through += usize::from(factor * velocity_m_s < own_m_s);
+            limits.push(factor * velocity_m_s);
         }
     });
     if drawn.is_err() || context.is_stopped() {
         return None;
     }
-    limits.sort_by(f64::total_cmp);
-    let (_, deviation_m_s) = moments(&limits)?;
     let samples = sampling.samples as f64;
     let perforated = through as f64 / samples;
-    Some(SampledLimit {
+    let of = |is: fn(f64) -> bool| limits.iter().filter(|limit| is(**limit)).count();
+    let mut sampled = SampledLimit {
         sampling,
-        found: limits.len(),
-        without,
-        v50_m_s: quantile(&limits, 0.5),
-        deviation_m_s,
-        range90_m_s: (quantile(&limits, 0.05), quantile(&limits, 0.95)),
+        found: of(f64::is_finite),
+        below: of(|limit| limit == f64::NEG_INFINITY),
+        above: of(|limit| limit == f64::INFINITY),
+        undecided,
+        v50_m_s: None,
+        v50_95_m_s: (None, None),
+        deviation_m_s: None,
+        range90_m_s: (None, None),
         perforated,
         perforated95: wilson(perforated, samples),
-    })
+    };
+    sampled.rank(limits);
+    Some(sampled)
+}
+
+impl SampledLimit {
+    /// Takes quantiles and spread from limits, m/s; those beyond the range are infinite.
+    fn rank(&mut self, mut limits: Vec<f64>) {
+        limits.sort_by(f64::total_cmp);
+        if limits.is_empty() {
+            return;
+        }
+        let known = |value: f64| value.is_finite().then_some(value);
+        let below = |share: f64| known(quantile(&limits, share.clamp(0.0, 1.0)));
+        let half = 0.5 * Z95 / (limits.len() as f64).sqrt();
+        self.v50_m_s = below(0.5);
+        self.v50_95_m_s = (below(0.5 - half), below(0.5 + half));
+        self.range90_m_s = (below(0.05), below(0.95));
+        let are_known = limits.iter().all(|limit| limit.is_finite());
+        self.deviation_m_s = moments(&limits).map(|it| it.1).filter(|_| are_known);
+    }
 }
 
 #[cfg(test)]
@@ -151,5 +185,31 @@ mod tests {
         let logs: Vec<f64> = (0..20_000).map(|_| wide.factor(&mut random).ln()).collect();
         let (mean, deviation) = moments(&logs).unwrap();
         assert!(mean.abs() < 3e-3 && (deviation - 0.1).abs() < 2e-3, "{mean} {deviation}");
+    }
+
+    /// Of eight samples one is perforated by everything and three by nothing: the median lies between 30 and 40, half a rank from each,
+    /// and the upper quantile is beyond the range.
+    #[test]
+    fn samples_beyond_the_range_keep_their_rank() {
+        let model = ModelError::default();
+        let mut sampled = SampledLimit {
+            sampling: Sampling { deviation: 0.4, samples: 8, seed: 1, model },
+            found: 4,
+            below: 1,
+            above: 3,
+            undecided: 0,
+            v50_m_s: None,
+            v50_95_m_s: (None, None),
+            deviation_m_s: None,
+            range90_m_s: (None, None),
+            perforated: 0.0,
+            perforated95: (0.0, 1.0),
+        };
+        let (above, below) = (f64::INFINITY, f64::NEG_INFINITY);
+        sampled.rank(vec![above, 20.0, 10.0, above, 30.0, below, 40.0, above]);
+        assert_eq!((sampled.v50_m_s, sampled.range90_m_s), (Some(35.0), (None, None)));
+        assert_eq!(sampled.deviation_m_s, None);
+        sampled.rank(vec![1.0, 2.0, 3.0, 4.0, 5.0]);
+        assert_eq!(sampled.v50_m_s, Some(3.0));
     }
 }

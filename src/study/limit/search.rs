@@ -146,8 +146,7 @@ impl Range<'_, '_, '_> {
     pub(super) fn limit(&mut self, scan: Scan) -> Limit {
         let by_passage = self.criterion == Criterion::Passage;
         if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
-            // No strength, no limit.
-            return if velocity_m_s <= 0.0 {
+            return if velocity_m_s < RANGE_M_S.0 {
                 Limit::Always
             } else if velocity_m_s <= RANGE_M_S.1 {
                 Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }

@@ -133,8 +133,8 @@ fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
     let (first, second) = (run(), run());
     assert_eq!(first, second, "the same seed gives the same digits");
     let found = first.sampled.unwrap();
-    assert_eq!((found.found, found.without), (300, 0));
-    assert!((found.v50_m_s / 232.295_378 - 1.0).abs() < 0.01, "{found:?}");
+    assert_eq!(found.found, 300);
+    assert!((found.v50_m_s.unwrap() / 232.295_378 - 1.0).abs() < 0.01, "{found:?}");
     // Half the shots at the limit itself go through, within three standard errors.
     assert!((found.perforated - 0.5).abs() < 0.09, "{found:?}");
     // To first order the squares of the sensitivities add up: d ln v/d ln x by differences of the closed form.
@@ -155,7 +155,7 @@ fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
         sensitivity(&|own, by| own.target.drag_coefficient *= by),
     ];
     let expected = 0.03 * all.iter().map(|s| s * s).sum::<f64>().sqrt() * 232.295_378;
-    assert!((found.deviation_m_s / expected - 1.0).abs() < 0.15, "{found:?} {expected}");
+    assert!((found.deviation_m_s.unwrap() / expected - 1.0).abs() < 0.15, "{found:?} {expected}");
 }
 
 /// Not only between two shots: one on the plastic law may take a minute.

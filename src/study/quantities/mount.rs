@@ -4,7 +4,7 @@ use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::Run;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
-use crate::study::compare::{load, spring_energy_j};
+use crate::study::compare::{elements, load, spring_energy_j};
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
 pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
@@ -12,11 +12,20 @@ pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) ->
     scene.mechanism.least_spring_kg(stored_j)
 }
 
+/// The springs' own mass, kg; of a stack, of all its elements.
+pub(super) fn own_spring_kg(run: &Run) -> Option<f64> {
+    if run.stack.is_none() {
+        return run.mechanism.spring_mass_kg;
+    }
+    elements(&run.scene).iter().map(|element| Inertia::of(element).spring_mass_kg).sum()
+}
+
 /// The springs' own mass where it is known, else the least, kg.
 fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     Inertia::of(scene).spring_mass_kg.or_else(|| least_spring_kg(scene, max_displacement_m))
 }
 
+/// Plate and springs, kg.
 pub(super) fn system_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     Some(scene.plate_mass_kg() + spring_kg(scene, max_displacement_m)?)
 }

@@ -5,7 +5,6 @@
 //! models the objective and constraint functions by linear interpolation", 1994). Must not know files, screens or a clock.
 
 use std::cell::RefCell;
-use std::ops::ControlFlow;
 
 use crate::model::run::EndReason;
 use crate::model::run::envelope::Check;
@@ -90,12 +89,6 @@ impl Task {
     pub fn runs(&self) -> usize {
         self.laws.len() * self.effort.evaluations()
     }
-
-    /// A measure's value among those of a design.
-    fn value(&self, measures: &[Option<f64>], measure: &Quantity) -> Option<f64> {
-        let at = self.measures().iter().position(|other| other.name == measure.name)?;
-        *measures.get(at)?
-    }
 }
 
 /// A design.
@@ -144,6 +137,17 @@ pub struct Candidate {
     pub standing: Standing,
 }
 
+/// Designs without a value of an objective, which cannot be on a front.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lack {
+    /// The objective's measure.
+    pub measure: &'static Quantity,
+    /// The outcome of these designs.
+    pub outcome: PointOutcome,
+    /// How many they are.
+    pub count: usize,
+}
+
 /// The front on one interface law.
 #[derive(Clone, Debug)]
 pub struct Front {
@@ -163,6 +167,8 @@ pub struct Front {
     pub runs: usize,
     /// Runs stopped after [`STEPS_MAX`] steps.
     pub given_up: usize,
+    /// Runs that had no value of an objective.
+    pub lacks: Vec<Lack>,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -243,8 +249,7 @@ impl Search<'_> {
             best = vec![polish(start.clone(), self.task.constraints.len(), POLISHED, &mut attempt)];
         }
         state.borrow_mut().front.designs = self.designs(best);
-        let whole = state.borrow().front.is_complete;
-        let mut candidates = self.candidates(whole);
+        let mut candidates = self.candidates(state.borrow_mut().context);
         for candidate in &mut candidates {
             self.challenge(candidate, &state);
         }
@@ -269,6 +274,7 @@ impl Search<'_> {
             generations: 0,
             runs: 0,
             given_up: 0,
+            lacks: Vec::new(),
             is_complete: true,
         }
     }
@@ -290,7 +296,23 @@ impl Search<'_> {
         front.runs += found.len();
         let budget = PointOutcome::Failed(Failure::Early(EndReason::StepBudget));
         front.given_up += found.iter().filter(|found| found.outcome == budget).count();
+        for found in &found {
+            self.note_lack(found, &mut front.lacks);
+        }
         front.is_complete.then_some(found)
+    }
+
+    /// Counts a design that has no value of an objective.
+    fn note_lack(&self, found: &Found, lacks: &mut Vec<Lack>) {
+        let mut measures = self.task.objectives.iter().map(|it| it.measure);
+        let Some(measure) = measures.find(|it| self.value(&found.values, it).is_none()) else {
+            return;
+        };
+        let outcome = found.outcome;
+        match lacks.iter_mut().find(|it| it.measure == measure && it.outcome == outcome) {
+            Some(lack) => lack.count += 1,
+            None => lacks.push(Lack { measure, outcome, count: 1 }),
+        }
     }
 
     /// A point of the unit cube for COBYLA: how far it is, in relative terms, from being worse than `held` in an objective after the
@@ -307,9 +329,15 @@ impl Search<'_> {
         let rest =
             rest.map(|(own, held)| (held - own) / if *held == 0.0 { 1.0 } else { held.abs() });
         let constraints = self.task.constraints.iter();
-        let bounds = constraints.map(|it| it.margin(self.task.value(&found.values, it.measure)));
+        let bounds = constraints.map(|it| it.margin(self.value(&found.values, it.measure)));
         let margins = rest.chain(bounds).collect();
         Some(Trial { judged, found, margins })
+    }
+
+    /// A measure's value among those of a design.
+    fn value(&self, measures: &[Option<f64>], measure: &Quantity) -> Option<f64> {
+        let at = self.space.outputs().iter().position(|other| other.name == measure.name)?;
+        *measures.get(at)?
     }
 
     /// The values of a point of the unit cube.
@@ -338,7 +366,7 @@ impl Search<'_> {
     }
 
     fn judge(&self, measures: &[Option<f64>]) -> Judged {
-        let value = |measure: &Quantity| self.task.value(measures, measure);
+        let value = |measure: &Quantity| self.value(measures, measure);
         let objectives = self.task.objectives.iter().map(|objective| {
             let value = value(objective.measure)?;
             Some(if objective.maximise { -value } else { value })
@@ -355,16 +383,16 @@ impl Search<'_> {
         }
     }
 
-    /// The references of the front; of a search that was stopped, those that are computed at once.
-    fn candidates(&self, whole: bool) -> Vec<Candidate> {
+    /// The references of the front; none of a search that was stopped.
+    fn candidates(&self, context: &mut Context<'_, Front>) -> Vec<Candidate> {
         let own = ("the scene itself", "as it is", Some(self.scene.clone()));
         let thesis = RECOMMENDED
             .iter()
             .map(|it| (it.name, it.source, recommended::scene_of(it, self.scene)));
         let all = std::iter::once(own).chain(thesis);
         all.filter_map(|(name, source, scene)| {
-            let found = scene.as_ref().and_then(|scene| self.evaluate(scene, whole));
-            if scene.is_some() && found.is_none() && !whole {
+            let found = scene.as_ref().and_then(|scene| self.evaluate(scene, context));
+            if context.is_stopped() {
                 return None;
             }
             let none = || vec![None; self.space.outputs().len()];
@@ -407,7 +435,7 @@ impl Search<'_> {
         let Some(outcome) = candidate.outcome else { return Standing::Impossible };
         let judged = self.judge(&candidate.measures);
         let broken = self.task.constraints.iter().position(|constraint| {
-            let value = self.task.value(&candidate.measures, constraint.measure);
+            let value = self.value(&candidate.measures, constraint.measure);
             value.is_some() && constraint.violation(value) > 0.0
         });
         let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
@@ -421,18 +449,13 @@ impl Search<'_> {
         }
     }
 
-    /// The measures of any scene, by a space of one point.
-    fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
+    /// The measures of any scene, by a space of one point; `None` when stopped.
+    fn evaluate(&self, scene: &Scene, context: &mut Context<'_, Front>) -> Option<Found> {
         let axis = self.space.axes().first()?;
         let names: Vec<&str> = self.space.outputs().iter().map(|column| column.name).collect();
-        let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?;
-        let mut watch = |_, _: Option<&()>| {
-            if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-        };
-        space
-            .evaluate(&[space.design_of(scene)], &mut Context::new(1, &mut watch))
-            .into_iter()
-            .next()
+        let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?.limited(STEPS_MAX);
+        let own = space.design_of(scene);
+        context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next()
     }
 }
 

@@ -92,6 +92,8 @@ impl Line {
 pub struct Report {
     /// The variable and its bounds.
     pub axis: Axis,
+    /// The interface law of all runs.
+    pub law: InterfaceLaw,
     /// The measure.
     pub measure: &'static Quantity,
     /// Its wanted value.
@@ -176,6 +178,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),
+        law: scene.interface.law,
         measure: space.outputs()[0],
         target: goal.target,
         lines,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
-use crate::study::quantities::{Needs, Quantity};
+use crate::study::quantities::Quantity;
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows, SweepError};
 use crate::study::validity;
@@ -265,9 +265,9 @@ impl Grid {
 /// Whether a number means something where a point ended like this: the depth of a perforation does not.
 pub fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
     match outcome {
-        PointOutcome::Arrested | PointOutcome::Separated => true,
+        // A quantity that is not final has no value.
+        PointOutcome::Arrested | PointOutcome::Separated | PointOutcome::Moving => true,
         PointOutcome::Perforated => output.tells_of_perforation(),
-        PointOutcome::Moving => matches!(output.needs(), Needs::Scene | Needs::Limit),
         PointOutcome::Failed(_) => false,
     }
 }

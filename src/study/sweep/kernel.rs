@@ -33,6 +33,11 @@ pub(in crate::study) struct Answer {
 }
 
 impl Answer {
+    /// The greatest displacement of a plate that stops the shot: another shot does not size its springs.
+    pub(in crate::study) fn stopped_displacement_m(&self) -> Option<f64> {
+        self.max_displacement_m.filter(|_| self.end.arrested)
+    }
+
     /// The end of a contact that ends in an arrest.
     pub(in crate::study) fn arrest(&self) -> Option<ContactEnd> {
         self.end.arrested.then_some(self.end)
@@ -150,10 +155,8 @@ pub(in crate::study) enum Wanted {
     /// Whether it goes through, however long that takes.
     Passage,
     Contact,
-    /// The same and the maximum displacement; of a stack, of its first plate.
+    /// The same and the maximum displacement.
     Displacement,
-    /// The passage and the maximum displacement of all there is.
-    Load,
 }
 
 /// The end of the first contact to this tolerance, where that alone decides what is wanted.
@@ -175,11 +178,11 @@ fn decides(scene: &Scene, wanted: Wanted) -> bool {
     let is_damped = sprung && !mechanism.damper.is_absent();
     let is_alone = scene.stack.base_thickness_m.is_none();
     stays
+        && is_alone
         && match wanted {
-            Wanted::Passage => is_alone,
+            Wanted::Passage => true,
             Wanted::Contact => is_free,
             Wanted::Displacement => is_free && !is_damped,
-            Wanted::Load => is_alone && is_free && !is_damped,
         }
 }
 

@@ -34,10 +34,13 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
     let sampled = effort.sampling.map(|sampling| SampledLimit {
         sampling,
         found: 200,
-        without: 0,
-        v50_m_s: 232.5,
-        deviation_m_s: 9.876,
-        range90_m_s: (216.4, 248.9),
+        below: 0,
+        above: 0,
+        undecided: 0,
+        v50_m_s: Some(232.5),
+        v50_95_m_s: (Some(231.1), Some(233.8)),
+        deviation_m_s: Some(9.876),
+        range90_m_s: (Some(216.4), Some(248.9)),
         perforated: 0.015,
         perforated95: (0.005, 0.043),
     });

@@ -53,6 +53,7 @@ fn front(scene: &Scene, task: &Task) -> Front {
         generations: 40,
         runs: 2460,
         given_up: 0,
+        lacks: Vec::new(),
         is_complete: true,
     }
 }

@@ -31,7 +31,7 @@ pub struct EqualMass;
 #[derive(Clone, Debug)]
 pub struct Comparison {
     pub report: compare::Report,
-    /// Mass efficiency over impact velocity and mass ratio.
+    /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
     pub map: Option<Map>,
 }
 
@@ -47,7 +47,8 @@ impl Study for EqualMass {
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
         let context = &mut Context::new(1, watch);
         let report = compare::compare(scene, Hardware::default(), context)?;
-        let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
+        // gamma, or the input that gives the plate's size in its place.
+        let axes = [("v_i", MAP_POINTS), (scene.plate.size.key(), MAP_POINTS)]
             .map(|(name, count)| map::usual_axis(scene, name, count).ok());
         let [Some(x), Some(y)] = axes.map(|axis| axis.filter(|_| report.is_complete)) else {
             return Ok(Finding::new(Comparison { report, map: None }));

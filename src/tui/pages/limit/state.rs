@@ -239,8 +239,10 @@ impl App {
             parts.extend(report.caution());
             let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
             if let Some(found) = &report.sampled {
-                let (v50, spread) =
-                    (units::velocity(found.v50_m_s, 4), units::velocity(found.deviation_m_s, 4));
+                let known = |it: Option<f64>| {
+                    it.map_or_else(|| "?".to_owned(), |it| units::velocity(it, 4))
+                };
+                let (v50, spread) = (known(found.v50_m_s), known(found.deviation_m_s));
                 parts.push(format!("V50 {v50}, spread {spread} (inputs alone)"));
             }
             let crowded = self.limit_pages().is_some();
