@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::model::impact::body::MaximumDisplacement;
 use crate::model::impact::contact::PlateResponse;
 use crate::model::impact::problem::Problem;
+use crate::model::impact::record::Record;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
@@ -76,6 +77,7 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
         exit_time_s: record.exit.map(|exit| exit.0),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.push_ratio,
+        interface_tension_ratio: tension(problem, &record),
         error_estimate: None,
         error_estimates: Vec::new(),
         series: record.series,
@@ -86,6 +88,21 @@ pub(super) fn gather(problem: &Problem, mut simulation: Simulation<'_>, end: End
         cost,
         omitted,
         warnings,
+    }
+}
+
+/// The greatest tension that a fused interface carried, over its strength; `None` where it can let go.
+fn tension(problem: &Problem, record: &Record<'_>) -> Option<f64> {
+    let is_known = record.push_ratio.is_some() && !problem.plastic;
+    is_known.then(|| tension_ratio(record.pull_ratio, problem.grip))
+}
+
+/// The greatest tension over the strength in tension, from that over `A S_y`.
+fn tension_ratio(pull: f64, grip: f64) -> f64 {
+    match (grip > 0.0, pull > 0.0) {
+        (true, _) => pull / grip,
+        (false, true) => f64::INFINITY,
+        (false, false) => 0.0,
     }
 }
 
@@ -171,8 +188,7 @@ fn warnings(
         list.push(Warning::InterfacePush { ratio, t_s });
     }
     if let Some(t_s) = record.pull_exceeded_s {
-        let ratio =
-            if problem.grip > 0.0 { record.pull_ratio / problem.grip } else { f64::INFINITY };
+        let ratio = tension_ratio(record.pull_ratio, problem.grip);
         list.push(Warning::InterfacePull { ratio, t_s });
     }
     if record.no_strength && !problem.plastic {
