@@ -84,6 +84,9 @@ impl Page for RunTab {
                 let sorted = app.runs_sorted.next(&app.compared_runs().keys());
                 app.runs_sorted = sorted;
             }
+            (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
+                app.tell("no variable is selected: Esc shows all of them");
+            }
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
@@ -98,7 +101,7 @@ impl Page for RunTab {
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             CHARTS if app.charts.cursor_s.is_some() => note(Some(app.readout())),
-            VARIABLES => note(Some(app.variable_words(room))),
+            VARIABLES if app.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
             _ => None,
         }
     }
@@ -190,6 +193,11 @@ impl Page for RunTab {
             mechanism::ledger(app, area, canvas);
         }
     }
+}
+
+/// Whether an action changes the selected variable.
+fn edits(action: Action) -> bool {
+    matches!(action, Action::Enter | Action::Reset) || step_of(action).is_some()
 }
 
 /// Words from which on a list is clearer than going to the next one.

@@ -3,7 +3,7 @@
 pub(crate) mod draw;
 
 use crate::model::contact_phase::Ending;
-use crate::model::scene::ContactModel;
+use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::Engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, curve, percent, seconds};
@@ -76,8 +76,9 @@ impl Default for ChartView {
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
         let cheapest = || {
-            let method = self.report.as_ref()?.cheapest(TARGETS[0])?.method;
-            Method::ALL.iter().position(|one| *one == method)
+            // What a scene is run by, where it reaches the target.
+            self.tolerance_for(Method::Auto, TARGETS[0])?;
+            Method::ALL.iter().position(|one| *one == Method::Auto)
         };
         self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
     }
@@ -209,7 +210,7 @@ impl App {
     /// Whether what was measured belongs to another scene than the one on the screen.
     pub fn accuracy_is_old(&self) -> bool {
         let report = self.pages.numerics.accuracy.report.as_ref();
-        report.is_some_and(|report| *report.scene != *self.scene)
+        report.is_some_and(|report| !is_of(report, &self.scene))
     }
 
     /// The error of every method at the crosshair, in one line.
@@ -337,10 +338,16 @@ impl App {
     }
 }
 
+/// Whether a report is about a scene: every tolerance is measured, whichever the scene has.
+fn is_of(report: &Report, scene: &Scene) -> bool {
+    let run = RunSettings { tolerance: scene.run.tolerance, ..report.scene.run };
+    Scene { run, ..Scene::clone(&report.scene) } == *scene
+}
+
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(crate) fn enter(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
-    let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
+    let measured = tab.report.as_ref().is_some_and(|report| is_of(report, &app.scene));
     if !measured && !app.jobs.is_coming::<Measurements>(&app.scene) {
         measure(app);
     }
@@ -377,7 +384,7 @@ fn use_method(app: &mut App) {
             scene.contact.model = ContactModel::Appendix;
             "the listing of the thesis (contact model appendix)".to_owned()
         }
-        _ if method.is_of_engine() => {
+        Method::Auto => {
             let Some(tolerance) = tab.tolerance_for(method, TARGETS[0]) else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);
