@@ -3,6 +3,7 @@
 pub mod charts;
 pub mod editor;
 pub(crate) mod mechanism;
+pub(crate) mod report;
 pub mod runs;
 pub mod steps;
 
@@ -107,7 +108,11 @@ impl Page for RunTab {
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.run_status()
+        report::status(app).into_iter().chain(app.run_status()).collect()
+    }
+
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        report::made(app, running, news);
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
