@@ -18,6 +18,7 @@ pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// The text of a row, and its severity.
+#[derive(Clone)]
 pub(crate) struct Line {
     pub label: String,
     /// At the right; empty where the label is the value.
