@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 mod curve;
 mod faults;
+mod findings;
 mod keys;
 mod libraries;
 mod limit;
