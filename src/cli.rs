@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use clap::{Parser, ValueEnum};
 
 use crate::files::clean;
+use crate::tui::plain as draw;
 
 mod accuracy;
 mod again;
@@ -17,7 +18,6 @@ mod commands;
 mod compare;
 mod completions;
 mod design;
-mod draw;
 mod error;
 mod explain;
 mod fit;

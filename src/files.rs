@@ -14,6 +14,7 @@ pub mod library;
 pub mod paths;
 pub mod preset;
 pub mod read;
+pub mod report;
 pub mod session;
 pub mod shard;
 pub mod shots;

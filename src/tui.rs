@@ -10,6 +10,7 @@ pub mod dialogs;
 pub mod keymap;
 pub mod message;
 pub mod pages;
+pub(crate) mod plain;
 pub mod theme;
 pub mod update;
 pub mod view;

@@ -44,7 +44,7 @@ pub(super) enum Laws {
 #[derive(Debug, Args)]
 #[command(after_help = "QUANTITY is any quantity: `cmra explain quantities` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
-    Only feasible designs count (`--no-feasibility` switches this off): the interface demand is at most 1, no beam yields, no spring \
+    Only feasible designs count (`--no-feasibility` switches this off): the interface carries its load (demand and tension at most 1), no beam yields, no spring \
     leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\
     Several objectives: NSGA-II finds the Pareto front. One objective: NSGA-II, then COBYLA from the best design.\n\
     Exit status 1 when no design satisfies every constraint.")]
@@ -66,7 +66,7 @@ pub(super) struct OptimiseArguments {
         help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
     )]
     subject_to: Vec<String>,
-    /// Ignore the feasibility constraints: interface demand, yield and travel of the spring, rigid stop, plate face
+    /// Ignore the feasibility constraints: interface demand and tension, yield and travel of the spring, rigid stop, plate face
     #[arg(long)]
     no_feasibility: bool,
     /// Interface laws to search

@@ -37,6 +37,8 @@ pub struct Session {
     pub pins: Vec<(String, Scene)>,
     /// How things were shown (`glyphs`, `theme`, `window`, ...), in words the workbench chooses.
     pub view: BTreeMap<String, String>,
+    /// The setups of the tabs: texts by the names of their rows, in words the workbench chooses.
+    pub setup: BTreeMap<String, String>,
     /// Scene files opened or saved, newest first.
     pub recent: Vec<PathBuf>,
 }
@@ -70,6 +72,8 @@ struct SessionFile {
     scene: String,
     #[serde(default)]
     view: BTreeMap<String, String>,
+    #[serde(default)]
+    setup: BTreeMap<String, String>,
     #[serde(default)]
     pin: Vec<PinRow>,
 }
@@ -128,6 +132,7 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
         recent: session.recent.iter().filter_map(|path| path.to_str().map(str::to_owned)).collect(),
         scene: write::fresh(&session.scene),
         view: session.view.clone(),
+        setup: session.setup.clone(),
         pin: session
             .pins
             .iter()
@@ -262,6 +267,7 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
                 preset: file.preset,
                 pins,
                 view: file.view,
+                setup: file.setup,
                 recent: file.recent.into_iter().map(PathBuf::from).collect(),
             };
             (Some(session), problems)
@@ -284,6 +290,7 @@ mod tests {
         session.preset = Some("cocked".to_owned());
         session.pins.push(("A".to_owned(), Scene::default()));
         session.view.insert("glyphs".to_owned(), "ascii".to_owned());
+        session.setup.insert("Goal seek: is".to_owned(), "60 %".to_owned());
         note_recent(&mut session.recent, PathBuf::from("/somewhere/a.toml"));
         session
     }

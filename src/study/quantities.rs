@@ -164,6 +164,9 @@ use OfStack::{Elements, Known, Plates, Whole};
 const UNSTOPPED: &str = "nothing stops the plate";
 const NO_BASELINE: &str = "no baseline (perforated)";
 
+/// What stands for the ratio of a tension to no strength at all.
+const GRIPLESS: f64 = 1e6;
+
 /// Every quantity, in the order of files.
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
@@ -196,6 +199,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
     quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand").stack(Known(Greatest)),
+    quantity("interface_tension_ratio", "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension").stack(Known(Greatest)),
     quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().stack(Whole),
     quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().stack(Plates(Greatest)),
     quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)).stack(Elements(Sum)),

@@ -181,11 +181,19 @@ impl Plan {
             return Err(SweepError::no_axis());
         }
         for (index, axis) in axes.iter().enumerate() {
-            if axes[..index].iter().any(|other| other.symbol() == axis.symbol()) {
-                let symbol = axis.symbol();
-                let text = format!("axis {symbol}: it is swept twice; give each variable one axis");
-                return Err(SweepError(text));
-            }
+            let excludes =
+                |it: &&Axis| variables::exclude_each_other(it.variable(), axis.variable());
+            let symbol = axis.symbol();
+            let text = match axes[..index].iter().find(excludes).map(Axis::symbol) {
+                None => continue,
+                Some(other) if other == symbol => {
+                    format!("axis {symbol}: it is swept twice; give each variable one axis")
+                }
+                Some(other) => format!(
+                    "axis {symbol}: {other} is an axis too, and both set the plate's size; omit one of them"
+                ),
+            };
+            return Err(SweepError(text));
         }
         one_size(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;

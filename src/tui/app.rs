@@ -7,6 +7,7 @@ pub mod history;
 pub mod jobs;
 pub mod layout;
 pub mod notice;
+pub(crate) mod setups;
 pub mod status;
 
 use std::path::{Path, PathBuf};

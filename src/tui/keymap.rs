@@ -332,7 +332,7 @@ static GENERAL: &[Command] = &[
     named(A::Options, "Options", "settings preferences menu"),
     named(A::Presets, "Presets", "load open threats materials absorbers scenes file"),
     named(A::Save, "Save the scene", "preset write store"),
-    named(A::Export, "Export", "csv svg write file table picture chart"),
+    named(A::Export, "Export", "csv svg html md report write file table picture chart"),
     named(A::Copy, "Copy", "clipboard osc 52"),
     named(A::Run, "Run again", "recompute calculate compute"),
     named(A::Undo, "Undo", "take back"),

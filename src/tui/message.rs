@@ -181,8 +181,8 @@ pub enum FileTask {
 pub enum Content {
     Runs(RunTable),
     Page(PageTable),
-    /// The charts on the screen, as an SVG file.
-    Pictures(String),
+    /// The charts on the screen as SVG, or a report.
+    Text(String),
 }
 
 /// The table of a page, made where it is written or copied: a long one takes a moment.
@@ -224,7 +224,7 @@ impl fmt::Debug for PageTable {
 impl Content {
     pub(crate) fn is_complete(&self) -> bool {
         match self {
-            Self::Runs(_) | Self::Pictures(_) => true,
+            Self::Runs(_) | Self::Text(_) => true,
             Self::Page(table) => table.is_complete,
         }
     }
@@ -234,7 +234,7 @@ impl Content {
         match self {
             Self::Runs(runs) => runs.text(meta),
             Self::Page(table) => Ok((table.csv)(table.scene.as_ref().map_or("", |(_, name)| name))),
-            Self::Pictures(svg) => Ok(svg.clone()),
+            Self::Text(text) => Ok(text.clone()),
         }
     }
 
@@ -242,7 +242,7 @@ impl Content {
         match self {
             Self::Runs(runs) => runs.scenes(),
             Self::Page(table) => table.scene.iter().map(|(scene, _)| Beside::of(scene)).collect(),
-            Self::Pictures(_) => Vec::new(),
+            Self::Text(_) => Vec::new(),
         }
     }
 }

@@ -242,11 +242,6 @@ pub(crate) trait Page: Sync {
         is_dim || text != self.text(app, row)
     }
 
-    /// Where Enter goes from the field of a row.
-    fn after_enter(&self) -> Option<Action> {
-        Some(Action::Down)
-    }
-
     /// Change the value of a row of the pane.
     fn change(&self, _app: &mut App, _row: usize, _input: Input<'_>) -> Result<(), String> {
         Ok(())

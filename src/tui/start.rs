@@ -157,6 +157,7 @@ pub(super) fn session(app: &App) -> Session {
         preset: Some(kept_name(app)),
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
+        setup: app.setups(),
         recent: app.recent.clone(),
     }
 }
@@ -239,6 +240,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     }
     app.auto_run = word(AUTO_RUN) != Some("off");
     app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
+    app.restore_setups(&last.setup);
     app.tell(greeting(app));
 }
 
@@ -274,6 +276,31 @@ mod tests {
         App::new(base, theme, PathBuf::new())
     }
 
+    fn press(app: &mut App, keys: &str) {
+        let mut rest = keys;
+        while let Some(first) = rest.chars().next() {
+            let name = rest.strip_prefix('<').and_then(|tail| tail.split_once('>'));
+            let code = match name.map(|it| it.0) {
+                Some("Enter") => KeyCode::Enter,
+                Some("Tab") => KeyCode::Tab,
+                _ => KeyCode::Char(first),
+            };
+            rest = name.map_or_else(|| &rest[first.len_utf8()..], |it| it.1);
+            update::update(app, Message::Key(KeyEvent::new(code, KeyModifiers::NONE)));
+        }
+    }
+
+    #[test]
+    fn a_setup_that_means_nothing_any_more_is_left_alone() {
+        let mut app = state();
+        let usual = app.setups();
+        let nonsense = usual.keys().map(|row| (row.clone(), "nonsense".to_owned())).collect();
+        app.restore_setups(&nonsense);
+        assert_eq!(app.pages.search.setup, state().pages.search.setup);
+        app.restore_setups(&BTreeMap::new());
+        assert_eq!(app.setups(), usual);
+    }
+
     #[test]
     fn a_session_comes_back() {
         let mut app = state();
@@ -291,11 +318,31 @@ mod tests {
         app.charts.window = Window::Whole;
         app.theme.glyphs = app.theme.glyphs.next();
         app.recent = vec![PathBuf::from("a.toml")];
+        app.size = (80, 24);
+        press(
+            &mut app,
+            "2<Tab>/shown<Enter>l4/is<Enter><Enter>45<Enter>/variable<Enter><Enter>k<Enter>/to<Enter><Enter>9e6<Enter>/from<Enter><Enter>8e6<Enter>",
+        );
+        press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
         let kept = session(&app);
+        for (row, text) in [
+            ("Explore: shown as", "map"),
+            ("Goal seek: is", "45 %"),
+            ("Goal seek: variable", "k"),
+            ("Goal seek: from", "8e6"),
+            ("Pareto front: depth", "no"),
+            ("Pareto front: gamma", "1..5"),
+            ("Pareto front: k", "off"),
+        ] {
+            assert_eq!(kept.setup.get(row).map(String::as_str), Some(text), "{row}");
+        }
         let mut again = state();
         restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
+        assert_eq!(again.pages.search.setup, app.pages.search.setup);
+        assert_eq!(again.pages.explore.plan, app.pages.explore.plan);
+        assert!(again.history.edits.is_empty() && again.effects.is_empty());
         again.recent.clone_from(&app.recent);
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;

@@ -190,7 +190,7 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
             app.field = None;
             return;
         }
-        KeyCode::Enter => pages::of(app.tab).after_enter(),
+        KeyCode::Enter => None,
         KeyCode::Down => Some(Action::Down),
         KeyCode::Up => Some(Action::Up),
         KeyCode::Tab => Some(Action::FocusNext),
@@ -230,7 +230,8 @@ pub(crate) fn open_find(app: &mut App) {
     let Some(text) = filter.or(names) else {
         return app.tell("nothing to find in this pane: <find> works in its lists and forms");
     };
-    app.find = Some(TextField::new(text));
+    // A new text replaces the old one.
+    app.find = Some(TextField::selected(text));
 }
 
 /// A key while it is open: the list follows every character.

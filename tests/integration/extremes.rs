@@ -174,6 +174,27 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
     }
 }
 
+/// A cocked plate is struck while its spring still pulls: at the first arrest the joined interface carries the tension
+/// `m_p/(m_p + m_2) k |x|`, which only falls from there, over `g A S_y`; without a grip it carries none.
+#[test]
+fn valid_the_interface_tension_is_that_at_the_first_arrest() {
+    let own = scene("d=0.1 k=1e6");
+    let found = run(own.clone());
+    let arrest = found.first_arrest.unwrap();
+    assert!(arrest.plate_displacement_m < 0.0);
+    let geometry = cmra::model::contact::Geometry::of(&own);
+    let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
+    let exact = 0.5 * 1e6 * -arrest.plate_displacement_m / (0.1 * area * 1.52e8);
+    assert!(exact > 1.0, "{exact}");
+    assert_near(found.interface_tension_ratio.unwrap(), exact, 1e-9);
+    let text = format!("{exact:.3} times its strength g A S_y in tension");
+    assert!(found.warnings.iter().any(|warning| warning.to_string().contains(&text)));
+    let gripless = run(scene("d=0.1 k=1e6 grip=0"));
+    assert!(gripless.interface_tension_ratio.unwrap().is_infinite());
+    assert_eq!(run(scene("d=0.1 k=1e6 interface=plastic")).interface_tension_ratio, None);
+    assert_eq!(run(scene("mount=rigid")).interface_tension_ratio, None);
+}
+
 /// A plate that oscillates ever faster about the zero of a singular spring: the horizon is not reached, and that is reported.
 #[test]
 fn a_horizon_that_is_not_reached_is_reported_and_the_series_is_bounded() {

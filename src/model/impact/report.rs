@@ -73,6 +73,7 @@ pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReas
         exit_time_s: record.exit.map(|exit| exit.t_s),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.push_ratio,
+        interface_tension_ratio: tension(problem, &record),
         error_estimate: None,
         error_estimates: Vec::new(),
         series: record.series,
@@ -83,6 +84,21 @@ pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReas
         cost,
         omitted,
         warnings,
+    }
+}
+
+/// The greatest tension that a fused interface carried, over its strength; `None` where it can let go.
+fn tension(problem: &Problem, record: &Record<'_>) -> Option<f64> {
+    let is_known = record.push_ratio.is_some() && !problem.plastic;
+    is_known.then(|| tension_ratio(record.pull_ratio, problem.grip))
+}
+
+/// The greatest tension over the strength in tension, from that over `A S_y`.
+fn tension_ratio(pull: f64, grip: f64) -> f64 {
+    match (grip > 0.0, pull > 0.0) {
+        (true, _) => pull / grip,
+        (false, true) => f64::INFINITY,
+        (false, false) => 0.0,
     }
 }
 
@@ -168,8 +184,7 @@ fn warnings(
         list.push(Warning::InterfacePush { ratio, t_s });
     }
     if let Some(t_s) = record.pull_exceeded_s {
-        let ratio =
-            if problem.grip > 0.0 { record.pull_ratio / problem.grip } else { f64::INFINITY };
+        let ratio = tension_ratio(record.pull_ratio, problem.grip);
         list.push(Warning::InterfacePull { ratio, t_s });
     }
     if record.no_strength && !problem.plastic {

@@ -27,12 +27,23 @@ pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     (variable.part.listed)(scene) && (variable.visible.listed)(scene)
 }
 
-/// Whether the workbench's lists offer the variable: what is listed, less the values of a stop that is not there or of
-/// its other kind. Files keep those, for the stop may come back.
+/// Whether the variable is one of those that each give the plate its size: of them the one that was set last counts.
+pub fn sizes_plate(variable: &Variable) -> bool {
+    matches!(variable.key, "plate.mass_ratio" | "plate.mass_kg" | "plate.face_m")
+}
+
+/// Whether two variables cannot be chosen each for itself.
+pub fn exclude_each_other(one: &Variable, other: &Variable) -> bool {
+    one.key == other.key || (sizes_plate(one) && sizes_plate(other))
+}
+
+/// Whether the workbench's lists offer the variable: what is listed and what can give the plate its size, less the values of a
+/// stop that is not there or of its other kind. Files keep those, for the stop may come back.
 pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     let places_stop = variable.key == "mechanism.stop.position_m";
     let of_stop = variable.group == Group::Stop && !places_stop;
-    is_listed(variable, scene) && (!of_stop || is_used(variable, scene))
+    let is_there = is_listed(variable, scene) || (is_sprung(scene) && sizes_plate(variable));
+    is_there && (!of_stop || is_used(variable, scene))
 }
 
 pub(in crate::model) fn is_oblique(scene: &Scene) -> bool {

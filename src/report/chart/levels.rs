@@ -6,6 +6,8 @@ use crate::report::steps::{Step, decade, power};
 /// The most bands: as many as there are characters in the ramp.
 pub const BANDS_MAX: usize = 10;
 
+const DECADE: f64 = 10.0;
+
 /// Round bounds in rising order; band i is from bound i to bound i + 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Levels {
@@ -17,8 +19,9 @@ impl Levels {
     pub fn of(scale: Scale, values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let view = ViewRange::of(scale, values)?;
         Some(match scale {
-            Scale::Linear => Self::linear(view),
-            Scale::Log10 => Self::logarithmic(view),
+            // Within a decade there are too few of 1, 2 and 5.
+            Scale::Log10 if view.hi() > DECADE * view.lo() => Self::logarithmic(view),
+            Scale::Linear | Scale::Log10 => Self::linear(view),
         })
     }
 
@@ -113,6 +116,7 @@ mod tests {
         assert_eq!(bounds(Scale::Log10, 1e-6, 0.5).len(), 7);
         assert_eq!(bounds(Scale::Log10, 3.0, 40.0), [2.0, 5.0, 10.0, 20.0, 50.0]);
         assert!(bounds(Scale::Log10, 1e-30, 1.0).len() <= BANDS_MAX + 1);
+        assert_eq!(bounds(Scale::Log10, 56.0, 97.5), bounds(Scale::Linear, 56.0, 97.5));
         assert!(Levels::of(Scale::Linear, [f64::NAN]).is_none());
         assert!(Levels::of(Scale::Log10, [0.0]).is_none());
     }

@@ -79,7 +79,7 @@ impl Task {
                     .constraints
                     .iter()
                     .any(|it| !it.is_feasibility && it.measure.name == column.name)
-                || column.name == "interface_demand_ratio"
+                || column.name.starts_with("interface_")
         };
         let measures = self.measures();
         (0..measures.len()).filter(|at| named(&measures[*at])).collect()

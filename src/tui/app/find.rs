@@ -1,10 +1,12 @@
 //! Finding by text: how well a text matches.
 
+use crate::model::variables::Variable;
 use crate::study::quantities::{QUANTITIES, Quantity, named};
 
 /// How well what was typed matches something with these names, described by this text: smaller is better, `None` not at all.
 ///
-/// A whole name comes first, then the beginning of a name, then the beginnings of words, then any part.
+/// A whole name comes first, then the beginning of a name, then the beginnings of words of a name, those of any words, and last a
+/// long part of a word.
 pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     let typed = plain(typed);
     if typed.is_empty() {
@@ -12,16 +14,32 @@ pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     }
     let names: Vec<String> = names.iter().map(|name| plain(name)).collect();
     let all = format!("{} {}", names.join(" "), plain(text));
-    let begins_a_word = |word: &str| all.split(' ').any(|other| other.starts_with(word));
+    let begin_words = |text: &str| {
+        let begins = |word: &str| text.split(' ').any(|other| other.starts_with(word));
+        typed.split(' ').all(begins)
+    };
     if names.contains(&typed) {
         Some(1)
     } else if names.iter().any(|name| name.starts_with(&typed)) {
         Some(2)
-    } else if typed.split(' ').all(begins_a_word) {
+    } else if names.iter().any(|name| begin_words(name)) {
         Some(3)
+    } else if begin_words(&all) {
+        Some(4)
     } else {
-        all.contains(&typed).then_some(4)
+        (typed.len() >= PART_LEAST && all.contains(&typed)).then_some(5)
     }
+}
+
+/// Letters from which on a text is found inside a word: fewer are in too many words.
+const PART_LEAST: usize = 5;
+
+/// How well what was typed matches a variable: by symbol, alias, label, or its name on the command line, else by its meaning.
+pub fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
+    let name = variable.name();
+    let mut names = vec![variable.symbol, variable.label, &name];
+    names.extend(variable.aliases);
+    rank(typed, &names, &[variable.key, variable.meaning, variable.group.title()].join(" "))
 }
 
 /// The ones that match, best first; those that match alike stay in their order.
@@ -66,7 +84,10 @@ mod tests {
     fn a_whole_name_comes_before_a_beginning_a_word_and_a_part() {
         let names = ["kind of spring", "kappa", "k", "bulk", "a k value"];
         let found = ranked(names.iter(), |name| rank("k", &[name], ""));
-        assert_eq!(found, [&"k", &"kind of spring", &"kappa", &"a k value", &"bulk"]);
+        assert_eq!(found, [&"k", &"kind of spring", &"kappa", &"a k value"]);
+        // Four letters within a word are an accident, as quit in obliquity.
+        assert_eq!(rank("quit", &["theta"], "obliquity"), None);
+        assert_eq!(rank("iquity", &["theta"], "obliquity"), Some(5));
     }
 
     #[test]
@@ -74,6 +95,7 @@ mod tests {
         assert_eq!(rank("pareto", &["peak-force"], "projectile and rear face, to rest"), None);
         assert_eq!(rank("figure 9.8", &["figure-9.8"], ""), Some(1));
         assert_eq!(rank("pareto", &["Pareto front"], ""), Some(2));
-        assert_eq!(rank("worth", &["Comparison"], "mass efficiency worth"), Some(3));
+        assert_eq!(rank("worth", &["Comparison"], "mass efficiency worth"), Some(4));
+        assert_eq!(rank("front", &["Pareto front"], ""), Some(3));
     }
 }

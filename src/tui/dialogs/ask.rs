@@ -7,6 +7,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
+use crate::files::report::Format;
 use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
@@ -14,6 +15,7 @@ use crate::tui::dialogs::export::{self as runs, Choices};
 use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
+use crate::tui::pages::run::report;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
 use crate::tui::view;
@@ -123,10 +125,23 @@ pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
 /// Does what the text was typed for; `overwrite`: a file or preset of this name may be replaced.
 fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     state.text.all_selected = false;
-    match task(app, state, overwrite) {
+    let asked = match report_file(app, state, overwrite) {
+        Some((to, format)) => report::write(app, to, format).map(|()| None),
+        None => task(app, state, overwrite),
+    };
+    match asked {
         Ok(task) => app.effects.extend(task.map(Effect::Files)),
         Err(error) => state.text.error = Some(error),
     }
+}
+
+/// The report to write, where an export goes to a path that ends as one.
+fn report_file(app: &App, state: &Ask, overwrite: bool) -> Option<(Destination, Format)> {
+    let exports = matches!(state.purpose, Purpose::Runs | Purpose::Table(_));
+    let path = path_of(app, state.text.value(), "").ok().filter(|_| exports)?;
+    let format = Format::of(&path)?;
+    let existing = Existing::replaced(overwrite);
+    Some((Destination { path, existing, meta: Meta::Inline }, format))
 }
 
 /// The file tasks; none if a question comes first.
@@ -168,7 +183,7 @@ fn export(
                     .to_owned(),
             );
         }
-        Content::Pictures(svg::file(&drawn))
+        Content::Text(svg::file(&drawn))
     } else {
         table()?
     };
@@ -176,7 +191,15 @@ fn export(
     Ok(FileTask::Export(Destination { path, existing, meta }, content))
 }
 
-pub(super) fn is_svg(path: &Path) -> bool {
+/// What is written to a path instead of the table, by its ending.
+pub(super) fn instead_of_table(path: &Path) -> Option<&'static str> {
+    if is_svg(path) {
+        return Some("the charts on the screen, as SVG");
+    }
+    Format::of(path).map(|_| "the report: inputs, results, charts, limit, sweep")
+}
+
+fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
 }
 
@@ -277,11 +300,9 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Preset => "kept with your own presets; `cmra NAME` opens it".to_owned(),
         Purpose::Runs | Purpose::Table(_) => {
             let path = app.directory.join(state.text.value().trim());
-            let other = if is_svg(&path) {
-                "the charts on the screen, as SVG"
-            } else {
-                "a name that ends in .svg writes the charts on the screen"
-            };
+            let other = instead_of_table(&path).unwrap_or(
+                "a name that ends in .svg writes the charts on the screen, .html or .md the report of the scene",
+            );
             format!("to {}\n{other}", path.display())
         }
         // The required format of the file, and the present points.

@@ -7,7 +7,6 @@ use crate::files::export::{Meta, RunTable};
 use crate::files::style::Style;
 use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::status::clip;
-use crate::tui::dialogs::ask::is_svg;
 use crate::tui::dialogs::{Ask, Purpose, ask, frame, wrap};
 use crate::tui::prelude::*;
 use crate::tui::widgets::RowList;
@@ -248,7 +247,8 @@ pub(super) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
     let choices = &state.choices;
     let rows = choices.shown();
     let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-    let pane = PaneFrame::new("Export to CSV (charts: end the name in .svg)").right("Enter writes");
+    let pane =
+        PaneFrame::new("Export to CSV (charts: .svg, report: .html, .md)").right("Enter writes");
     let inner = frame(screen, (100, wanted), pane, canvas);
     let foot = FOOT.min(inner.height.saturating_sub(4));
     let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
@@ -302,9 +302,10 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     let width = usize::from(area.width);
     let text = format!("to {}", app.directory.join(state.text.value().trim()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
-    let is_svg = is_svg(Path::new(state.text.value().trim()));
+    let other = ask::instead_of_table(Path::new(state.text.value().trim()));
+    let of_tables = other.map(|what| format!("{what}; the choices above are for tables"));
     let note = match state.choices.meta() {
-        _ if is_svg => "the charts on the screen, as SVG; the choices above are for tables",
+        _ if of_tables.is_some() => of_tables.as_deref().unwrap_or_default(),
         Meta::Beside => "with a .toml file beside it that reproduces the same digits",
         Meta::Inline => "with the scene in # lines at the top, which some programs cannot read",
     };
@@ -314,7 +315,7 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
         vec![(text.to_owned(), Role::Warning)]
     } else if let Some(error) = &state.text.error {
         wrapped(&format!("x {error}"), area.width, Role::Error).collect()
-    } else if state.completions.is_empty() && is_svg {
+    } else if state.completions.is_empty() && other.is_some() {
         Vec::new()
     } else if state.completions.is_empty() {
         preview(app, &state.choices).into_iter().map(|line| (line, Role::Dim)).collect()

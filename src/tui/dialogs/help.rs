@@ -30,7 +30,8 @@ pub(crate) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas
 
 /// The matches of `:`, and the effect of Enter on the selected one.
 pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let pane = PaneFrame::new("Find an action, preset, variable or page").right("Esc closes");
+    let pane =
+        PaneFrame::new("Find an action, variable, quantity, preset or page").right("Esc closes");
     let inner = frame(screen, (76, 20), pane, canvas);
     filter(picker, inner, canvas);
     let (list, foot) = split_bottom(split_top(inner, 1).1, DOES);
@@ -43,7 +44,7 @@ pub(crate) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Can
         let item = &found[index];
         let mark = if item.kind() == "broken" { "!" } else { " " };
         canvas.put(row, (0, 0), mark, Role::Warning);
-        canvas.put(row, (2, 0), &clip(item.name(), 40), Role::Text);
+        canvas.put(row, (2, 0), &clip(&item.name(), 40), Role::Text);
         let kind = row.width.saturating_sub(10);
         canvas.put(row, (kind, 0), item.kind(), Role::Dim);
     });

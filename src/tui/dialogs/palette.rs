@@ -1,11 +1,16 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
 
-use crate::model::variables::{VARIABLES, is_offered};
-use crate::tui::app::find::{rank, ranked};
+use crate::model::variables::{VARIABLES, Variable, is_offered};
+use crate::report::series::Quantity as Curve;
+use crate::study::quantities::{QUANTITIES, Quantity};
+use crate::tui::app::find::{rank, rank_variable, ranked};
 use crate::tui::dialogs::{Picker, presets};
 use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::PresetEntry;
-use crate::tui::pages::{self, run};
+use crate::tui::pages::explore::setup;
+use crate::tui::pages::run::charts;
+use crate::tui::pages::run::editor::{WIDE, shown_value};
+use crate::tui::pages::{self, explore, run};
 use crate::tui::prelude::*;
 use crate::tui::update::act;
 use crate::tui::widgets::axis::numeric;
@@ -16,15 +21,23 @@ pub enum Item<'a> {
     Command(&'static Command),
     /// A variable, by index into the table.
     Variable(usize),
+    /// What a curve of a run shows.
+    Curve(Curve),
+    Quantity(&'static Quantity),
     Preset(&'a PresetEntry),
 }
 
 impl Item<'_> {
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> String {
         match self {
-            Self::Command(command) => command.name,
-            Self::Variable(index) => VARIABLES[*index].symbol,
-            Self::Preset(entry) => &entry.name,
+            Self::Command(command) => command.name.to_owned(),
+            Self::Variable(index) => {
+                let Variable { symbol, label, .. } = &VARIABLES[*index];
+                if symbol == label { label.to_string() } else { format!("{symbol}  {label}") }
+            }
+            Self::Curve(curve) => curve.title().to_owned(),
+            Self::Quantity(quantity) => quantity.title(),
+            Self::Preset(entry) => entry.name.clone(),
         }
     }
 
@@ -33,6 +46,8 @@ impl Item<'_> {
         match self {
             Self::Command(_) => "action",
             Self::Variable(_) => "variable",
+            Self::Curve(_) => "curve",
+            Self::Quantity(_) => "quantity",
             Self::Preset(entry) if entry.problem.is_some() => "broken",
             Self::Preset(entry) => match (&entry.part, entry.origin) {
                 (Some(_), origin) => origin,
@@ -44,11 +59,11 @@ impl Item<'_> {
     fn rank(&self, typed: &str) -> Option<usize> {
         match self {
             Self::Command(command) => rank(typed, &[command.name], command.synonyms),
-            Self::Variable(index) => {
-                let variable = &VARIABLES[*index];
-                let mut names = vec![variable.symbol, variable.key];
-                names.extend(variable.aliases);
-                rank(typed, &names, variable.meaning)
+            Self::Variable(index) => rank_variable(typed, &VARIABLES[*index]),
+            Self::Curve(curve) => rank(typed, &[curve.title(), curve.symbol()], ""),
+            Self::Quantity(quantity) => {
+                let names = [quantity.title(), quantity.heading()];
+                rank(typed, &names.each_ref().map(String::as_str), quantity.meaning)
             }
             Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
         }
@@ -66,8 +81,11 @@ impl App {
         let variables = offered
             .filter(|(_, variable)| is_offered(variable, &self.scene))
             .map(|(index, _)| Item::Variable(index));
+        let curves = Curve::ALL.into_iter().map(Item::Curve);
+        let quantities = QUANTITIES.iter().map(Item::Quantity);
         let presets = self.presets.iter().map(Item::Preset);
-        ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
+        let all = commands.chain(variables).chain(curves).chain(quantities).chain(presets);
+        ranked(all, |item| item.rank(typed))
     }
 
     pub fn palette_does(&self, item: &Item<'_>) -> String {
@@ -84,9 +102,13 @@ impl App {
                 let variable = &VARIABLES[*index];
                 let verb =
                     if numeric().any(|one| one.key == variable.key) { "type" } else { "choose" };
-                let (symbol, now) = (variable.symbol, variable.show(&self.scene));
+                let (symbol, now) = (variable.symbol, shown_value(variable, &self.scene, WIDE));
                 format!("Enter: {verb} {symbol}, now {now}: {}", variable.meaning)
             }
+            Item::Curve(curve) => {
+                format!("Enter: draw {} in the selected chart of Run", curve.title().to_lowercase())
+            }
+            Item::Quantity(quantity) => format!("Enter: show it in Explore: {}", quantity.meaning),
             Item::Preset(entry) => match (&entry.problem, &entry.part) {
                 (Some(problem), _) => format!("cannot be loaded: {problem}"),
                 (None, Some(part)) => {
@@ -125,6 +147,15 @@ pub(crate) fn chosen(app: &mut App, picker: &Picker) {
             app.editor.filter.clear();
             app.editor.selected = index;
             run::open(app);
+        }
+        Some(Item::Curve(curve)) => {
+            app.focus_on(run::CHARTS);
+            charts::show(app, curve);
+        }
+        Some(Item::Quantity(quantity)) => {
+            app.focus_on(explore::RESULTS);
+            setup::choose_output(app, quantity.name);
+            pages::of(Tab::Explore).enter(app);
         }
         Some(Item::Preset(entry)) => {
             let entry = entry.clone();

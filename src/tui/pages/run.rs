@@ -3,6 +3,7 @@
 pub mod charts;
 pub mod editor;
 pub(crate) mod mechanism;
+pub(crate) mod report;
 pub mod runs;
 pub mod steps;
 
@@ -84,6 +85,9 @@ impl Page for RunTab {
                 let sorted = app.runs_sorted.next(&app.compared_runs().keys());
                 app.runs_sorted = sorted;
             }
+            (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
+                app.tell("no variable is selected: Esc shows all of them");
+            }
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),
             (_, VARIABLES) => match step_of(action) {
@@ -98,13 +102,17 @@ impl Page for RunTab {
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             CHARTS if app.charts.cursor_s.is_some() => note(Some(app.readout())),
-            VARIABLES => note(Some(app.variable_words(room))),
+            VARIABLES if app.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
             _ => None,
         }
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
-        app.run_status()
+        report::status(app).into_iter().chain(app.run_status()).collect()
+    }
+
+    fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        report::made(app, running, news);
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -190,6 +198,11 @@ impl Page for RunTab {
             mechanism::ledger(app, area, canvas);
         }
     }
+}
+
+/// Whether an action changes the selected variable.
+fn edits(action: Action) -> bool {
+    matches!(action, Action::Enter | Action::Reset) || step_of(action).is_some()
 }
 
 /// Words from which on a list is clearer than going to the next one.

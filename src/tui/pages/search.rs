@@ -5,7 +5,7 @@ pub mod setup;
 pub mod state;
 
 use crate::model::scene::InterfaceLaw;
-use crate::study::quantities::named;
+use crate::study::quantities::{Needs, named};
 use crate::study::search::front::Front;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
@@ -279,10 +279,6 @@ impl Page for SearchTab {
         }
     }
 
-    fn after_enter(&self) -> Option<Action> {
-        None
-    }
-
     fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
         if app.pane() != RESULTS {
             return None;
@@ -380,7 +376,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot, stepped: bool) {
     edit::note(app, before, label, stepping);
 }
 
-fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
+pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
     let setup = Arc::make_mut(&mut app.pages.search.setup);
@@ -392,7 +388,13 @@ fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
             Axis::of(&axis, &SCAN).map_err(|error| error.to_string())?;
             setup.seek = axis;
         }
-        (Row::Result, _) => setup.goal.0 = quantity_after(setup.goal.0, input)?,
+        (Row::Result, _) => {
+            let next = quantity_after(setup.goal.0, input)?;
+            if next != setup.goal.0 {
+                let value = first_goal(app, next);
+                Arc::make_mut(&mut app.pages.search.setup).goal = (next, value);
+            }
+        }
         (Row::Output, _) => setup.output = quantity_after(setup.output, input)?,
         (Row::Goal, Input::Text(text)) => {
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
@@ -422,6 +424,16 @@ fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), String> {
         (_, Input::Text(text)) => read_number(setup, row, text)?,
     }
     Ok(())
+}
+
+/// A goal to begin with: the value of the run on the screen in two digits, where it has one at once.
+fn first_goal(app: &App, name: &str) -> f64 {
+    let run = app.shown.as_ref().filter(|_| !app.shows_old()).map(|shown| &shown.run);
+    let quantity = named(name).ok().filter(|quantity| quantity.needs() != Needs::Limit);
+    let value = quantity.zip(run).and_then(|(quantity, run)| quantity.value(run));
+    let velocity_m_s = app.scene.projectile.velocity_m_s;
+    let value = value.unwrap_or_else(|| if name.ends_with("_m_s") { velocity_m_s } else { 1.0 });
+    significant(value, 2).parse().unwrap_or(value)
 }
 
 fn step_number(setup: &mut Setup, row: Row, press: Press) {

@@ -14,6 +14,7 @@ pub struct PaneFrame<'a> {
     right: Line<'a>,
     focused: bool,
     open_below: bool,
+    keeps_right: bool,
 }
 
 impl<'a> PaneFrame<'a> {
@@ -30,6 +31,13 @@ impl<'a> PaneFrame<'a> {
     #[must_use]
     pub fn right(mut self, right: impl Into<Line<'a>>) -> Self {
         self.right = right.into();
+        self
+    }
+
+    /// What is at the right stands in the line below where it has no room on top.
+    #[must_use]
+    pub fn keeps_right(mut self) -> Self {
+        self.keeps_right = true;
         self
     }
 
@@ -71,12 +79,15 @@ impl<'a> PaneFrame<'a> {
             block = block
                 .title_top(Line::from([vec![line, " ".into()], title, vec![" ".into()]].concat()));
         }
-        if self.right.width() > 0
-            && self.title.width() + self.right.width() + 8 <= usize::from(area.width)
-        {
-            let right = styled(&self.right, Style::new());
-            let right = Line::from([vec![" ".into()], right, vec![" ".into()]].concat());
+        let right = Line::from(
+            [vec![" ".into()], styled(&self.right, Style::new()), vec![" ".into()]].concat(),
+        );
+        let room = usize::from(area.width).saturating_sub(6);
+        if right.width() > 2 && self.title.width() + right.width() <= room {
             block = block.title_top(right.right_aligned());
+        } else if right.width() > 2 && self.keeps_right && !self.open_below && right.width() <= room
+        {
+            block = block.title_bottom(right.right_aligned());
         }
         let inner = block.inner(area);
         block.render(area, buffer);

@@ -9,15 +9,12 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
-use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::editor::{WIDE, shown_value};
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
 use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
 use crate::tui::update::jobs;
-
-/// Columns that hold six digits of any value.
-const WIDE: usize = 24;
 
 /// Set a variable. `stepping` joins it with the steps just before.
 pub(crate) fn set(
@@ -240,7 +237,7 @@ pub(crate) fn step(app: &mut App, press: Press) {
     };
     let value = match (number.get)(&app.scene) {
         Some(value) => step_number(app, index, number, value, press),
-        None => press.up.then(|| steps::first_value(number)),
+        None => press.up.then(|| steps::first_value(variable, number, &app.scene)),
     };
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));

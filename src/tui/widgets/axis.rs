@@ -119,7 +119,8 @@ pub(crate) fn over(
 ) -> Result<SweepAxis, String> {
     let number = number_of(variable)?;
     let (from, to) = number.thesis_range.unwrap_or_else(|| {
-        let value = (number.get)(scene).unwrap_or_else(|| steps::first_value(number));
+        let value =
+            (number.get)(scene).unwrap_or_else(|| steps::first_value(variable, number, scene));
         let (from, to) = if value == 0.0 { (0.0, 1.0) } else { (0.5 * value, 2.0 * value) };
         let most = match number.allowed {
             Allowed::Between(_, high) => high,

@@ -18,6 +18,7 @@ pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// A row of a form: its label, its value, what its field opens with, and what it means.
+#[derive(Clone)]
 pub(crate) struct Line {
     pub label: String,
     /// At the right; empty where the label is the value.

@@ -370,6 +370,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         exit_time_s: None,
         separation: None,
         interface_demand_ratio: Some(0.108),
+        interface_tension_ratio: Some(0.0),
         error_estimate: Some(ErrorEstimate { relative: 3e-12, basis }),
         error_estimates: Vec::new(),
         series: shape.series(TURN_S),

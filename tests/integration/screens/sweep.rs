@@ -112,7 +112,7 @@ fn one_curve_and_a_logarithmic_surface() {
 fn points_without_a_value_are_letters_with_a_legend() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
     keys(&mut bench, "2<Tab>jjjjjj<Enter>v_i<Enter>");
-    keys(&mut bench, "<Enter>150<Enter><Enter>400<Enter><Tab>");
+    keys(&mut bench, "<Down><Enter>150<Down><Enter>400<Enter><Tab>");
     assert_snapshot!("surface_perforated", bench.screen());
     assert!(bench.screen().contains("P  perforated"));
     keys(&mut bench, "<PgUp><PgUp><PgUp><PgUp>");
@@ -299,7 +299,7 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
     bench.app.pages.explore.row = SetupRow::Axis(0, Part::Name);
     keys(&mut bench, "<Enter>d<Enter>");
     assert_eq!((sweep(&bench).axes[0].name.as_str(), sweep(&bench).axes[0].to), ("d", 0.5));
-    keys(&mut bench, "<Enter>1mm<Enter><Enter>50mm<Enter>");
+    keys(&mut bench, "j<Enter>1mm<Down><Enter>50mm<Enter>");
     let axis = sweep(&bench).axes[0].clone();
     assert!((axis.from - 1e-3).abs() < 1e-15 && (axis.to - 0.05).abs() < 1e-15);
     bench.app.pages.explore.row = SetupRow::Axis(0, Part::Spacing);

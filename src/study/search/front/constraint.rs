@@ -17,15 +17,16 @@ pub struct Constraint {
 }
 
 /// What a design must keep to be built, and to be what the model takes it for: name, at most, bound.
-const FEASIBILITY: [(&str, bool, f64); 5] = [
+const FEASIBILITY: [(&str, bool, f64); 6] = [
     ("interface_demand_ratio", true, 1.0),
+    ("interface_tension_ratio", true, 1.0),
     ("yield_margin", false, 1.0),
     ("travel_margin", false, 1.0),
     ("fused_stop_hits", true, 0.0),
     ("face_over_diameter", false, envelope::FACE_LEAST),
 ];
 
-/// The constraints of feasibility: the interface carries its load, no beam yields, no spring leaves its law, no rigid
+/// The constraints of feasibility: the interface carries its load in compression and in tension, no beam yields, no spring leaves its law, no rigid
 /// stop is hit under a fused interface, and the plate's face is large enough. The own mass of the mechanism is in the masses.
 pub fn feasibility() -> impl Iterator<Item = Constraint> {
     FEASIBILITY.iter().filter_map(|(name, at_most, bound)| {

@@ -1,6 +1,11 @@
 //! Fronts of scenes whose answer is known.
 
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
 use super::*;
+use crate::model::run::Warning;
+use crate::model::simulate::{Settings, simulate};
 use crate::study::context::{to_its_end, until};
 use crate::study::testing::axes;
 
@@ -118,4 +123,29 @@ fn valid_greatest_mass_under_a_constraint() {
     let design = &found[0].designs[0];
     assert!((design.values[0] - 1.0).abs() < 1e-7, "{design:?}");
     assert!(design.measures[1].unwrap() <= 4.568_088_344_392e-3);
+}
+
+/// Cocked plates are struck while the spring pulls: what the fused interface cannot carry in tension is no more feasible than what
+/// it cannot carry in compression, by the warnings of the designs' own runs.
+#[test]
+fn feasible_designs_break_no_interface() {
+    let bounds = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6), ("d", 0.0, 0.5)];
+    let mut asked = task(&bounds, &["final_penetration_m", "stroke_m"]);
+    asked.effort = Effort { population: 20, generations: 6, seed: 1 };
+    let breaches = |asked: &Task| {
+        let front = &solve(&Scene::default(), asked)[0];
+        assert!(front.designs.len() > 5);
+        let breaks = |design: &&Design| {
+            let (scene, settings) = (front.scene(asked, design), Settings::default());
+            let run = simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(()));
+            let of_interface = |warning: &Warning| {
+                matches!(warning, Warning::InterfacePush { .. } | Warning::InterfacePull { .. })
+            };
+            run.unwrap().warnings.iter().any(of_interface)
+        };
+        front.designs.iter().filter(breaks).count()
+    };
+    assert!(breaches(&asked) > 5);
+    asked.constraints = feasibility().collect();
+    assert_eq!(breaches(&asked), 0);
 }

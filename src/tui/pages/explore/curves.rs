@@ -239,7 +239,7 @@ impl<'a> ChartView<'a> {
         let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let map = Map {
-            contour: self.contour(app).map(|level| (level, "".into())),
+            contour: self.contour(app).map(|level| (level, self.column.show(level, 4).into())),
             cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
             focused: app.has_focus(RESULTS),
             ..map_over(title, &axes[0], &axes[1], Some(levels.clone()), cell)
@@ -312,7 +312,7 @@ impl<'a> ChartView<'a> {
         let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let is_log = app.pages.explore.value_scale == Scale::Log10;
-        let hint = if is_log { "Y linear" } else { "Y log" };
+        let hint = if is_log { "Y: linear" } else { "Y: log" };
         let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
         let mut row = 0;
         let show = |value: f64| significant(value * factor, 4);

@@ -8,7 +8,7 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{Axis, Sampling};
 use crate::tui::dialogs::{around, wrap};
-use crate::tui::pages::explore::state::{Picture, Sweeping, has_family, sweep_of};
+use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -188,7 +188,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         }
         (SetupRow::Axis(at, part), _) => {
             part.change(&mut sweep.axes[at], &app.scene, input, &GRID_COUNTS)?;
-            checked(app, sweep, at)?;
+            checked(app, stood_in(app, sweep, at), at)?;
         }
         (SetupRow::Picture, Input::Step(press)) => {
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
@@ -210,8 +210,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
         }
         (SetupRow::Output, _) => {
             let name = &sweep.outputs[app.pages.explore.output_of(&sweep)];
-            let next = quantity_after(name, input)?;
-            choose_output(app, sweep, next);
+            choose_output(app, quantity_after(name, input)?);
         }
         (SetupRow::Held(index), _) => edit::change(app, index, input)?,
         (SetupRow::Heading(_) | SetupRow::Design | SetupRow::Picture, _) => {}
@@ -220,11 +219,13 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
 }
 
 /// Show another output in the place of the one shown; where it is among them already, just that one.
-fn choose_output(app: &mut App, mut sweep: Sweep, name: &str) {
+pub(crate) fn choose_output(app: &mut App, name: &str) {
+    let mut sweep = sweep_of(&app.scene);
     if let Some(there) = sweep.outputs.iter().position(|one| one == name) {
         app.pages.explore.output = there;
         return;
     }
+    leave_stand_in(app, &mut sweep);
     let at = app.pages.explore.output_of(&sweep);
     name.clone_into(&mut sweep.outputs[at]);
     store(app, sweep, format!("show {name}"));
@@ -233,13 +234,13 @@ fn choose_output(app: &mut App, mut sweep: Sweep, name: &str) {
 /// Another variable on an axis; across curves also none.
 fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
-    let other = variables::find(&sweep.axes[1 - at].name).map(|found| found.key);
+    let other = variables::find(&sweep.axes[1 - at].name).ok();
     let family = at == 1 && app.picture() == Picture::Line;
     let alone = family && !has_family(&app.scene);
     let taken = |variable: &&'static Variable| {
         // The stand-in second axis gives way; one that a person chose does not.
         let stands_in = at == 0 && !has_family(&app.scene);
-        stands_in || other != Ok(variable.key)
+        stands_in || other.is_none_or(|other| !variables::exclude_each_other(other, variable))
     };
     let choices: Vec<&'static Variable> = numeric().filter(taken).collect();
     let places = choices.len() + usize::from(family);
@@ -256,7 +257,15 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
         return Ok(());
     };
     sweep.axes[at] = over(&app.scene, variable, sweep.axes[at].count)?;
-    checked(app, sweep, at)
+    checked(app, stood_in(app, sweep, at), at)
+}
+
+/// The sweep with another stand-in where a variable along takes the place of the second axis, which nobody chose.
+fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
+    if changed == 0 && !has_family(&app.scene) {
+        sweep.axes.truncate(1);
+    }
+    completed(sweep)
 }
 
 /// Change the sampling of a picture, unless the picture cannot be made then.
@@ -289,11 +298,17 @@ fn tried(
     Ok(())
 }
 
+/// The stand-in second axis becomes the scene's own only when it is shown or touched.
+fn leave_stand_in(app: &App, sweep: &mut Sweep) {
+    if app.picture() == Picture::Line && !has_family(&app.scene) {
+        sweep.axes.truncate(1);
+    }
+}
+
 /// Store a sweep that can be made, changed in one of its axes; the refusal names axis, value, rule and cure.
 fn checked(app: &mut App, mut sweep: Sweep, changed: usize) -> Result<(), String> {
-    // The stand-in second axis becomes the scene's own only when it is shown or touched.
-    if app.picture() == Picture::Line && changed == 0 && !has_family(&app.scene) {
-        sweep.axes.truncate(1);
+    if changed == 0 {
+        leave_stand_in(app, &mut sweep);
     }
     for axis in &sweep.axes {
         Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;

@@ -95,19 +95,31 @@ impl Sweeping {
         self.output.min(sweep.outputs.len() - 1)
     }
 
-    /// Show what was found; over other variables the cursor begins again, over another range it keeps its place on the screen.
+    /// Show what was found; over other variables the cursor begins again, over other values of them it stays at its own.
     pub fn show(&mut self, picture: Picture, found: Found) {
-        let axes = |found: &Found| found.grid.plan().axes().to_vec();
-        let before = self.found(picture).map(axes).unwrap_or_default();
-        let now = axes(&found);
-        if !before.iter().map(Axis::symbol).eq(now.iter().map(Axis::symbol)) {
-            self.cursor[picture as usize] = None;
-        }
-        if before != now && picture == Picture::Line {
-            self.zoomed = None;
+        let before = self.found(picture).map(|found| &*found.grid);
+        if before.is_none_or(|grid| grid.plan().axes() != found.grid.plan().axes()) {
+            let at = self.cursor[picture as usize].zip(before);
+            self.cursor[picture as usize] =
+                at.and_then(|(at, grid)| same_place(grid, at, &found.grid));
+            if picture == Picture::Line {
+                self.zoomed = None;
+            }
         }
         self.found[picture as usize] = Some(found);
     }
+}
+
+/// The point of a grid that is nearest to a point of another one over the same variables.
+fn same_place(old: &Grid, at: (usize, usize), new: &Grid) -> Option<(usize, usize)> {
+    let (before, after) = (old.plan().axes(), new.plan().axes());
+    let is_same = before.iter().map(Axis::symbol).eq(after.iter().map(Axis::symbol));
+    let value = |axis: usize| nearest(after.get(axis)?, old.coordinate(at, axis));
+    let is_inside = at.0 < old.counts().0 && at.1 < old.counts().1;
+    if !is_same || !is_inside || !old.is_full() || !new.is_full() {
+        return None;
+    }
+    Some((value(0)?, value(1).unwrap_or(0)))
 }
 
 /// The quadratic that fits an output of a grid of two axes; `None` where there is none.
@@ -138,10 +150,13 @@ pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
 pub fn sweep_of(scene: &Scene) -> Sweep {
-    let mut sweep = scene.sweep.clone().unwrap_or_default();
-    let key = |name: &str| variables::find(name).map(|variable| variable.key).ok();
+    completed(scene.sweep.clone().unwrap_or_default())
+}
+
+/// A sweep with usual axes and outputs where it has none.
+pub(super) fn completed(mut sweep: Sweep) -> Sweep {
     for (name, from, to, count) in USUAL_AXES {
-        let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
+        let taken = sweep.axes.iter().any(|axis| excludes(axis, name));
         if sweep.axes.len() < 2 && !taken {
             sweep.axes.push(SweepAxis::linear(name, from, to, count));
         }
@@ -150,6 +165,12 @@ pub fn sweep_of(scene: &Scene) -> Sweep {
         sweep.outputs = USUAL_OUTPUTS.map(str::to_owned).to_vec();
     }
     sweep
+}
+
+/// Whether an axis cannot stand beside one of a variable.
+fn excludes(axis: &SweepAxis, name: &str) -> bool {
+    let found = variables::find(&axis.name).ok().zip(variables::find(name).ok());
+    found.is_some_and(|(one, other)| variables::exclude_each_other(one, other))
 }
 
 /// Whether curves are repeated for the values of a second axis.
@@ -310,7 +331,11 @@ pub fn nearest(axis: &Axis, value: f64) -> Option<usize> {
 }
 
 pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
-    axis.set(to, axis.get(from).unwrap_or(f64::NAN));
+    if variables::sizes_plate(axis.variable()) {
+        (to.plate.size, to.plate.mass_ratio) = (from.plate.size, from.plate.mass_ratio);
+    } else {
+        axis.set(to, axis.get(from).unwrap_or(f64::NAN));
+    }
 }
 
 /// A scene with some variables at these values; its label has them.

@@ -3,7 +3,7 @@
 pub(crate) mod draw;
 
 use crate::model::contact_phase::Ending;
-use crate::model::scene::ContactModel;
+use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, curve, percent, seconds};
@@ -76,8 +76,9 @@ impl Default for ChartView {
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
         let cheapest = || {
-            let method = self.report.found.as_ref()?.cheapest(TARGETS[0])?.method;
-            Method::ALL.iter().position(|one| *one == method)
+            // What a scene is run by, where it reaches the target.
+            self.tolerance_for(Method::Auto, TARGETS[0])?;
+            Method::ALL.iter().position(|one| *one == Method::Auto)
         };
         self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
     }
@@ -206,6 +207,13 @@ impl Accuracy {
 }
 
 impl App {
+    /// The scene on the screen at the tolerance of what was measured: every tolerance is, whichever the scene has.
+    fn accuracy_scene(&self) -> Scene {
+        let RunSettings { tolerance, .. } = self.pages.numerics.accuracy.report.scene.run;
+        let run = RunSettings { tolerance, ..self.scene.run };
+        Scene { run, ..Scene::clone(&self.scene) }
+    }
+
     /// The error of every method at the crosshair, in one line.
     pub fn accuracy_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.accuracy;
@@ -226,7 +234,7 @@ impl App {
             (Some(measuring), _) => {
                 Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
             }
-            _ if tab.report.is_old(&self.scene) => Progress::Old("scene"),
+            _ if tab.report.is_old(&self.accuracy_scene()) => Progress::Old("scene"),
             (None, Some(report)) if report.is_complete => {
                 Progress::Done(format!("measured {count} points"))
             }
@@ -333,7 +341,8 @@ impl App {
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(crate) fn enter(app: &mut App) {
-    if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.scene) {
+    if app.jobs.lacks::<Measurements, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
+    {
         measure(app);
     }
 }
@@ -360,7 +369,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.report.is_old(&app.scene) || tab.report.found.is_none() {
+    if tab.report.is_old(&app.accuracy_scene()) || tab.report.found.is_none() {
         return app.refuse(NO_RESULTS);
     }
     let mut scene = (*app.scene).clone();
@@ -369,7 +378,7 @@ fn use_method(app: &mut App) {
             scene.contact.model = ContactModel::Appendix;
             "the listing of the thesis (contact model appendix)".to_owned()
         }
-        _ if method.is_of_engine() => {
+        Method::Auto => {
             let Some(tolerance) = tab.tolerance_for(method, TARGETS[0]) else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
                 return app.refuse(text);

@@ -297,10 +297,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             while app.charts.quantities.contains(&next) {
                 next = next.next();
             }
-            app.charts.quantities[selected] = next;
-            if app.charts.second[selected] == Some(next) || !next.is_over_time() {
-                app.charts.second[selected] = None;
-            }
+            show(app, next);
         }
         A::SecondAxis => second_axis(app),
         A::LogX => {
@@ -320,6 +317,20 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         },
     }
     true
+}
+
+/// Draw a quantity: the chart that has it is selected, else the selected one shows it.
+pub(crate) fn show(app: &mut App, quantity: Quantity) {
+    let charts = &mut app.charts;
+    if let Some(there) = charts.quantities.iter().position(|one| *one == quantity) {
+        charts.selected = there;
+        return;
+    }
+    let selected = charts.selected;
+    charts.quantities[selected] = quantity;
+    if charts.second[selected] == Some(quantity) || !quantity.is_over_time() {
+        charts.second[selected] = None;
+    }
 }
 
 fn second_axis(app: &mut App) {

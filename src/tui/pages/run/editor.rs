@@ -4,7 +4,7 @@ use crate::model::run::envelope;
 use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
-use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::find::{rank_variable, ranked};
 use crate::tui::dialogs::ask::extent;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
@@ -32,7 +32,7 @@ impl Editor {
     pub fn rows(&self, scene: &Scene) -> Vec<Row> {
         if !self.filter.is_empty() {
             let offered = VARIABLES.iter().enumerate().filter(|(_, it)| is_offered(it, scene));
-            let found = ranked(offered, |(_, variable)| self.rank(variable));
+            let found = ranked(offered, |(_, variable)| rank_variable(&self.filter, variable));
             return found.into_iter().map(|(index, _)| Row::Variable(index)).collect();
         }
         let mut rows = Vec::new();
@@ -61,15 +61,13 @@ impl Editor {
             .collect()
     }
 
-    pub fn variable(&self) -> &'static Variable {
-        &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
+    /// Whether the selected variable is among the rows shown: one that is not cannot be edited.
+    pub fn shows(&self, scene: &Scene) -> bool {
+        self.listed(scene).contains(&self.selected)
     }
 
-    fn rank(&self, variable: &Variable) -> Option<usize> {
-        let mut names = vec![variable.symbol];
-        names.extend(variable.aliases);
-        let text = [variable.key, variable.meaning, variable.group.title()].join(" ");
-        rank(&self.filter, &names, &text)
+    pub fn variable(&self) -> &'static Variable {
+        &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
     }
 
     /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
@@ -80,6 +78,9 @@ impl Editor {
         here.saturating_sub(height * 2 / 3).min(most)
     }
 }
+
+/// Columns that hold six digits of any value.
+pub(crate) const WIDE: usize = 24;
 
 /// The value as shown in a row: at most `width` characters, as many of six figures as fit.
 pub fn shown_value(variable: &Variable, scene: &Scene, width: usize) -> String {
@@ -161,8 +162,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     if rows.is_empty() {
         canvas.put(list, (1, 0), "no variable matches", Role::Dim);
     }
-    let foot = foot(app, usize::from(inner.width));
-    canvas.put(inner, (0, inner.height - 1), &foot, Role::Dim);
+    let foot = app.editor.shows(&app.scene).then(|| foot(app, usize::from(inner.width)));
+    canvas.put(inner, (0, inner.height - 1), &foot.unwrap_or_default(), Role::Dim);
 }
 
 fn title(app: &App) -> String {

@@ -14,7 +14,7 @@ use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
-use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::editor::{WIDE, shown_value};
 use crate::tui::widgets::table::Grid;
 
 /// The letters pins get, in order.
@@ -210,8 +210,8 @@ fn difference(app: &App, pin: &Pin, width: usize) -> Vec<TextLine> {
         .into_iter()
         .map(|index| {
             let variable = &VARIABLES[index];
-            let (then, now) = (variable.show(&pin.scene), variable.show(&app.scene));
-            format!("{} {then} -> {now}", variable.symbol)
+            let shown = |scene: &Scene| shown_value(variable, scene, WIDE);
+            format!("{} {} -> {}", variable.symbol, shown(&pin.scene), shown(&app.scene))
         })
         .collect();
     let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };

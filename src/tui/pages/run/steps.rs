@@ -1,7 +1,8 @@
 //! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
 
-use crate::model::units::Quantity;
-use crate::model::variables::{Number, Step};
+use crate::model::scene::Scene;
+use crate::model::units::{Quantity, significant};
+use crate::model::variables::{Number, Step, Variable};
 use crate::tui::pages::run::editor::shown_number;
 
 /// What changes the value of a row.
@@ -88,9 +89,15 @@ pub fn stepped(number: &Number, value: f64, press: Press, plain: i32) -> Option<
     (number.allowed.contains(next) && next.to_bits() != value.to_bits()).then_some(next)
 }
 
-/// A value to begin with where there was none.
-pub fn first_value(number: &Number) -> f64 {
-    if matches!(number.quantity, Quantity::Length | Quantity::Time) { 0.01 } else { 1.0 }
+/// A value to begin with where there was none: the plate's size as it is, in three digits.
+pub fn first_value(variable: &Variable, number: &Number, scene: &Scene) -> f64 {
+    let now = match variable.key {
+        "plate.mass_kg" => scene.plate_mass_kg(),
+        "plate.face_m" => scene.plate_face_m(),
+        _ if matches!(number.quantity, Quantity::Length | Quantity::Time) => return 0.01,
+        _ => return 1.0,
+    };
+    significant(now, 3).parse().unwrap_or(now)
 }
 
 fn linear(value: f64, up: bool, decade: i32) -> f64 {

@@ -80,11 +80,11 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let is_table = app.pages.search.page == Page::Front && has_choices;
     let hint = match (is_table, more && !has_choices) {
         // The letters of the chart above.
-        (true, _) => "S scene, A-E thesis",
-        (false, true) => "<down>/<up>: more",
-        (false, false) => "",
+        (true, _) => format!("S {}, A-E thesis", app.start_word()),
+        (false, true) => "<down>/<up>: more".to_owned(),
+        (false, false) => String::new(),
     };
-    let hint = app.keymap.shown(hint);
+    let hint = app.keymap.shown(&hint);
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint };
@@ -282,7 +282,7 @@ impl App {
             }
             Answer::Front(front, task) => {
                 let mut lines = self.designs_table(front, task, width);
-                lines.extend(broken(candidates(front, task, width), width));
+                lines.extend(broken(self.candidates(front, task, width), width));
                 lines
             }
             Answer::Sensitivity(report) if is_empty(report) => {
@@ -337,6 +337,38 @@ impl App {
         lines.push(note("X cursor, o design; and for comparison:".to_owned()));
         lines
     }
+
+    /// What the first letter of a front stands for: the scene, until another design of the front is loaded.
+    fn start_word(&self) -> &'static str {
+        let here = self.pages.search.front().is_none_or(|(front, task)| {
+            task.axes.iter().all(|axis| axis.get(&front.base) == axis.get(&self.scene))
+        });
+        if here { "scene" } else { "start of search" }
+    }
+
+    fn candidates(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
+        if front.candidates.is_empty() {
+            return vec![note(format!("generation {}: the front so far", front.generations))];
+        }
+        let mut lines = Vec::new();
+        for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
+            let (words, role) = line(standing(candidate, task));
+            let is_start = *letter == LETTERS[0];
+            let name = if is_start { self.start_word() } else { candidate.name };
+            let name = format!("{letter} {name:18}");
+            let measures = task.measures();
+            let value = |at: usize| {
+                let found = candidate.measures.get(at).copied().flatten();
+                format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
+            };
+            let found: Vec<String> = task.shown().into_iter().map(value).collect();
+            let values = found.join(", ");
+            let long = format!("{name} {words}; {values}");
+            let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
+            lines.push((text, role));
+        }
+        lines
+    }
 }
 
 fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
@@ -355,28 +387,6 @@ fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
 /// Words about a result as a line.
 fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
-}
-
-fn candidates(front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
-    if front.candidates.is_empty() {
-        return vec![note(format!("generation {}: the front so far", front.generations))];
-    }
-    let mut lines = Vec::new();
-    for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
-        let (words, role) = line(standing(candidate, task));
-        let name = format!("{letter} {:18}", candidate.name);
-        let measures = task.measures();
-        let value = |at: usize| {
-            let found = candidate.measures.get(at).copied().flatten();
-            format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
-        };
-        let found: Vec<String> = task.shown().into_iter().map(value).collect();
-        let values = found.join(", ");
-        let long = format!("{name} {words}; {values}");
-        let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
-        lines.push((text, role));
-    }
-    lines
 }
 
 /// Whether neither the scene nor any end of a variable has the result.

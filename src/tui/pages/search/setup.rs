@@ -129,9 +129,14 @@ impl App {
 
     /// The rows of the setup, headings included.
     pub(crate) fn search_rows(&self) -> Vec<Row> {
+        self.search_rows_of(self.pages.search.page)
+    }
+
+    /// The same of any page.
+    pub(crate) fn search_rows_of(&self, page: Page) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
         let mut rows = Vec::new();
-        match self.pages.search.page {
+        match page {
             Page::Seek => {
                 rows.extend([Row::Heading("Goal"), Row::Result, Row::Goal]);
                 rows.extend(has_unlimited_interface(&self.scene).then_some(Row::Law));

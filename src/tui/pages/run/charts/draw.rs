@@ -217,11 +217,14 @@ fn title(app: &App, quantity: Quantity) -> String {
 fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let quantity = app.charts.quantities[app.charts.selected];
     let views = app.visible_runs();
-    let line = |lead: String, value: &dyn Fn(&RunView<'_>) -> String| {
+    // Values first, then what they are of; without a time before them it always has room.
+    let line = |lead: String, name: &str, value: &dyn Fn(&RunView<'_>) -> String| {
         let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
-        let mut left = usize::from(area.width).saturating_sub(lead.chars().count() + 1);
+        let kept = if lead.is_empty() { name.chars().count() + 2 } else { lead.chars().count() };
+        let mut left = usize::from(area.width).saturating_sub(kept + 1);
         for (place, view) in views.iter().rev().enumerate() {
-            let (name, value) = (format!("  {} ", short_name(view)), value(view));
+            let blank = if place == 0 && lead.is_empty() { "" } else { "  " };
+            let (name, value) = (format!("{blank}{} ", short_name(view)), value(view));
             let width = name.chars().count() + value.chars().count();
             let room = if place + 1 < views.len() { MORE.len() } else { 0 };
             if width + room > left {
@@ -232,22 +235,19 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             spans.push(Span::styled(name, app.theme.style(Role::Curve(view.index))));
             spans.push(Span::raw(value));
         }
+        if !name.is_empty() && (lead.is_empty() || name.chars().count() + 2 <= left) {
+            spans.push(Span::styled(format!("  {name}"), app.theme.style(Role::Text)));
+        }
         Line::from(spans)
     };
     let first = if let Some(t_s) = app.charts.cursor_s {
-        let mut line = line(format!("t {}", engineering(t_s, "s")), &|view| {
+        line(format!("t {}", engineering(t_s, "s")), app.event_at_cursor().unwrap_or(""), &|view| {
             let second = app.charts.second[app.charts.selected];
             let second = second.filter(|_| view.letter.is_none()).map_or_else(String::new, |one| {
                 format!("  {} {}", one.symbol(), value_at(view.run, one, t_s))
             });
             value_at(view.run, quantity, t_s) + &second
-        });
-        // The name of the event has what room is left.
-        let name = app.event_at_cursor().map_or_else(String::new, |words| format!("  {words}"));
-        if line.width() + usize::from(columns(&name)) <= usize::from(area.width) {
-            line.push_span(Span::raw(name));
-        }
-        line
+        })
     } else {
         let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
         Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
@@ -256,12 +256,15 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if views.is_empty() {
         return;
     }
-    let arrest = line("first arrest".to_owned(), &|view| {
-        view.run
-            .first_arrest
-            .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
-    });
-    canvas.put_line(area, 1, &arrest);
+    // Of perforations there is none.
+    if views.iter().any(|view| view.run.first_arrest.is_some()) {
+        let arrest = line(String::new(), "first arrest", &|view| {
+            view.run
+                .first_arrest
+                .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
+        });
+        canvas.put_line(area, 1, &arrest);
+    }
 }
 
 /// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.

@@ -11,13 +11,13 @@ use crate::tui::chart::{Draw, heatmap::swatch};
 use crate::tui::theme::Theme;
 
 /// Columns and rows.
-pub(super) type Size = (u16, u16);
+pub(crate) type Size = (u16, u16);
 
 /// Rows of a chart and of a map on a page of 80 columns.
 const CHART: Size = (78, 16);
-pub(super) const MAP: Size = (78, 26);
+pub(crate) const MAP: Size = (78, 26);
 
-pub(super) fn picture(picture: &Picture) -> String {
+pub(crate) fn picture(picture: &Picture) -> String {
     match picture {
         Picture::Chart(it) => chart(it, CHART, Theme::PLAIN),
         Picture::Map(it) => map(it, MAP),
@@ -25,12 +25,12 @@ pub(super) fn picture(picture: &Picture) -> String {
 }
 
 /// A chart; its vertical axis is named by its title.
-pub(super) fn chart(chart: &Chart<'_>, (width, height): Size, theme: Theme) -> String {
+pub(crate) fn chart(chart: &Chart<'_>, (width, height): Size, theme: Theme) -> String {
     chart.to_lines(width, height, theme).join("\n") + "\n"
 }
 
 /// A map, the key of its bands, and what its letters mean.
-pub(super) fn map(map: &Map<'_>, (width, height): Size) -> String {
+pub(crate) fn map(map: &Map<'_>, (width, height): Size) -> String {
     let title = format!("{}, up: {}", map.title, map.y.label).into();
     let drawn = Map { title, ..map.clone() };
     let mut text = drawn.to_lines(width, height, Theme::PLAIN).join("\n") + "\n";
