@@ -313,19 +313,14 @@ impl Plan {
     }
 }
 
-/// Refuses two inputs that both give the plate's size: the last one would win without a word.
+/// Refuses an axis over the plate's size where the scene gives it by another input: the axis would win without a word.
 fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
-    let mut sizes = axes.iter().filter(|axis| PlateSize::KEYS.contains(&axis.variable().key));
-    let Some(first) = sizes.next() else { return Ok(()) };
-    let axis = first.symbol();
-    if let Some(second) = sizes.next() {
-        let second = second.symbol();
-        return Err(SweepError(format!(
-            "axes {axis} and {second}: both give the plate's size; omit one of them"
-        )));
-    }
+    let Some(sizing) = axes.iter().find(|axis| variables::sizes_plate(axis.variable())) else {
+        return Ok(());
+    };
+    let axis = sizing.symbol();
     let key = scene.plate.size.key();
-    let given = variables::find(key).ok().filter(|it| it.key != first.variable().key);
+    let given = variables::find(key).ok().filter(|it| it.key != sizing.variable().key);
     let Some(given) = given.filter(|_| scene.plate.size != PlateSize::Ratio) else { return Ok(()) };
     let (symbol, value) = (given.symbol, given.show(scene));
     Err(SweepError(format!(

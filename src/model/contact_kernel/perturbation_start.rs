@@ -147,7 +147,7 @@ impl Contact {
             let by = omitted.taken(growth, scale_s, 1.0 / plate_mobility, w_m_s);
             part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
         }
-        let by_balance = similarity_start::part(tolerance, 2.0);
+        let by_balance = similarity_start::part(tolerance, false);
         (part > LATER_MIN * by_balance).then_some(2.0 * part)
     }
 
@@ -225,7 +225,7 @@ mod tests {
                 let other = contact.first_step(singular, 1e-12, TERMS_TIGHT).unwrap();
                 assert!(
                     early.t_s
-                        > 3.0 * similarity_start::part(tolerance, 2.0) * contact.scale_s.unwrap()
+                        > 3.0 * similarity_start::part(tolerance, false) * contact.scale_s.unwrap()
                 );
                 let plan = Plan { progress: early, tolerance, reach_m: None, terms: TERMS };
                 let ends = (contact.plan(&plan).unwrap(), contact.plan(&other).unwrap());

@@ -34,17 +34,17 @@ pub(super) struct Moved {
     pub(super) w_m_s: f64,
 }
 
-/// The part of the contact's duration up to which what is left of the state's error, after growing with that power of time, is
-/// below the tolerance.
-pub(super) fn part(tolerance: f64, slowest: f64) -> f64 {
-    smaller((tolerance / VELOCITY_ERROR).powf(1.0 / slowest), LATEST)
+/// The part of the contact's duration up to which what is left of the state's error, after growing with time from a preload or
+/// with its square from rest, is below the tolerance.
+pub(super) fn part(tolerance: f64, is_preloaded: bool) -> f64 {
+    let left = tolerance / VELOCITY_ERROR;
+    smaller(if is_preloaded { left } else { left.sqrt() }, LATEST)
 }
 
 impl Start {
     /// The plate so early in a contact of the given duration that the error left is below the tolerance.
     pub(super) fn place(&self, contact_s: f64, tolerance: f64) -> Moved {
-        let slowest = if self.force_n > 0.0 { 1.0 } else { 2.0 };
-        let t_s = part(tolerance, slowest) * contact_s;
+        let t_s = part(tolerance, self.force_n > 0.0) * contact_s;
         let force = self.force_n + self.growth_n_s * t_s;
         let growth = self.growth_n_s * t_s / force;
         let by_inertia = 1.0 + growth;

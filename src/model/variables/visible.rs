@@ -1,7 +1,7 @@
 //! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows.
 
 use super::{Group, Variable};
-use crate::model::scene::{ContactModel, Mount, Scene, StopKind};
+use crate::model::scene::{ContactModel, Mount, PlateSize, Scene, StopKind};
 
 /// When a variable matters.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
 
 /// Whether the variable is one of those that each give the plate its size: of them the one that was set last counts.
 pub fn sizes_plate(variable: &Variable) -> bool {
-    matches!(variable.key, "plate.mass_ratio" | "plate.mass_kg" | "plate.face_m")
+    PlateSize::KEYS.contains(&variable.key)
 }
 
 /// Whether two variables cannot be chosen each for itself.

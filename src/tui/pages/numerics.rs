@@ -25,7 +25,7 @@ pub struct Numerics {
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[Part::Chart], keys: &[
         key(A::Down, "method", "select another method"),
-        key(A::Enter, "set tol", "set the tolerance with which auto, which runs a scene, reaches 1e-6"),
+        key(A::Enter, "set tol", "take the tolerance at which auto reaches 1e-6"),
         key(A::Right, "cursor", "move the cursor in run time"),
         key(A::ShowHide, "show/hide", "show or hide this method"),
         key(A::View, "columns", "show the next columns of the table"),

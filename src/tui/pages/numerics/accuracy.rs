@@ -208,7 +208,7 @@ impl Accuracy {
 
 impl App {
     /// The scene on the screen at the tolerance of what was measured: every tolerance is, whichever the scene has.
-    fn accuracy_scene(&self) -> Scene {
+    pub(crate) fn accuracy_scene(&self) -> Scene {
         let RunSettings { tolerance, .. } = self.pages.numerics.accuracy.report.scene.run;
         let run = RunSettings { tolerance, ..self.scene.run };
         Scene { run, ..Scene::clone(&self.scene) }

@@ -70,7 +70,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = nothing::<Measurements>(app, "measuring the first points", why);
         return canvas.put_centred(inner, &text);
     };
-    let old = tab.report.is_old(&app.scene);
+    let old = tab.report.is_old(&app.accuracy_scene());
     let emphasis = |method: Method| {
         if old {
             Emphasis::Stale
