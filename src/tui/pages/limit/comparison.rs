@@ -264,7 +264,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         column = canvas.put(area, (column, above.height), &from, Role::Text);
     }
     for (letter, words) in &map.marks {
-        let texts = [format!("  {letter} {words}"), format!("  {letter} no value")];
+        let texts = ["no value", "none"].map(|short| format!("  {letter} {short}"));
+        let texts = [format!("  {letter} {words}")].into_iter().chain(texts);
         let text = fitting(texts, usize::from(area.width.saturating_sub(column)));
         column = canvas.put(area, (column, above.height), &text, Role::Text);
     }
