@@ -86,7 +86,12 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
         let answer = Answer { warnings, page, object, rows: limit::shots(name, &report) };
         study.deliver(&report.scene, answer)?;
     }
-    let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
+    let chart = || {
+        residual(&report, report.scene.projectile.velocity_m_s, None)
+            .map(Picture::Chart)
+            .into_iter()
+            .collect()
+    };
     pictures.write(&study.table, chart)?;
     Ok(progress::exit_code(true))
 }
@@ -99,7 +104,7 @@ const LABEL: usize = 16;
 fn page(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
-    if let Some(chart) = residual(report, None) {
+    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s, None) {
         page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
     }
     page.push('\n');

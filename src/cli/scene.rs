@@ -95,19 +95,19 @@ impl Changes {
                 ));
             }
         }
-        let chosen = scene.closure();
         change(scene, &self.set)?;
         let set = |key| self.set_of(|found| found == key).is_some();
         if self.material.is_none() || set("target.closure") {
             return Ok(());
         }
+        note_closure(scene);
         if set("target.flow_strength_pa") {
             scene.target.closure = Closure::Given;
         } else if set("target.dishing") || set("target.drag_coefficient") {
-            scene.target.closure = chosen;
+            scene.target.closure = scene.closure();
         }
-        note_closure(scene);
-        Ok(())
+        // What was typed holds, beside what suits the thickness.
+        change(scene, &self.set)
     }
 
     /// Names every `--set` that the scene does not use, and what would: what a search or an axis changes may do so. Names every

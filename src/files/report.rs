@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::files::{clean, write};
+use crate::model::library;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
@@ -79,8 +80,11 @@ impl Subject<'_> {
         let title = clean::line(&scene.title);
         let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
         let mut document = Document { title, blocks: vec![Block::Paragraph(sentence(run))] };
-        if !scene.notes.is_empty() {
-            document.blocks.push(Block::Paragraph(scene.notes.clone()));
+        // Warnings have a section of their own.
+        let known: Vec<&str> = library::warnings(scene).collect();
+        let notes: Vec<&str> = scene.notes.lines().filter(|line| !known.contains(line)).collect();
+        if !notes.is_empty() {
+            document.blocks.push(Block::Paragraph(notes.join("\n")));
         }
         let warnings = envelope::warnings(run);
         let warnings = if warnings.is_empty() {
@@ -182,8 +186,11 @@ fn ballistic_limit(report: &limit::Report) -> Vec<Block> {
     let remarks = remarks(report).into_iter();
     lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let warnings = report.at_limit.as_ref().map_or(&[][..], |it| &it.warnings);
-    lines.extend(warnings.iter().map(|warning| format!("at the limit: {warning}")));
-    let chart = residual(report, None).map(Picture::Chart).map(block);
+    let known: Vec<&str> = library::warnings(&report.scene).collect();
+    let of_limit = warnings.iter().filter(|warning| !known.contains(&warning.as_str()));
+    lines.extend(of_limit.map(|warning| format!("at the limit: {warning}")));
+    let chart =
+        residual(report, report.scene.projectile.velocity_m_s, None).map(Picture::Chart).map(block);
     std::iter::once(Block::List(lines)).chain(chart).collect()
 }
 

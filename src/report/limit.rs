@@ -248,12 +248,11 @@ pub fn json(name: &str, report: &Report) -> Value {
     })
 }
 
-/// The axes of impact and residual velocity; `None` where nothing goes through.
-pub fn axes(report: &Report) -> Option<(Axis<'static>, Axis<'static>)> {
-    let own = report.scene.projectile.velocity_m_s;
+/// The axes of impact and residual velocity for a scene's own velocity; `None` where nothing goes through.
+pub fn axes(report: &Report, own_m_s: f64) -> Option<(Axis<'static>, Axis<'static>)> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
-    let own = limit.filter(|limit| own < OWN_IN_VIEW * limit).map(|_| own);
+    let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
     // Without a limit the shots cover decades.
     let scale = if limit.is_some() { Scale::Linear } else { Scale::Log10 };
     let x = Axis::over("impact velocity", "m/s", scale, impacts.chain(own))?;
@@ -277,9 +276,9 @@ fn law(view: ViewRange, limit_m_s: f64, residual: impl Fn(f64) -> f64) -> Vec<(f
     std::iter::once(limit_m_s).chain(beyond).map(|v| (v, residual(v))).collect()
 }
 
-/// The chart of the impact velocities in view, or of all; `None` where nothing goes through.
-pub fn residual(report: &Report, view: Option<ViewRange>) -> Option<Chart<'static>> {
-    let (x, y) = axes(report)?;
+/// The chart of the impact velocities in view, or of all, with a mark at a scene's own; `None` where nothing goes through.
+pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
+    let (x, y) = axes(report, own_m_s)?;
     let x = Axis { view: view.unwrap_or(x.view), ..x };
     let recht_ipson =
         report.recht_ipson.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
@@ -295,8 +294,7 @@ pub fn residual(report: &Report, view: Option<ViewRange>) -> Option<Chart<'stati
     let curves = curves.into_iter().filter(|curve| !curve.points.is_empty());
     let limit = report.limit.velocity_m_s();
     let limit = limit.map(|at| Mark::new(at, "ballistic limit").tag("v_bl"));
-    let own = report.scene.projectile.velocity_m_s;
-    let own = x.view.contains(own).then(|| Mark::new(own, "scene"));
+    let own = x.view.contains(own_m_s).then(|| Mark::new(own_m_s, "scene"));
     Some(Chart {
         marks: limit.into_iter().chain(own).collect(),
         ..Chart::new("residual velocity", x, y, curves.collect())

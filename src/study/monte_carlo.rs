@@ -111,8 +111,6 @@ const STOP: &str = "mechanism.stop.position_m";
 /// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
 /// they are, unless the spring has no other parameter.
 pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
-    // Samples keep the closure of the scene, and its drag scatters.
-    let scene = &Scene { target: scene.target_in_effect(), ..scene.clone() };
     let bodies = USUAL_KEYS.iter().filter_map(|key| variables::find(key).ok());
     let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
     let scatters = |variable: &&Variable| {

@@ -45,7 +45,25 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     );
     assert_eq!(found(&["--set", "h=3mm", "--set", "v_i=50"])["closure"], "double-yield");
     let own = found(&["--set", "h=3mm", "--set", "C_d=0.7"])["variables"].clone();
-    assert_eq!((&own["target.closure"], &own["target.dishing"]), (&"cavity".into(), &false.into()));
+    assert_eq!(
+        (&own["target.closure"], &own["target.dishing"], &own["target.drag_coefficient"]),
+        (&"double-yield".into(), &true.into(), &0.7.into())
+    );
+}
+
+/// Samples and points take the closure that suits their own thickness, so that a drag of one's own has no meaning.
+#[test]
+fn a_drag_that_the_closure_chooses_is_no_axis() {
+    let sweep = ["--material", "aa6082-t651", "--over", "C_d=0.5,1"];
+    let (_, error) = says("sweep", &sweep, 2);
+    assert!(error.contains("C_d varies, but closure = by-thickness chooses it"), "{error}");
+    // The base plate, thicker than the elements, keeps its closure: hardly scattered, V50 is the limit.
+    let stack = ["array-stacked", "--material", "aa6061-t6511", "--set", "h_base=20mm", "--json"];
+    let sampled = [&stack[..], &["--monte-carlo", "0.00001", "--samples", "30"]].concat();
+    let found: Value = serde_json::from_str(&says("limit", &sampled, 0).0).unwrap();
+    let (limit, v50) = (&found["limit_velocity_m_s"], &found["scatter"]["v50_m_s"]);
+    let (limit, v50) = (limit.as_f64().unwrap(), v50.as_f64().unwrap());
+    assert!((v50 / limit - 1.0).abs() < 1e-3, "{v50} {limit}");
 }
 
 #[test]

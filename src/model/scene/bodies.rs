@@ -54,7 +54,7 @@ parts! {
             .from("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            number(Number, NonNegative).also(&["Cd"]).used_when(|scene| resists(scene) && scene.target.closure != Closure::ByThickness).from(TABLE_9_1);
+            is(DRAG).also(&["Cd"]).used_when(|scene| resists(scene) && scene.target.closure != Closure::ByThickness).from(TABLE_9_1);
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
             is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
@@ -188,8 +188,14 @@ impl PlateSize {
     }
 }
 
+/// What is in effect is shown: a closure by thickness chooses both.
 const DISHING: Kind =
-    Kind::Switch { get: |scene| scene.target.dishing, set: |scene, on| scene.target.dishing = on };
+    Kind::Switch { get: Scene::dishing, set: |scene, on| scene.target.dishing = on };
+const DRAG: Kind = Kind::Number(Number {
+    get: |scene| Some(scene.drag_coefficient()),
+    set: |scene, value| scene.target.drag_coefficient = value.unwrap_or_default(),
+    ..Number::of(Quantity::Number, Allowed::NonNegative)
+});
 
 /// gamma: setting it makes it the input that defines the plate's size.
 const MASS_RATIO: Kind = Kind::Number(Number {

@@ -81,7 +81,6 @@ pub(super) fn sample(
     criterion: Criterion,
     context: &mut Context<'_>,
 ) -> Option<SampledLimit> {
-    let scene = &Scene { target: scene.target_in_effect(), ..Scene::clone(scene) };
     let mut tolerances = usual_tolerances(scene, sampling.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
     let mut errors = Random::new(!sampling.seed);
@@ -96,7 +95,7 @@ pub(super) fn sample(
     };
     let stop = context.stop();
     let limit_of = |sample: &[f64]| {
-        let mut own = scene.clone();
+        let mut own = Scene::clone(scene);
         for (tolerance, value) in tolerances.iter().zip(sample) {
             (tolerance.number().set)(&mut own, Some(*value));
         }

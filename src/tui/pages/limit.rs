@@ -183,8 +183,9 @@ impl Page for LimitTab {
         if app.pane() != RESIDUAL {
             return None;
         }
+        let own_m_s = app.limit_shot_m_s();
         let tab = &mut app.pages.limit;
-        let (x, _) = limit::axes(tab.report.found.as_ref()?)?;
+        let (x, _) = limit::axes(tab.report.found.as_ref()?, own_m_s)?;
         let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
         let about = tab.shot().map(|shot| shot.impact_m_s);
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))

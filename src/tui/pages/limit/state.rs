@@ -197,6 +197,13 @@ impl App {
         self.pages.limit.report.is_old(&self.limit_scene())
     }
 
+    /// The velocity of the shot that the limit is compared with: of its own scene, m/s.
+    pub fn limit_shot_m_s(&self) -> f64 {
+        let own = &self.pages.limit.report.scene;
+        let scene = if self.limit_is_old() { own } else { &self.scene };
+        scene.projectile.velocity_m_s
+    }
+
     /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
         let report = self.pages.limit.report.found.as_ref()?;
@@ -205,9 +212,8 @@ impl App {
         let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
             return Some(fitting([report.limit.absence()? + of], width));
         };
-        let shot = if is_old { &report.scene } else { &self.scene };
-        let margin = velocity_m_s / shot.projectile.velocity_m_s - 1.0;
-        let own = significant(shot.projectile.velocity_m_s, 4);
+        let own_m_s = self.limit_shot_m_s();
+        let (margin, own) = (velocity_m_s / own_m_s - 1.0, significant(own_m_s, 4));
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
         let ends = match (margin < 0.0, stopped_at_m_s) {
             (false, _) => format!(": {own} m/s is stopped"),
@@ -325,7 +331,9 @@ fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
-    let drawn = tab.report.found.as_ref().and_then(|it| Some((it, residual(it, tab.zoomed)?)));
+    let own_m_s = app.limit_shot_m_s();
+    let found = tab.report.found.as_ref();
+    let drawn = found.and_then(|it| Some((it, residual(it, own_m_s, tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
         no_curve(app, area, canvas);
         return;
