@@ -46,6 +46,12 @@ fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box
 
 /// Compute a report for a file, which is written then.
 pub(crate) fn write(app: &mut App, to: Destination, format: Format) -> Result<(), String> {
+    if let Some((running, report)) = app.jobs.study::<ReportFile>() {
+        // A second Enter does not begin again.
+        let is_this = report.to.path == to.path && running.scene == app.scene;
+        let other = "another report is being written: wait for it, or close this and cancel it";
+        return if is_this { Ok(()) } else { Err(other.to_owned()) };
+    }
     let shown = app.shown.as_ref().filter(|shown| *shown.run.scene == *app.scene);
     let shown = shown.filter(|shown| shown.took.is_some());
     let run =
