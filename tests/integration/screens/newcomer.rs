@@ -121,6 +121,8 @@ fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
         ("cocking", "d  cocking distance", "Enter: type d, now 0"),
         ("k", "k  stiffness", "Enter: type k"),
         ("gamma", "gamma  mass ratio", "Enter: type gamma"),
+        ("limit", "Limit tab", "Enter: limit tab"),
+        ("efficiency", "Comparison at equal areal mass", "Enter: comparison"),
         ("worth", "Comparison at equal areal mass", "Enter: comparison"),
         ("rigid", "rigid-mount", "show it in 1:Run"),
         ("mouse", "Switch the mouse", "Enter: switch the mouse"),
