@@ -120,7 +120,7 @@ impl App {
     pub fn efficiency_design(&self) -> Result<LabelledScene, String> {
         let map = self.comparison().and_then(|found| found.map.as_ref());
         let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
-            return Err(nothing::<EqualMass>(self, "being computed", None));
+            return Err(nothing::<EqualMass>(self, BEING_COMPUTED, None));
         };
         if self.pages.limit.comparison.is_old(&self.efficiency_scene()?) {
             return Err(old("scene"));

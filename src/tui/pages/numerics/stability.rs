@@ -246,7 +246,7 @@ fn load(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let found = tab.map.found.as_ref().zip(tab.cursor());
     let Some((map, (row, _))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
-        return app.refuse(NO_RESULTS);
+        return app.refuse(nothing::<StabilityMap>(app, BEING_COMPUTED, None));
     };
     let (symbol, value) = (map.axis.symbol(), map.values[row]);
     let index = VARIABLES.iter().position(|one| one.symbol == symbol).unwrap_or(0);
