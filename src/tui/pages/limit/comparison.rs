@@ -71,7 +71,8 @@ impl App {
 
     /// The absorber chosen, where it is not the scene's own.
     pub fn absorber(&self) -> Option<&Entry> {
-        self.absorbers().get(self.pages.limit.absorber.checked_sub(1)?).copied()
+        let name = self.pages.limit.absorber.as_ref()?;
+        self.absorbers().into_iter().find(|entry| entry.name == *name)
     }
 
     /// The scene that is compared: with the absorber chosen.
