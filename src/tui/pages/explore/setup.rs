@@ -172,7 +172,7 @@ pub(crate) fn zoom(app: &mut App, closer: bool) -> Result<(), String> {
     let (grid, mut sweep) = (Arc::clone(&found.grid), sweep_of(&app.scene));
     let at = app.cursor_point(&grid);
     for (place, axis) in sweep.axes.iter_mut().enumerate() {
-        zoom_axis(axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
+        zoom_axis(&app.scene, axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
     }
     checked(app, sweep, 1)
 }
