@@ -289,7 +289,7 @@ pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
     field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
     let (text, role) = match (&state.text.error, state.question) {
         (_, true) => (question(app, state), Role::Warning),
-        (Some(error), false) => (format!("x {error}"), Role::Error),
+        (Some(error), false) => (app.keymap.shown(&format!("x {error}")), Role::Error),
         (None, false) => (hint(app, state), Role::Dim),
     };
     canvas.put_lines(inner, 3, wrapped(&text, inner.width, role));
