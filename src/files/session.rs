@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
@@ -70,12 +70,22 @@ struct SessionFile {
     #[serde(default)]
     recent: Vec<String>,
     scene: String,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "strings")]
     view: BTreeMap<String, String>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "strings")]
     setup: BTreeMap<String, String>,
     #[serde(default)]
     pin: Vec<PinRow>,
+}
+
+/// What a table has as strings: any other value means nothing to this program, and costs nothing else.
+fn strings<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, String>, D::Error> {
+    let values: BTreeMap<String, toml::Value> = Deserialize::deserialize(file)?;
+    let strings = values.into_iter().filter_map(|(key, value)| match value {
+        toml::Value::String(text) => Some((key, text)),
+        _ => None,
+    });
+    Ok(strings.collect())
 }
 
 #[derive(Serialize, Deserialize)]
@@ -414,6 +424,19 @@ mod tests {
         assert_eq!(session.scene, example().scene);
         assert_eq!(session.pins, []);
         assert!(loaded.notice.unwrap().contains("mass_lb"));
+    }
+
+    #[test]
+    fn a_setup_that_is_no_text_costs_nothing_else() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.toml");
+        save(&path, &example(), &mut Known::default()).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        for table in ["[view]\n", "[setup]\n"] {
+            fs::write(&path, text.replacen(table, &format!("{table}later = 3\n"), 1)).unwrap();
+            let loaded = load(&path);
+            assert_eq!((loaded.session, loaded.notice), (Some(example()), None), "{table}");
+        }
     }
 
     #[test]

@@ -192,7 +192,9 @@ impl FileQueue {
             Task::SavePreset { name, scene, overwrite } => {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
-            Task::Export(to, content) => EffectReport::Exported(export(to, &content)),
+            Task::Export(to, content) => {
+                EffectReport::Exported(to.path.clone(), export(to, &content))
+            }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path, Accepts::Ordinary)

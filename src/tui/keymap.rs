@@ -258,7 +258,7 @@ impl Keymap {
         self.keys(action).first().map_or_else(String::new, |key| key.label())
     }
 
-    /// A text with the key to show in the place of each action that it names: `press <run>`.
+    /// A text with the key to show in the place of each action that it names: `press <run>`; one without a key is called by name, `:run`.
     pub fn shown(&self, text: &str) -> String {
         if !text.contains('<') {
             return text.to_owned();
@@ -266,7 +266,11 @@ impl Keymap {
         let bound = LINES.iter().flat_map(|line| line.keys);
         bound.fold(text.to_owned(), |text, (action, id, _)| {
             let mark = format!("<{id}>");
-            if text.contains(&mark) { text.replace(&mark, &self.label(*action)) } else { text }
+            if !text.contains(&mark) {
+                return text;
+            }
+            let key = self.label(*action);
+            text.replace(&mark, &if key.is_empty() { format!(":{id}") } else { key })
         })
     }
 
@@ -540,6 +544,9 @@ mod tests {
         assert_eq!(map.action(press('U')), Some(Action::Undo));
         assert_eq!(map.action(press('u')), None);
         assert_eq!(map.shown("<undo> undoes, <redo> redoes, a<b"), "U undoes, Ctrl-r redoes, a<b");
+        let none =
+            Keymap::remapped(&BTreeMap::from([("undo".to_owned(), vec![])])).expect("no key");
+        assert_eq!(none.shown("<undo> undoes, <redo> redoes"), ":undo undoes, Ctrl-r redoes");
         let refused = Keymap::remapped(&wanted("undo", "r")).unwrap_err();
         assert!(refused.contains("both") && refused.contains("undo"), "{refused}");
         assert!(Keymap::remapped(&wanted("undoo", "U")).unwrap_err().contains("cmra keys"));

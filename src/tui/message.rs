@@ -62,8 +62,8 @@ pub enum Target {
 pub enum EffectReport {
     /// A preset was saved: its name and path.
     Saved(Result<(String, PathBuf), String>),
-    /// An export was written; or the target exists already; or it failed.
-    Exported(ExportOutcome),
+    /// An export to this path was written; or the target exists already; or it failed.
+    Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.
     Presets(Vec<PresetEntry>),
     /// A scene file was read.

@@ -15,7 +15,7 @@ pub(crate) mod prelude {
     pub(crate) use std::sync::Arc;
 
     pub(crate) use super::{About, LabelledScene, Page, PageSpec, Progress, Rows, StatusPart};
-    pub(crate) use super::{note, nothing, old, part, progress};
+    pub(crate) use super::{BEING_COMPUTED, note, nothing, old, part, progress};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
     pub(crate) use crate::study::context::Context;
@@ -64,6 +64,9 @@ pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
 
 /// The words of a pane, and of its row of status, before anything was computed.
 pub(crate) const NO_RESULTS: &str = "no results yet: press <run>";
+
+/// The refusal of what needs results that are under way.
+pub(crate) const BEING_COMPUTED: &str = "being computed";
 
 /// The words for results that belong to another scene or setup than the one on the screen.
 pub(crate) fn old(whose: &str) -> String {

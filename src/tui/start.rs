@@ -302,6 +302,29 @@ mod tests {
     }
 
     #[test]
+    fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
+        let mut app = state();
+        let kept = |title: &str| [("Explore: quantity".to_owned(), title.to_owned())].into();
+        app.restore_setups(&kept("system mass"));
+        assert!(!app.is_modified());
+        app.restore_setups(&kept("max plate displacement"));
+        assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
+    }
+
+    #[test]
+    fn a_held_bound_and_an_absorber_come_back() {
+        let mut app = state();
+        press(&mut app, "44/gamma<Enter><Enter>1..5<Enter>l");
+        app.pages.limit.absorber = Some("some foam".to_owned());
+        let kept = app.setups();
+        assert_eq!(kept["Pareto front: gamma"], "1..5 off");
+        let mut again = state();
+        again.restore_setups(&kept);
+        assert_eq!(again.pages.search.setup, app.pages.search.setup);
+        assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
+    }
+
+    #[test]
     fn a_session_comes_back() {
         let mut app = state();
         Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
@@ -332,10 +355,12 @@ mod tests {
             ("Goal seek: from", "8e6"),
             ("Pareto front: depth", "no"),
             ("Pareto front: gamma", "1..5"),
-            ("Pareto front: k", "off"),
         ] {
             assert_eq!(kept.setup.get(row).map(String::as_str), Some(text), "{row}");
         }
+        // One that is held keeps its range.
+        assert!(kept.setup["Pareto front: k"].ends_with(" off"), "{kept:?}");
+        assert!(kept.setup["Pareto front: k"].contains(".."), "{kept:?}");
         let mut again = state();
         restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);

@@ -351,7 +351,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
             Some(Dialog::Ask(ask)) => ask.text.error = Some(text),
             _ => app.refuse(text),
         },
-        EffectReport::Exported(outcome) => exported(app, outcome),
+        EffectReport::Exported(path, outcome) => exported(app, &path, outcome),
         EffectReport::Presets(list) => app.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
@@ -388,20 +388,26 @@ fn saved(app: &mut App, name: String, path: &Path) {
     app.request(Effect::SaveSession);
 }
 
-fn exported(app: &mut App, outcome: ExportOutcome) {
-    match (outcome, &mut app.dialog) {
-        (ExportOutcome::Written(files), dialog) => {
-            if matches!(dialog, Some(Dialog::Ask(_))) {
-                *dialog = None;
+fn exported(app: &mut App, path: &Path, outcome: ExportOutcome) {
+    // A report takes a while: meanwhile another dialog may have been opened.
+    let directory = &app.directory;
+    let asked = match &mut app.dialog {
+        Some(Dialog::Ask(ask)) => Some(ask).filter(|ask| ask.exports_to(directory, path)),
+        _ => None,
+    };
+    match (outcome, asked) {
+        (ExportOutcome::Written(files), asked) => {
+            if asked.is_some() {
+                app.dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.tell(format!("written: {}", names.join(" and ")));
         }
-        (ExportOutcome::Exists(_), Some(Dialog::Ask(ask))) => ask.question = true,
-        (ExportOutcome::Failed(text), Some(Dialog::Ask(ask))) => ask.text.error = Some(text),
-        (ExportOutcome::Exists(path), _) => {
+        (ExportOutcome::Exists(_), Some(ask)) => ask.question = true,
+        (ExportOutcome::Failed(text), Some(ask)) => ask.text.error = Some(text),
+        (ExportOutcome::Exists(path), None) => {
             app.refuse(format!("{} already exists and was not replaced", path.display()));
         }
-        (ExportOutcome::Failed(text), _) => app.refuse(text),
+        (ExportOutcome::Failed(text), None) => app.refuse(text),
     }
 }

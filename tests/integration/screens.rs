@@ -21,7 +21,7 @@ mod thesis;
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
 use cmra::tui::app::App;
-use cmra::tui::message::{EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
 use insta::assert_snapshot;
@@ -145,7 +145,7 @@ fn dialogs() {
 fn the_export_target_exists() {
     let mut bench = Bench::open(GlyphSet::Braille, (120, 40));
     bench.keys("e<Enter>");
-    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
+    bench.export_ended(ExportOutcome::Exists("x.csv".into()));
     assert_snapshot!(bench.screen());
 }
 

@@ -23,13 +23,17 @@ pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     } else if names.iter().any(|name| name.starts_with(&typed)) {
         Some(2)
     } else if names.iter().any(|name| begin_words(name)) {
-        Some(3)
+        Some(BY_WORDS)
     } else if begin_words(&all) {
-        Some(4)
+        Some(BY_ANY_WORDS)
     } else {
         (typed.len() >= PART_LEAST && all.contains(&typed)).then_some(5)
     }
 }
+
+/// The rank of what has all the words in a name, and of what has them in its names and its text.
+pub const BY_WORDS: usize = 3;
+pub const BY_ANY_WORDS: usize = 4;
 
 /// Letters from which on a text is found inside a word: fewer are in too many words.
 const PART_LEAST: usize = 5;

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::tui::app::find::quantity_called;
 use crate::tui::pages::explore::setup::{self, SetupRow};
+use crate::tui::pages::explore::state::sweep_of;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::search;
 use crate::tui::pages::search::state::{Page, Row};
@@ -24,7 +26,7 @@ fn key(page: &str, line: &Line) -> String {
 /// What sets a row, typed; the value of one that is gone through.
 fn text(line: &Line) -> String {
     match &line.text {
-        Some(_) if line.value == "held" => "off".to_owned(),
+        Some(text) if line.value == "held" => format!("{text} off"),
         Some(text) => text.clone(),
         None => line.value.clone(),
     }
@@ -62,7 +64,7 @@ impl App {
         }
         let limit = &self.pages.limit;
         kept.insert(V50.to_owned(), limit.sampled.to_string());
-        kept.insert(ABSORBER.to_owned(), limit.absorber.to_string());
+        kept.extend(limit.absorber.clone().map(|name| (ABSORBER.to_owned(), name)));
         kept
     }
 
@@ -74,18 +76,24 @@ impl App {
         }
         self.pages.search.page = Page::default();
         self.pages.limit.sampled = kept.get(V50).is_some_and(|word| word == "true");
-        let absorber = kept.get(ABSORBER).and_then(|number| number.parse().ok());
-        self.pages.limit.absorber = absorber.unwrap_or(0);
+        self.pages.limit.absorber = kept.get(ABSORBER).cloned();
         // Restoring is no edit.
         (self.history, self.effects) = Default::default();
     }
 
     fn restore_each(&mut self, kept: &BTreeMap<String, String>) {
         for (row, line) in explore_rows(self).collect::<Vec<_>>() {
+            let wanted = kept.get(&key("Explore", &line));
+            // An output that the scene does not have would be an edit of it.
+            let outputs = sweep_of(&self.scene).outputs;
+            let is_there = |text: &String| {
+                quantity_called(text).is_ok_and(|it| outputs.iter().any(|one| one == it.name))
+            };
+            let wanted = wanted.filter(|text| row != SetupRow::Output || is_there(text));
             let now =
                 |app: &Self| explore_rows(app).find(|(one, _)| *one == row).map(|(_, line)| line);
             let change = |app: &mut Self, input: Input<'_>| setup::change(app, row, input);
-            self.restore(kept.get(&key("Explore", &line)), now, change);
+            self.restore(wanted, now, change);
         }
         for page in Page::ALL {
             self.pages.search.page = page;

@@ -33,6 +33,15 @@ impl Ask {
         if self.choices.selected == 0 { Some(&mut self.text) } else { self.choices.field_mut() }
     }
 
+    fn exports(&self) -> bool {
+        matches!(self.purpose, Purpose::Runs | Purpose::Table(_))
+    }
+
+    /// Whether it asks for an export to this path.
+    pub(crate) fn exports_to(&self, directory: &Path, path: &Path) -> bool {
+        self.exports() && directory.join(self.text.value().trim()) == path
+    }
+
     /// Another text or choice: what was said about the old one is removed.
     pub(super) fn forget(&mut self) {
         self.question = false;
@@ -126,6 +135,11 @@ pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
 fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     state.text.all_selected = false;
     let asked = match report_file(app, state, overwrite) {
+        // It is asked before the report is computed, and not only when it is written.
+        Some((to, _)) if !overwrite && to.path.exists() => {
+            state.question = true;
+            Ok(None)
+        }
         Some((to, format)) => report::write(app, to, format).map(|()| None),
         None => task(app, state, overwrite),
     };
@@ -137,8 +151,7 @@ fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
 
 /// The report to write, where an export goes to a path that ends as one.
 fn report_file(app: &App, state: &Ask, overwrite: bool) -> Option<(Destination, Format)> {
-    let exports = matches!(state.purpose, Purpose::Runs | Purpose::Table(_));
-    let path = path_of(app, state.text.value(), "").ok().filter(|_| exports)?;
+    let path = path_of(app, state.text.value(), "").ok().filter(|_| state.exports())?;
     let format = Format::of(&path)?;
     let existing = Existing::replaced(overwrite);
     Some((Destination { path, existing, meta: Meta::Inline }, format))
@@ -276,7 +289,7 @@ pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
     field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
     let (text, role) = match (&state.text.error, state.question) {
         (_, true) => (question(app, state), Role::Warning),
-        (Some(error), false) => (format!("x {error}"), Role::Error),
+        (Some(error), false) => (app.keymap.shown(&format!("x {error}")), Role::Error),
         (None, false) => (hint(app, state), Role::Dim),
     };
     canvas.put_lines(inner, 3, wrapped(&text, inner.width, role));

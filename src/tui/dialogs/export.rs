@@ -303,7 +303,7 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     let text = format!("to {}", app.directory.join(state.text.value().trim()).display());
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
     let other = ask::instead_of_table(Path::new(state.text.value().trim()));
-    let of_tables = other.map(|what| format!("{what}; the choices above are for tables"));
+    let of_tables = other.map(|what| format!("{what}; choices are for tables"));
     let note = match state.choices.meta() {
         _ if of_tables.is_some() => of_tables.as_deref().unwrap_or_default(),
         Meta::Beside => "with a .toml file beside it that reproduces the same digits",
@@ -314,7 +314,7 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
         let text = "! this file exists: o overwrite, r rename to -2, Esc back";
         vec![(text.to_owned(), Role::Warning)]
     } else if let Some(error) = &state.text.error {
-        wrapped(&format!("x {error}"), area.width, Role::Error).collect()
+        wrapped(&app.keymap.shown(&format!("x {error}")), area.width, Role::Error).collect()
     } else if state.completions.is_empty() && other.is_some() {
         Vec::new()
     } else if state.completions.is_empty() {

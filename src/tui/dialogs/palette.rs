@@ -3,7 +3,7 @@
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::report::series::Quantity as Curve;
 use crate::study::quantities::{QUANTITIES, Quantity};
-use crate::tui::app::find::{rank, rank_variable, ranked};
+use crate::tui::app::find::{BY_ANY_WORDS, BY_WORDS, rank, rank_variable, ranked};
 use crate::tui::dialogs::{Picker, presets};
 use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::PresetEntry;
@@ -61,9 +61,11 @@ impl Item<'_> {
             Self::Command(command) => rank(typed, &[command.name], command.synonyms),
             Self::Variable(index) => rank_variable(typed, &VARIABLES[*index]),
             Self::Curve(curve) => rank(typed, &[curve.title(), curve.symbol()], ""),
+            // It edits the scene: a tab or page that has a word of it comes first.
             Self::Quantity(quantity) => {
-                let names = [quantity.title(), quantity.heading()];
-                rank(typed, &names.each_ref().map(String::as_str), quantity.meaning)
+                let text = [&quantity.heading(), quantity.meaning].join(" ");
+                let rank = rank(typed, &[&quantity.title()], &text);
+                rank.map(|rank| if rank == BY_WORDS { BY_ANY_WORDS } else { rank })
             }
             Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
         }

@@ -16,7 +16,7 @@ use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::explore::plan::{PictureSweep, at_rest};
-use crate::tui::pages::explore::state::{Found, Picture, quadratic, sweep_of};
+use crate::tui::pages::explore::state::{Found, Picture, no_sweep, quadratic, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
@@ -288,7 +288,7 @@ pub(crate) fn compute(app: &mut App) {
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let picture = app.picture();
     let Some(found) = app.pages.explore.found(picture) else {
-        return app.tell(NO_RESULTS);
+        return app.tell(no_sweep(app));
     };
     let grid = Arc::clone(&found.grid);
     let at = app.cursor_point(&grid);

@@ -7,7 +7,7 @@ use crate::report::{compare, limit};
 use crate::study::limit::Limit;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
-use crate::tui::dialogs::{ask, wrap};
+use crate::tui::dialogs::{around, ask, wrap};
 use crate::tui::pages::limit::comparison::EqualMass;
 use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::prelude::*;
@@ -244,7 +244,10 @@ fn load_shot(app: &mut App) {
 fn in_comparison(app: &mut App, action: Action) -> bool {
     match action {
         Action::View => {
-            app.pages.limit.absorber = wrap(app.pages.limit.absorber, 1, app.absorbers().len() + 1);
+            let names = app.absorbers().into_iter().map(|entry| entry.name.as_str());
+            let all: Vec<Option<&str>> = std::iter::once(None).chain(names.map(Some)).collect();
+            let now = app.absorber().map(|entry| entry.name.as_str());
+            app.pages.limit.absorber = around(&all, now, 1).map(str::to_owned);
             compare(app);
         }
         Action::Enter => match (app.compared_scene(), app.absorber()) {

@@ -86,7 +86,7 @@ impl Page for RunTab {
                 app.runs_sorted = sorted;
             }
             (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
-                app.tell("no variable is selected: Esc shows all of them");
+                app.tell("no variable is selected: <back> shows all of them");
             }
             (Action::Enter, VARIABLES) => open(app),
             (Action::Reset, VARIABLES) => edit::reset(app),

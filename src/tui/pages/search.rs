@@ -212,10 +212,14 @@ impl Page for SearchTab {
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         let Some(request) = running.study.of::<Request>() else { return };
         let (tab, page) = (&mut app.pages.search, request.page() as usize);
+        // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
+        let waits = tab.page as usize != page && app.tab == Tab::Search;
         if let ReportBody::Failed(text) = news {
             tab.problem[page] = Some(text.clone());
-        }
-        if let Some(answer) = news.found() {
+            if waits {
+                self.enter(app);
+            }
+        } else if let Some(answer) = news.found() {
             let (scene, request) = (Arc::clone(&running.scene), request.clone());
             let found = state::Found { scene, request, answer };
             let before = tab.found[page].replace(found);
@@ -223,9 +227,7 @@ impl Page for SearchTab {
                 old.scene == running.scene && running.study.of() == Some(&old.request)
             };
             tab.zoomed[page].take_if(|_| !before.is_some_and(is_same));
-            // A page that was turned to meanwhile has its turn, unless a person wants the searching to stop.
             let is_complete = tab.found[page].as_ref().is_some_and(state::Found::is_complete);
-            let waits = tab.page as usize != page && app.tab == Tab::Search;
             if news.is_last() && is_complete && waits {
                 self.enter(app);
             }

@@ -104,6 +104,12 @@ fn commit(app: &mut App, scene: Arc<Scene>, base: Base, label: String, stepping:
 
 /// Updates after a change of the scene.
 fn follow(app: &mut App) {
+    if app.editor.filter.is_empty() && !app.editor.shows(&app.scene) {
+        // The variable means nothing any more: the nearest one in the list is selected.
+        let away = |index: &usize| index.abs_diff(app.editor.selected);
+        let nearest = app.editor.listed(&app.scene).into_iter().min_by_key(away);
+        app.editor.selected = nearest.unwrap_or_default();
+    }
     jobs::after_edit(app);
     explore::after_edit(app);
     app.request(Effect::SaveSession);
@@ -242,7 +248,11 @@ pub(crate) fn step(app: &mut App, press: Press) {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(Stepping::Variable(index)));
     }
-    app.tell(edge(variable, press.up));
+    let hint = match (number.get)(&app.scene) {
+        Some(_) => " (<fine-less> and <fine-more> step finer)",
+        None => "",
+    };
+    app.tell(edge(variable, press.up) + hint);
 }
 
 fn step_number(
@@ -262,11 +272,7 @@ fn step_number(
 
 fn edge(variable: &Variable, up: bool) -> String {
     let way = if up { "more" } else { "less" };
-    format!(
-        "{} cannot be stepped to {way}: it must be {} (<fine-less> and <fine-more> step finer)",
-        variable.symbol,
-        variable.allowed()
-    )
+    format!("{} cannot be stepped to {way}: it must be {}", variable.symbol, variable.allowed())
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<Stepping>) {

@@ -132,16 +132,37 @@ pub(crate) fn over(
     Ok(SweepAxis::linear(variable.symbol, from, to, count))
 }
 
-/// Zoom an axis about one of its values; an end that would not be allowed stays.
-pub(crate) fn zoom_axis(axis: &mut SweepAxis, about: f64, factor: f64) -> Result<(), String> {
+/// Zooming out ends where a range is so many times as wide as the usual one.
+const WIDEST: f64 = 10.0;
+/// On a log axis an end is no closer to 0 than this share of the greatest one.
+const LEAST_SHARE: f64 = 1e-6;
+
+/// Zoom an axis about one of its values, to no more than ten times its usual range and to no end that is not allowed.
+pub(crate) fn zoom_axis(
+    scene: &Scene,
+    axis: &mut SweepAxis,
+    about: f64,
+    factor: f64,
+) -> Result<(), String> {
     let scale = if axis.log { Scale::Log10 } else { Scale::Linear };
     let view = ViewRange::new(axis.from, axis.to).zoomed(scale, about, factor);
     let (low, high) = (view.lo(), view.hi());
     let ends = if axis.from < axis.to { (low, high) } else { (high, low) };
-    let number = number_of(find(&axis.name)?)?;
+    let variable = find(&axis.name)?;
+    let (number, usual) = (number_of(variable)?, over(scene, variable, axis.count)?);
+    let most = WIDEST * usual.from.abs().max(usual.to.abs());
+    let least = if axis.log { LEAST_SHARE * most } else { -most };
+    let (least, most) = match number.allowed {
+        Allowed::Positive | Allowed::Any => (least, most),
+        Allowed::NonNegative => (least.max(0.0), most),
+        Allowed::Between(low, high) => (least.max(low), most.min(high)),
+        Allowed::Below(low, _) => (least.max(low), most),
+    };
     for (end, next) in [(&mut axis.from, ends.0), (&mut axis.to, ends.1)] {
         // In a few digits, which a person reads in the setup.
-        let next = significant(next, 4).parse().unwrap_or(next);
+        let next: f64 = significant(next, 4).parse().unwrap_or(next);
+        // A range that was wider already stays.
+        let next = next.max(least.min(*end)).min(most.max(*end));
         if number.allowed.contains(next) {
             *end = next;
         }
@@ -176,5 +197,28 @@ fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
             variable.symbol,
             variable.allowed()
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zooming_comes_back_to_0_and_ends_at_ten_times_the_usual_range() {
+        let scene = Scene::default();
+        let mut axis = SweepAxis::linear("k", 0.0, 7.5e6, 5);
+        zoom_axis(&scene, &mut axis, 1e6, 2.0).unwrap();
+        assert_eq!((axis.from, axis.to), (5e5, 4.25e6));
+        zoom_axis(&scene, &mut axis, 1.2e6, 0.5).unwrap();
+        assert_eq!((axis.from, axis.to), (0.0, 7.3e6));
+        let usual = over(&scene, find("k").unwrap(), 5).unwrap();
+        for (log, least) in [(false, 0.0), (true, 1.0)] {
+            axis = SweepAxis { log, from: 1e4, ..axis };
+            for _ in 0..40 {
+                zoom_axis(&scene, &mut axis, 1e5, 0.5).unwrap();
+            }
+            assert!(axis.from >= least && axis.to <= 10.0 * usual.to, "{axis:?}");
+        }
     }
 }

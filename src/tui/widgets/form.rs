@@ -167,7 +167,8 @@ impl Form {
 
     pub(crate) fn render(&self, app: &App, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
         let on = app.pane() == pane;
-        let frame = PaneFrame::new("Setup").right(if on { "" } else { "Tab" });
+        let hint = app.keymap.shown(if on { "" } else { "<next-pane>" });
+        let frame = PaneFrame::new("Setup").right(hint);
         let inner = frame.focused(app.has_focus(pane)).draw(area, canvas);
         canvas.pane(area, pane);
         let field = app.field.as_ref().filter(|_| on);

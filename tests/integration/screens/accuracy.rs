@@ -11,7 +11,7 @@ use cmra::study::accuracy::reference::{Basis, Reference};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::chart::ViewRange;
-use cmra::tui::message::{EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::numerics::accuracy::Measurements;
 use cmra::tui::theme::GlyphSet;
@@ -179,11 +179,10 @@ fn the_table_is_written_and_never_over_a_file_without_consent() {
     let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
     assert!(has_scene && csv.lines().nth(1).unwrap().starts_with("thesis-baseline,"));
     assert_eq!(csv.lines().count(), points + 1);
-    let done = |outcome| Message::Done(EffectReport::Exported(outcome));
-    bench.send(done(ExportOutcome::Exists(to.path.clone())));
+    bench.export_ended(ExportOutcome::Exists(to.path.clone()));
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
-    bench.send(done(ExportOutcome::Written(vec![to.path])));
+    bench.export_ended(ExportOutcome::Written(vec![to.path]));
     assert!(bench.app.dialog.is_none());
 }
 

@@ -14,7 +14,8 @@ use cmra::model::run::{
 use cmra::model::scene::{Mount, Scene};
 use cmra::study::sweep::Plan;
 use cmra::tui::app::{App, Base};
-use cmra::tui::message::{Effect, EffectReport, FileTask, Message, PresetEntry};
+use cmra::tui::dialogs::Dialog;
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message, PresetEntry};
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
@@ -121,6 +122,13 @@ impl Bench {
             }
             _ => None,
         })
+    }
+
+    /// Report how the export ended that the open dialog asked for.
+    pub(crate) fn export_ended(&mut self, outcome: ExportOutcome) {
+        let Some(Dialog::Ask(ask)) = &self.app.dialog else { panic!("no dialog asks") };
+        let path = self.app.directory.join(ask.text.value());
+        self.send(Message::Done(EffectReport::Exported(path, outcome)));
     }
 
     /// Report on a task, as its thread would.

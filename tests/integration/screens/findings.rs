@@ -7,7 +7,8 @@ use super::{accuracy, search, sweep};
 use cmra::model::scene::PlateSize;
 use cmra::study::accuracy::method::Method;
 use cmra::study::quantities::named;
-use cmra::tui::message::Message;
+use cmra::tui::dialogs::Dialog;
+use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
@@ -243,6 +244,42 @@ fn a_goal_begins_at_the_value_of_the_scene() {
     let (name, goal) = bench.app.pages.search.setup.goal;
     assert_eq!(name, "stroke_m");
     assert!((goal / stroke - 1.0).abs() < 0.05, "{goal} {stroke}");
+}
+
+#[test]
+fn a_report_that_ends_leaves_another_dialog_alone() {
+    let path: std::path::PathBuf = "/home/ada/work/a.md".into();
+    let ended = Message::Done(EffectReport::Exported(path.clone(), ExportOutcome::Exists(path)));
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("e<C-u>a.md<Enter><Esc>s");
+    bench.send(ended.clone());
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
+    assert!(bench.message().contains("a.md already exists"), "{}", bench.message());
+    bench.keys("<Esc>e<C-u>b.md");
+    bench.send(ended.clone());
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
+    bench.keys("<C-u>a.md");
+    bench.send(ended);
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+}
+
+#[test]
+fn a_report_asks_about_its_file_first_and_is_computed_once() {
+    let place = tempfile::tempdir().unwrap();
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.directory = place.path().to_owned();
+    std::fs::write(place.path().join("a.md"), "").unwrap();
+    bench.keys("e<C-u>a.md<Enter>");
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
+    assert!(bench.studies().is_empty());
+    bench.keys("o");
+    assert_eq!(bench.studies().len(), 1);
+    bench.keys("<Esc>e<C-u>b.md<Enter>");
+    assert!(bench.studies().is_empty());
+    assert!(bench.screen().contains("another report is being written"), "{}", bench.screen());
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("e<C-u>b.md<Enter><Enter>");
+    assert_eq!(bench.studies().len(), 1);
 }
 
 #[test]

@@ -57,6 +57,8 @@ fn an_error_stays_with_the_page_that_was_searched() {
     bench.keys("4");
     bench.reply(front, ReportBody::Failed("no design has a stroke".to_owned()));
     assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
+    // The page that waited has its turn.
+    assert_eq!(searched(&mut bench).1, Page::Sensitivity);
     bench.app.notice = None;
     assert!(!bench.screen().contains("cannot be searched"), "{}", bench.screen());
     bench.app.pages.search.page = Page::Front;

@@ -487,13 +487,13 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     assert_eq!(to.existing, Existing::Keep);
     assert!(request.columns.contains(&"time_s".to_owned()));
     assert!(!request.columns.contains(&"mode".to_owned()));
-    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x".into()))));
+    bench.export_ended(ExportOutcome::Exists("x".into()));
     bench.press("r");
     let Some(Dialog::Ask(ask)) = &bench.app.dialog else {
         panic!("the dialog stays open");
     };
     assert_eq!(ask.text.value(), "thesis-baseline-x-2.csv");
-    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Written(vec!["a.csv".into()]))));
+    bench.export_ended(ExportOutcome::Written(vec!["a.csv".into()]));
     assert!(bench.app.dialog.is_none());
     assert!(bench.message().contains("written: a.csv"));
 }

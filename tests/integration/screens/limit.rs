@@ -11,7 +11,7 @@ use cmra::study::context::Context;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::monte_carlo::SampledLimit;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
-use cmra::tui::message::{EffectReport, ExportOutcome, Message};
+use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::limit::state::LimitSearch;
 use cmra::tui::pages::limit::state::SAMPLING;
 use cmra::tui::theme::GlyphSet;
@@ -209,11 +209,10 @@ fn shots_are_exported_and_a_file_is_not_replaced_without_consent() {
     assert_eq!(to.existing, Existing::Keep);
     assert_eq!(text.lines().count(), 31);
     assert!(text.starts_with("scene,impact_velocity_m_s,outcome,"));
-    let done = |outcome| Message::Done(EffectReport::Exported(outcome));
-    bench.send(done(ExportOutcome::Exists(to.path.clone())));
+    bench.export_ended(ExportOutcome::Exists(to.path.clone()));
     bench.keys("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
-    bench.send(done(ExportOutcome::Written(vec![to.path])));
+    bench.export_ended(ExportOutcome::Written(vec![to.path]));
     assert!(bench.app.dialog.is_none());
 }
 

@@ -121,6 +121,8 @@ fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
         ("cocking", "d  cocking distance", "Enter: type d, now 0"),
         ("k", "k  stiffness", "Enter: type k"),
         ("gamma", "gamma  mass ratio", "Enter: type gamma"),
+        ("limit", "Limit tab", "Enter: limit tab"),
+        ("efficiency", "Comparison at equal areal mass", "Enter: comparison"),
         ("worth", "Comparison at equal areal mass", "Enter: comparison"),
         ("rigid", "rigid-mount", "show it in 1:Run"),
         ("mouse", "Switch the mouse", "Enter: switch the mouse"),
@@ -259,6 +261,22 @@ fn a_search_without_a_match_explains_how_to_open_a_file() {
     bench.press("<Enter>");
     assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
     assert!(bench.app.dialog.is_some());
+}
+
+/// A variable that an edit takes out of the list leaves the selection to a row of the list.
+#[test]
+fn the_selection_stays_in_the_list_of_variables() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/m_2<Enter>h");
+    assert!(bench.message().contains("cannot be stepped to less"), "{}", bench.message());
+    assert!(!bench.message().contains("step finer"), "there is nothing to step");
+    let of_mass = bench.app.editor.selected;
+    bench.keys("<Enter>5<Enter><Esc>/mount<Enter>l<Esc>");
+    assert!(bench.app.editor.listed(&bench.app.scene).contains(&of_mass));
+    bench.app.editor.selected = of_mass;
+    bench.keys("d");
+    assert!(!bench.app.editor.listed(&bench.app.scene).contains(&of_mass));
+    assert!(bench.app.editor.shows(&bench.app.scene), "{}", bench.screen());
 }
 
 #[test]

@@ -12,7 +12,7 @@ use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::Base;
 use cmra::tui::dialogs::Dialog;
-use cmra::tui::message::{EffectReport, ExportOutcome, Message};
+use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
@@ -362,7 +362,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
         text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
     );
     assert_eq!(text.lines().count(), 1 + 25);
-    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
+    bench.export_ended(ExportOutcome::Exists("x.csv".into()));
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     bench.press("y");
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);

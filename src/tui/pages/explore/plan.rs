@@ -93,10 +93,10 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     }
     let counts = grid.outcomes();
     let all = counts.total();
-    let other = "<view>, or Show in the setup (Tab): another output";
+    let other = "<view>, or Show in the setup (<next-pane>): another output";
     if counts.perforated == all {
-        let instead = "or show residual_velocity_m_s (Tab, Show)";
-        let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
+        let instead = "or show residual_velocity_m_s (<next-pane>, Show)";
+        let cure = ["lower v_i, or raise h or S_y (<next-pane>, Hold)", instead];
         return lines(&format!("every point perforates: no {name}"), &cure);
     }
     if counts.arrested + counts.separated == all {
@@ -107,7 +107,7 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
         return lines(&format!("no {name}: {why}"), &[other]);
     }
     if counts.moving == all {
-        let cure = ["a longer horizon decides them (Tab, Hold)", other];
+        let cure = ["a longer horizon decides them (<next-pane>, Hold)", other];
         return lines(&format!("every point still moves at the end: no {name}"), &cure);
     }
     if counts.failed == all {

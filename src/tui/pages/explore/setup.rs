@@ -5,10 +5,13 @@ use std::ops::RangeInclusive;
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{Axis, Sampling};
 use crate::tui::dialogs::{around, wrap};
-use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
+use crate::tui::pages::explore::state::{
+    Picture, Sweeping, completed, has_family, no_sweep, sweep_of,
+};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -165,11 +168,11 @@ pub(crate) fn toggle_spacing(app: &mut App) {
 
 /// Half or twice the ranges of a map about its cursor, as the ends of its axes.
 pub(crate) fn zoom(app: &mut App, closer: bool) -> Result<(), String> {
-    let found = app.pages.explore.found(Picture::Surface).ok_or(NO_RESULTS)?;
+    let found = app.pages.explore.found(Picture::Surface).ok_or_else(|| no_sweep(app))?;
     let (grid, mut sweep) = (Arc::clone(&found.grid), sweep_of(&app.scene));
     let at = app.cursor_point(&grid);
     for (place, axis) in sweep.axes.iter_mut().enumerate() {
-        zoom_axis(axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
+        zoom_axis(&app.scene, axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
     }
     checked(app, sweep, 1)
 }
@@ -228,7 +231,8 @@ pub(crate) fn choose_output(app: &mut App, name: &str) {
     leave_stand_in(app, &mut sweep);
     let at = app.pages.explore.output_of(&sweep);
     name.clone_into(&mut sweep.outputs[at]);
-    store(app, sweep, format!("show {name}"));
+    let title = named(name).map_or_else(|_| name.to_owned(), Quantity::title);
+    store(app, sweep, format!("show {title}"));
 }
 
 /// Another variable on an axis; across curves also none.

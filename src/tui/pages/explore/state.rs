@@ -289,7 +289,7 @@ impl App {
     pub fn sweep_design(&self) -> Result<LabelledScene, String> {
         let picture = self.picture();
         let Some(found) = self.pages.explore.found(picture) else {
-            return Err(nothing::<PictureSweep>(self, "being computed", None));
+            return Err(no_sweep(self));
         };
         if self.sweep_is_old(picture) {
             return Err(old("setup"));
@@ -297,6 +297,11 @@ impl App {
         let point = self.cursor_point(&found.grid);
         Ok(placed((*self.scene).clone(), values_at(&found.grid, point)))
     }
+}
+
+/// The words where there is no sweep to act on yet.
+pub(crate) fn no_sweep(app: &App) -> String {
+    nothing::<PictureSweep>(app, BEING_COMPUTED, None)
 }
 
 /// How much room a readout has.

@@ -71,7 +71,8 @@ impl App {
 
     /// The absorber chosen, where it is not the scene's own.
     pub fn absorber(&self) -> Option<&Entry> {
-        self.absorbers().get(self.pages.limit.absorber.checked_sub(1)?).copied()
+        let name = self.pages.limit.absorber.as_ref()?;
+        self.absorbers().into_iter().find(|entry| entry.name == *name)
     }
 
     /// The scene that is compared: with the absorber chosen.
@@ -120,7 +121,7 @@ impl App {
     pub fn efficiency_design(&self) -> Result<LabelledScene, String> {
         let map = self.comparison().and_then(|found| found.map.as_ref());
         let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
-            return Err(nothing::<EqualMass>(self, "being computed", None));
+            return Err(nothing::<EqualMass>(self, BEING_COMPUTED, None));
         };
         if self.pages.limit.comparison.is_old(&self.efficiency_scene()?) {
             return Err(old("scene"));

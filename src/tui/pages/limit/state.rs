@@ -55,8 +55,8 @@ pub struct Ballistic {
     pub log: (bool, bool),
     /// The comparison at equal areal mass.
     pub comparison: Kept<Comparison>,
-    /// The absorber it is made with: 0 the scene's own, then those of the library.
-    pub absorber: usize,
+    /// The absorber of the library it is made with; `None`: the scene's own.
+    pub absorber: Option<String>,
     /// The first line shown of the comparison.
     pub scrolled: usize,
     /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.

@@ -370,7 +370,7 @@ fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
     if tab.report.is_old(&app.accuracy_scene()) || tab.report.found.is_none() {
-        return app.refuse(NO_RESULTS);
+        return app.refuse(nothing::<Measurements>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
     let what = match method {

@@ -246,7 +246,7 @@ fn load(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let found = tab.map.found.as_ref().zip(tab.cursor());
     let Some((map, (row, _))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
-        return app.refuse(NO_RESULTS);
+        return app.refuse(nothing::<StabilityMap>(app, BEING_COMPUTED, None));
     };
     let (symbol, value) = (map.axis.symbol(), map.values[row]);
     let index = VARIABLES.iter().position(|one| one.symbol == symbol).unwrap_or(0);
@@ -271,7 +271,8 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let old = if tab.map.is_old(&app.scene) { ", old" } else { "" };
     let focused = app.has_focus(STABILITY);
     let Some(found) = &tab.map.found else {
-        let pane = PaneFrame::new("Map").right("Tab: stiff scenes").focused(focused);
+        let pane = PaneFrame::new("Map").right(app.keymap.shown("<next-pane>: stiff scenes"));
+        let pane = pane.focused(focused);
         let inner = pane.draw(area, canvas);
         let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
@@ -282,9 +283,9 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let layout = canvas.draw(&map, above);
     legend(area, canvas);
-    let hint = " Tab: stiff scenes ";
-    let column = above.width.saturating_sub(columns(hint) + 1);
-    canvas.put(above, (column, above.height.saturating_sub(1)), hint, Role::Dim);
+    let hint = app.keymap.shown(" <next-pane>: stiff scenes ");
+    let column = above.width.saturating_sub(columns(&hint) + 1);
+    canvas.put(above, (column, above.height.saturating_sub(1)), &hint, Role::Dim);
     canvas.plot(&layout, |dt_s, value| {
         let row = nearest(&found.values, value)?;
         Some(Target::Cell(STABILITY, (row, nearest(&found.dt_s, dt_s)?)))
@@ -332,8 +333,9 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     } else {
         title.to_owned()
     };
-    let hint = grid.hint().map_or_else(String::new, |hint| app.keymap.shown(&hint) + "  ");
-    let pane = PaneFrame::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
+    let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
+    let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
+    let pane = PaneFrame::new(title).right(hint).focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {

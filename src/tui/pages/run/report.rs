@@ -46,10 +46,17 @@ fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box
 
 /// Compute a report for a file, which is written then.
 pub(crate) fn write(app: &mut App, to: Destination, format: Format) -> Result<(), String> {
+    if let Some((running, report)) = app.jobs.study::<ReportFile>() {
+        // A second Enter does not begin again.
+        let is_this = report.to.path == to.path && running.scene == app.scene;
+        let other = "another report is being written: wait for it, or close this and press <back>";
+        return if is_this { Ok(()) } else { Err(other.to_owned()) };
+    }
     let shown = app.shown.as_ref().filter(|shown| *shown.run.scene == *app.scene);
     let shown = shown.filter(|shown| shown.took.is_some());
-    let run =
-        shown.map(|shown| Arc::clone(&shown.run)).ok_or("no run of this scene yet: r runs it")?;
+    let run = shown
+        .map(|shown| Arc::clone(&shown.run))
+        .ok_or("no run of this scene yet: <run> runs it")?;
     let name = app.name_of(&app.scene);
     jobs::study(app, Tab::Run, ReportFile { name, run, to, format });
     Ok(())

@@ -51,7 +51,7 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
 
 /// Where else to look, in the lower line of a chart that stands alone.
 fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let hint = if app.pane() == SETUP { " Tab " } else { " <full-pane>: in words " };
+    let hint = if app.pane() == SETUP { " <next-pane> " } else { " <full-pane>: in words " };
     let hint = &app.keymap.shown(hint);
     let column = area.width.saturating_sub(columns(hint) + 1);
     canvas.put(area, (column, area.height - 1), hint, Role::Dim);
@@ -61,7 +61,7 @@ fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = app.pages.search.page.title();
     let alone = area.width == app.size.0 && !app.is_full();
-    let hint = if alone { "Tab: setup" } else { "" };
+    let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let problem = app.pages.search.problem().map(|_| "see the message below");
     let why = problem.unwrap_or(NO_RESULTS);
@@ -84,10 +84,10 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
         (false, true) => "<down>/<up>: more".to_owned(),
         (false, false) => String::new(),
     };
-    let hint = app.keymap.shown(&hint);
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
-    let hint = if alone { format!("Tab: setup  {hint}") } else { hint };
+    let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint };
+    let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
     let (head, lines) =

@@ -334,10 +334,13 @@ pub(crate) fn bound_line(bound: &Bound) -> Line {
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }
 
-/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.
+/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`, `off` also behind a range.
 pub(crate) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
     if let "on" | "off" = text {
         return Ok(Bound { on: text == "on", ..old.clone() });
+    }
+    if let Some(range) = text.strip_suffix(" off") {
+        return Ok(Bound { on: false, ..read_bound(old, range)? });
     }
     let (range, spacing) = match text.strip_suffix(":log") {
         Some(range) => (range, Spacing::Log),

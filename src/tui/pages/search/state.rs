@@ -244,7 +244,7 @@ impl App {
     pub fn search_design(&self) -> Result<LabelledScene, String> {
         let tab = &self.pages.search;
         let Some(found) = tab.shown() else {
-            return Err(nothing::<Request>(self, "being computed", None));
+            return Err(nothing::<Request>(self, BEING_COMPUTED, None));
         };
         if self.search_is_old() {
             return Err(old("setup"));

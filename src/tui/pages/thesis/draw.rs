@@ -89,7 +89,8 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// The selected claim in full.
 fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let place = app.claim().map_or("", |row| row.claim.place);
-    let inner = PaneFrame::new(place).right("Tab: principles").draw(area, canvas);
+    let inner =
+        PaneFrame::new(place).right(app.keymap.shown("<next-pane>: principles")).draw(area, canvas);
     if let Some(row) = app.claim() {
         let found = &row.found;
         let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
@@ -162,7 +163,9 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     });
     let principle = &PRINCIPLES[tab.principle];
     let title = format!("{}, section {}", principle.name, principle.section);
-    let inner = PaneFrame::new(title).right("Tab: screening").draw(detail, canvas);
+    let inner = PaneFrame::new(title)
+        .right(app.keymap.shown("<next-pane>: screening"))
+        .draw(detail, canvas);
     let functions = principle.functions.join(", ");
     let presets: Vec<&str> =
         principle.preset.into_iter().chain(principle.see_also.iter().copied()).collect();
@@ -179,7 +182,7 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.thesis;
     let pane = PaneFrame::new("Screening matrix (Table 7.1), weights h/l")
-        .right("Tab: claims")
+        .right(app.keymap.shown("<next-pane>: claims"))
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     let places = rank(&tab.weights);
