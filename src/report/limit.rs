@@ -107,7 +107,9 @@ fn closures(closures: &Closures) -> String {
 
 fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let asked = found.sampling;
-    let percent = |part: f64| significant(100.0 * part, 3);
+    let percent = |part: f64| {
+        if part.is_nan() { "?".to_owned() } else { significant(100.0 * part, 3) }
+    };
     let known = |value: Option<f64>| {
         value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
     };
