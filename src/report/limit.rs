@@ -132,7 +132,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         }
     }
     if v50.contains('?') {
-        v50.push_str("; ?: falls among these");
+        v50.push_str("; ? = not known: the rank falls on samples without a limit in range");
     }
     let through = format!(
         "{} % of shots at the scene's {} (95 %: {} to {} %)",
