@@ -97,12 +97,9 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
             }
             for breach in breaches(&far, run(&far, END_STEPS_MAX).as_ref()) {
                 let place = format!("at {} = {}", axis.symbol(), shortest(end));
-                let is_same = |other: &Breach| {
-                    (other.check, other.direction) == (breach.check, breach.direction)
-                };
-                let mut all = known.iter().chain(list.iter().map(|(_, other)| other));
-                if !all.any(|other| is_same(other) && !breach.is_worse_than(other)) {
-                    list.retain(|(_, other)| !is_same(other));
+                let all = known.iter().chain(list.iter().map(|(_, other)| other));
+                if breach.is_new_to(all) {
+                    list.retain(|(_, other)| !other.is_same(&breach));
                     list.push((place, breach));
                 }
             }
