@@ -216,6 +216,23 @@ mod tests {
         assert!(!checks_at_ends(&scene, &axes).contains(&Check::NosePressure));
     }
 
+    /// 20 m/s is 2.5 times below the 50 m/s of measurements, 5000 m/s five times above 1000 m/s: neither takes the other's place.
+    #[test]
+    fn a_shot_too_slow_and_one_too_fast_are_both_named() {
+        let mut scene = Scene::default();
+        scene.projectile.velocity_m_s = 20.0;
+        for low in [20.0, 30.0] {
+            let axes = [Axis::new("v_i", (low, 5000.0), 3, Spacing::Linear).unwrap()];
+            let list = of_axes(&scene, &axes);
+            let found: Vec<&String> = list.iter().filter(|it| it.contains(": v_i = ")).collect();
+            assert!(
+                matches!(found[..], [slow, fast] if slow.contains("20 m/s is below the 50 m/s")
+                    && fast.starts_with("at v_i = 5000: ")),
+                "{list:?}"
+            );
+        }
+    }
+
     fn cocked(distance_m: f64) -> Scene {
         let mut scene = Scene::default();
         scene.plate.cocking_m = distance_m;

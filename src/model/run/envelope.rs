@@ -103,7 +103,8 @@ pub struct Breach {
     pub check: Check,
     /// On which side the answer errs.
     pub direction: Direction,
-    /// How far it goes: of two breaches of one check in one direction the greater is the worse.
+    /// How far it goes: of two breaches of one fault the one farther from 0 is the worse. Its sign tells faults of one check apart: too
+    /// slow a shot, and the surge of a coil, are below 0.
     pub degree: f64,
     /// The number and what it means.
     text: String,
@@ -112,12 +113,13 @@ pub struct Breach {
 impl Breach {
     /// Whether it is the same fault as another.
     pub fn is_same(&self, other: &Self) -> bool {
-        (self.check, self.direction) == (other.check, other.direction)
+        let key = |it: &Self| (it.check, it.direction, it.degree.is_sign_negative());
+        key(self) == key(other)
     }
 
     /// Whether it is the same as another and goes farther.
     pub fn is_worse_than(&self, other: &Self) -> bool {
-        self.is_same(other) && self.degree > other.degree
+        self.is_same(other) && self.degree.abs() > other.degree.abs()
     }
 
     /// Whether each of others is another fault, or goes less far.
@@ -261,7 +263,7 @@ fn face(scene: &Scene) -> Option<Breach> {
 fn velocity(scene: &Scene) -> Option<Breach> {
     let (v, (slow, fast)) = (scene.projectile.velocity_m_s, VELOCITIES_M_S);
     let (degree, fault) = if v < slow {
-        (slow / v, format!("below the {slow} m/s of measurements"))
+        (-slow / v, format!("below the {slow} m/s of measurements"))
     } else if v > fast {
         (v / fast, format!("above {fast} m/s: heating, rate and erosion are not modelled"))
     } else {
@@ -370,7 +372,7 @@ fn surge(run: &Run) -> Option<Breach> {
          one, and its coils may close",
         significant(speed, 3)
     );
-    Some(breach(Check::Spring, Direction::Unconservative, speed, text))
+    Some(breach(Check::Spring, Direction::Unconservative, -speed, text))
 }
 
 /// The springs' own mass where it would slow the plate down and is omitted.
