@@ -40,6 +40,9 @@ pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     let last = sorted.len() - 1;
     let place = fraction * last as f64;
     let below = (place as usize).min(last);
+    if place <= below as f64 {
+        return sorted[below]; // its neighbour may be infinite, and none of it is NaN
+    }
     let above = (below + 1).min(last);
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
 }
@@ -90,6 +93,9 @@ mod tests {
         for (fraction, value) in [(0.0, 1.0), (0.25, 1.5), (0.5, 2.0), (0.75, 3.0), (1.0, 4.0)] {
             assert!((quantile(&sorted, fraction) - value).abs() < 1e-15);
         }
+        // A whole rank is the value itself, whatever lies above it.
+        let open = [10.0, 20.0, f64::INFINITY];
+        assert_eq!([0.5, 0.75, 1.0].map(|it| quantile(&open, it)), [20.0, open[2], open[2]]);
     }
 
     #[test]

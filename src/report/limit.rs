@@ -107,7 +107,9 @@ fn closures(closures: &Closures) -> String {
 
 fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let asked = found.sampling;
-    let percent = |part: f64| significant(100.0 * part, 3);
+    let percent = |part: f64| {
+        if part.is_nan() { "?".to_owned() } else { significant(100.0 * part, 3) }
+    };
     let known = |value: Option<f64>| {
         value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
     };
@@ -130,7 +132,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         }
     }
     if v50.contains('?') {
-        v50.push_str("; ?: falls among these");
+        v50.push_str("; ? = not known: the rank falls on samples without a limit in range");
     }
     let through = format!(
         "{} % of shots at the scene's {} (95 %: {} to {} %)",

@@ -97,12 +97,9 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
             }
             for breach in breaches(&far, run(&far, END_STEPS_MAX).as_ref()) {
                 let place = format!("at {} = {}", axis.symbol(), shortest(end));
-                let is_same = |other: &Breach| {
-                    (other.check, other.direction) == (breach.check, breach.direction)
-                };
-                let mut all = known.iter().chain(list.iter().map(|(_, other)| other));
-                if !all.any(|other| is_same(other) && !breach.is_worse_than(other)) {
-                    list.retain(|(_, other)| !is_same(other));
+                let all = known.iter().chain(list.iter().map(|(_, other)| other));
+                if breach.is_new_to(all) {
+                    list.retain(|(_, other)| !other.is_same(&breach));
                     list.push((place, breach));
                 }
             }
@@ -217,6 +214,23 @@ mod tests {
         assert!(matches!(found[..], [text] if is_worst(text)), "{list:?}");
         // It is not new there.
         assert!(!checks_at_ends(&scene, &axes).contains(&Check::NosePressure));
+    }
+
+    /// 20 m/s is 2.5 times below the 50 m/s of measurements, 5000 m/s five times above 1000 m/s: neither takes the other's place.
+    #[test]
+    fn a_shot_too_slow_and_one_too_fast_are_both_named() {
+        let mut scene = Scene::default();
+        scene.projectile.velocity_m_s = 20.0;
+        for low in [20.0, 30.0] {
+            let axes = [Axis::new("v_i", (low, 5000.0), 3, Spacing::Linear).unwrap()];
+            let list = of_axes(&scene, &axes);
+            let found: Vec<&String> = list.iter().filter(|it| it.contains(": v_i = ")).collect();
+            assert!(
+                matches!(found[..], [slow, fast] if slow.contains("20 m/s is below the 50 m/s")
+                    && fast.starts_with("at v_i = 5000: ")),
+                "{list:?}"
+            );
+        }
     }
 
     fn cocked(distance_m: f64) -> Scene {

@@ -103,16 +103,28 @@ pub struct Breach {
     pub check: Check,
     /// On which side the answer errs.
     pub direction: Direction,
-    /// How far it goes: of two breaches of one check in one direction the greater is the worse.
+    /// How far it goes: of two breaches of one fault the one farther from 0 is the worse. Its sign tells faults of one check apart: too
+    /// slow a shot, and the surge of a coil, are below 0.
     pub degree: f64,
     /// The number and what it means.
     text: String,
 }
 
 impl Breach {
+    /// Whether it is the same fault as another.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let key = |it: &Self| (it.check, it.direction, it.degree.is_sign_negative());
+        key(self) == key(other)
+    }
+
     /// Whether it is the same as another and goes farther.
     pub fn is_worse_than(&self, other: &Self) -> bool {
-        (self.check, self.direction) == (other.check, other.direction) && self.degree > other.degree
+        self.is_same(other) && self.degree.abs() > other.degree.abs()
+    }
+
+    /// Whether each of others is another fault, or goes less far.
+    pub fn is_new_to<'b>(&self, mut others: impl Iterator<Item = &'b Self>) -> bool {
+        others.all(|other| !self.is_same(other) || self.is_worse_than(other))
     }
 }
 
@@ -251,7 +263,7 @@ fn face(scene: &Scene) -> Option<Breach> {
 fn velocity(scene: &Scene) -> Option<Breach> {
     let (v, (slow, fast)) = (scene.projectile.velocity_m_s, VELOCITIES_M_S);
     let (degree, fault) = if v < slow {
-        (slow / v, format!("below the {slow} m/s of measurements"))
+        (-slow / v, format!("below the {slow} m/s of measurements"))
     } else if v > fast {
         (v / fast, format!("above {fast} m/s: heating, rate and erosion are not modelled"))
     } else {
@@ -312,10 +324,30 @@ fn stop(scene: &Scene) -> Option<Breach> {
     Some(breach(Check::Stop, Direction::Unconservative, 1.0, text))
 }
 
-/// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface.
+/// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface. Of the plates of a
+/// stack, the worst of each.
 pub fn of_run(run: &Run) -> Vec<Breach> {
-    let scene = &run.scene;
-    let mut found = of_scene(scene);
+    let mut found = of_plate(run);
+    for (name, plate) in behind(run) {
+        let lead = |breach: Breach| Breach { text: format!("{name}: {}", breach.text), ..breach };
+        let own = of_plate(plate).into_iter();
+        let new: Vec<Breach> = own.filter(|it| it.is_new_to(found.iter())).map(lead).collect();
+        found.retain(|old| !new.iter().any(|it| it.is_same(old)));
+        found.extend(new);
+    }
+    found.sort_by_key(|breach| breach.check);
+    found
+}
+
+/// The plates behind the first one of a stack that were struck, with their names.
+fn behind(run: &Run) -> impl Iterator<Item = (String, &Run)> {
+    let names = run.stack.iter().flat_map(|stack| (1..).map(|plate| stack.name(plate)));
+    names.zip(run.plates().skip(1))
+}
+
+/// The breaches of the run of one plate.
+fn of_plate(run: &Run) -> Vec<Breach> {
+    let mut found = of_scene(&run.scene);
     if fused_stop_hits(run) == Some(0) {
         found.retain(|breach| breach.check != Check::Stop);
     }
@@ -325,7 +357,6 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
             found.push(breach(check, Direction::Unconservative, degree, warning.to_string()));
         }
     }
-    found.sort_by_key(|breach| breach.check);
     found
 }
 
@@ -341,7 +372,7 @@ fn surge(run: &Run) -> Option<Breach> {
          one, and its coils may close",
         significant(speed, 3)
     );
-    Some(breach(Check::Spring, Direction::Unconservative, speed, text))
+    Some(breach(Check::Spring, Direction::Unconservative, -speed, text))
 }
 
 /// The springs' own mass where it would slow the plate down and is omitted.
@@ -383,14 +414,23 @@ pub fn warnings(run: &Run) -> Vec<String> {
 }
 
 /// What happened on the way of a run that is no breach of validity.
-pub fn remarks(run: &Run) -> impl Iterator<Item = String> + '_ {
-    let others = run.warnings.iter().filter(|warning| check_of(warning).is_none());
-    others.map(ToString::to_string)
+pub fn remarks(run: &Run) -> Vec<String> {
+    let is_remark = |warning: &&Warning| check_of(warning).is_none();
+    let mut list: Vec<String> =
+        run.warnings.iter().filter(is_remark).map(ToString::to_string).collect();
+    for (name, plate) in behind(run) {
+        // No plate of a stack has a baseline; what the first has, too, is said once.
+        let is_own = |it: &&Warning| **it != Warning::NoBaseline && !run.warnings.contains(*it);
+        let own = plate.warnings.iter().filter(is_remark).filter(is_own);
+        list.extend(own.map(|warning| format!("{name}: {warning}")));
+    }
+    list
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::scene::Layer;
     use crate::model::simulate::bare_run as run;
 
     fn checks(found: &[Breach]) -> Vec<Check> {
@@ -489,6 +529,33 @@ mod tests {
         let found = of_run(&run(&light));
         let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
         assert!(breach.to_string().contains("must carry 2.8"), "{breach}");
+    }
+
+    /// The second element, 30 mm thick on 1e6 N/m, has what it has alone under the shot that meets it, and names itself.
+    #[test]
+    fn a_stack_has_the_breaches_of_all_its_plates() {
+        let mut scene = inside();
+        scene.projectile.velocity_m_s = 500.0;
+        let Scene { target, plate, ref mechanism, .. } = scene;
+        let mut second = Layer { target, plate, mechanism: mechanism.clone() };
+        second.target.thickness_m = 0.03;
+        second.mechanism.spring.coefficient = 1e6;
+        scene.stack.base_thickness_m = Some(0.012);
+        scene.stack.layers.push(second.clone());
+        let stack = run(&scene);
+        let struck = stack.plates().nth(1).unwrap().scene.projectile.velocity_m_s;
+        let mut alone = inside();
+        (alone.target, alone.mechanism) = (second.target, second.mechanism);
+        alone.projectile.velocity_m_s = struck;
+        let expected = of_run(&run(&alone));
+        // 0.03/0.02 = 1.5.
+        assert!(expected.iter().any(|it| it.text.starts_with("h/D = 1.5:")), "{expected:?}");
+        let found: Vec<String> = of_run(&stack).iter().map(ToString::to_string).collect();
+        for breach in expected {
+            let text = format!("element 2: {}", breach.text);
+            assert!(found.iter().any(|it| it.contains(&text)), "{text} {found:?}");
+        }
+        assert!(remarks(&stack).iter().all(|it| !it.contains(&Warning::NoBaseline.to_string())));
     }
 
     /// Thesis critique: half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.

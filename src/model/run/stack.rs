@@ -64,18 +64,37 @@ impl StackRun {
 
     /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
     pub fn sentence(&self) -> String {
-        let last = self.name(self.behind.len());
+        let name = self.name(self.behind.len());
+        let last = if self.behind.len() < self.elements { name } else { format!("the {name}") };
         match (self.outcome, self.penetration_m) {
             (Outcome::Arrested, Some(depth)) => {
-                format!("stack: stopped in the {last}, {:.4} mm in all", depth * 1e3)
+                format!("stack: stopped in {last}, {:.4} mm in all", depth * 1e3)
             }
             (Outcome::Separated, Some(depth)) => {
-                format!("stack: thrown back by the {last}, {:.4} mm in all", depth * 1e3)
+                format!("stack: thrown back by {last}, {:.4} mm in all", depth * 1e3)
             }
             (Outcome::Perforated, _) => "stack: perforated, including the base plate".to_owned(),
             (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
-                format!("stack: undecided in the {last}")
+                format!("stack: undecided in {last}")
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sentence_names_the_plate_that_stopped_the_shot() {
+        let stopped = |elements| StackRun {
+            behind: Vec::new(),
+            elements,
+            outcome: Outcome::Arrested,
+            penetration_m: Some(0.01),
+            residual_velocity_m_s: None,
+        };
+        assert_eq!(stopped(1).sentence(), "stack: stopped in element 1, 10.0000 mm in all");
+        assert_eq!(stopped(0).sentence(), "stack: stopped in the base plate, 10.0000 mm in all");
     }
 }

@@ -67,7 +67,7 @@ pub struct SampledLimit {
     pub deviation_m_s: Option<f64>,
     /// One in twenty lies below this, and one in twenty above the other, m/s.
     pub range90_m_s: (Option<f64>, Option<f64>),
-    /// Part of the samples that the scene's own velocity perforates.
+    /// Part of the samples that the scene's own velocity perforates, of those of which that is known; NaN without any.
     pub perforated: f64,
     /// Its 95 % confidence interval (Wilson's).
     pub perforated95: (f64, f64),
@@ -85,7 +85,7 @@ pub(super) fn sample(
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
     let mut errors = Random::new(!sampling.seed);
     let mut limits: Vec<f64> = Vec::new();
-    let (mut undecided, mut through) = (0, 0_usize);
+    let (mut undecided, mut known, mut through) = (0, 0_usize, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
     let near = Scan {
         low_m_s: nominal_m_s / WITHIN,
@@ -113,26 +113,22 @@ pub(super) fn sample(
         let limit_of = |sample: &Vec<f64>| limit_of(sample);
         for limit in context.map_items(samples, limit_of, |context, _| context.goes_on()) {
             let factor = sampling.model.factor(&mut errors);
-            let velocity_m_s = match limit {
-                Limit::Found { velocity_m_s, .. } => velocity_m_s,
-                Limit::Always => f64::NEG_INFINITY,
-                Limit::Never => f64::INFINITY,
-                Limit::Between { perforated_m_s, .. } => {
-                    undecided += 1;
-                    through += usize::from(perforated_m_s.is_some_and(|it| factor * it < own_m_s));
-                    continue;
-                }
-                Limit::Unknown => continue,
-            };
-            through += usize::from(factor * velocity_m_s < own_m_s);
-            limits.push(factor * velocity_m_s);
+            let is_through = is_perforated(limit, factor, own_m_s);
+            known += usize::from(is_through.is_some());
+            through += usize::from(is_through == Some(true));
+            match limit {
+                Limit::Found { velocity_m_s, .. } => limits.push(factor * velocity_m_s),
+                Limit::Always => limits.push(f64::NEG_INFINITY),
+                Limit::Never => limits.push(f64::INFINITY),
+                Limit::Between { .. } => undecided += 1,
+                Limit::Unknown => {}
+            }
         }
     });
     if drawn.is_err() || context.is_stopped() {
         return None;
     }
-    let samples = sampling.samples as f64;
-    let perforated = through as f64 / samples;
+    let perforated = through as f64 / known as f64;
     let of = |is: fn(f64) -> bool| limits.iter().filter(|limit| is(**limit)).count();
     let mut sampled = SampledLimit {
         sampling,
@@ -145,10 +141,25 @@ pub(super) fn sample(
         deviation_m_s: None,
         range90_m_s: (None, None),
         perforated,
-        perforated95: wilson(perforated, samples),
+        perforated95: wilson(perforated, known as f64),
     };
     sampled.rank(limits);
     Some(sampled)
+}
+
+/// Whether a shot perforates what has this limit times a factor; `None` where that is not known.
+fn is_perforated(limit: Limit, factor: f64, shot_m_s: f64) -> Option<bool> {
+    match limit {
+        Limit::Found { velocity_m_s, .. } => Some(factor * velocity_m_s < shot_m_s),
+        Limit::Always => Some(true),
+        Limit::Never => Some(false),
+        Limit::Between { stopped_m_s, perforated_m_s } => {
+            let is_through = perforated_m_s.is_some_and(|it| factor * it <= shot_m_s);
+            let is_stopped = stopped_m_s.is_some_and(|it| factor * it >= shot_m_s);
+            (is_through || is_stopped).then_some(is_through)
+        }
+        Limit::Unknown => None,
+    }
 }
 
 impl SampledLimit {
@@ -184,6 +195,16 @@ mod tests {
         let logs: Vec<f64> = (0..20_000).map(|_| wide.factor(&mut random).ln()).collect();
         let (mean, deviation) = moments(&logs).unwrap();
         assert!(mean.abs() < 3e-3 && (deviation - 0.1).abs() < 2e-3, "{mean} {deviation}");
+    }
+
+    /// A limit between 100 and 110 m/s, 10 % more by the model's error: a shot at 115 m/s is between 110 and 121.
+    #[test]
+    fn between_two_shots_a_third_has_no_outcome() {
+        let between = Limit::Between { stopped_m_s: Some(100.0), perforated_m_s: Some(110.0) };
+        let of = |shot_m_s| is_perforated(between, 1.1, shot_m_s);
+        assert_eq!([109.0, 115.0, 122.0].map(of), [Some(false), None, Some(true)]);
+        let open = Limit::Between { stopped_m_s: None, perforated_m_s: None };
+        assert_eq!([1.0, 1e4].map(|shot_m_s| is_perforated(open, 1.1, shot_m_s)), [None, None]);
     }
 
     /// Of eight samples one is perforated by everything and three by nothing: the median lies between 30 and 40, half a rank from each,

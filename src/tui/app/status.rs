@@ -430,7 +430,12 @@ pub(crate) fn outside(
     place: &str,
     more: &str,
 ) -> Option<StatusPart> {
-    let labels: Vec<&str> = checks.map(Check::label).collect();
+    let mut labels: Vec<&str> = Vec::new();
+    for label in checks.map(Check::label) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
     let list = labels.join(", ");
     let long = format!("! outside validity{place}: {list}{more}");
     let short =
