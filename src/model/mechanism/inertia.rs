@@ -8,7 +8,8 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, OwnMass, Scene};
+use crate::model::scene::{self, OwnMass, Scene, WhichSpring};
+use crate::numerics::larger;
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -17,8 +18,10 @@ pub struct Inertia {
     pub rotation_kg: f64,
     /// The moving part of the springs' own mass.
     pub springs_kg: f64,
-    /// The springs' whole mass, as far as it is known.
+    /// The springs' whole mass, where that of every spring is known; an absent one has none.
     pub spring_mass_kg: Option<f64>,
+    /// The mass of those springs whose mass is known.
+    known_kg: f64,
 }
 
 impl Inertia {
@@ -30,14 +33,23 @@ impl Inertia {
         let mut sum = Self::default();
         for spring in scene.mechanism.acting() {
             sum.rotation_kg += spring.law().rotation_kg();
-            if let Some(mass_kg) = mass_kg(scene, spring) {
-                sum.spring_mass_kg = Some(sum.spring_mass_kg.unwrap_or(0.0) + mass_kg);
-                if spring.own_mass == OwnMass::Counted {
-                    sum.springs_kg += spring.moving_part() * mass_kg;
-                }
+        }
+        for (_, spring) in present(scene) {
+            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
+            sum.known_kg += mass_kg;
+            if spring.own_mass == OwnMass::Counted {
+                sum.springs_kg += spring.moving_part() * mass_kg;
             }
         }
+        let is_known = present(scene).all(|(_, spring)| mass_kg(scene, spring).is_some());
+        sum.spring_mass_kg =
+            (is_known && present(scene).next().is_some()).then_some(sum.known_kg);
         sum
+    }
+
+    /// The springs' whole mass where it is known, else the greater of its lower bounds: the least by their energy, and what is known, kg.
+    pub fn spring_kg(&self, least_kg: Option<f64>) -> Option<f64> {
+        self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
     }
 
     /// All of it, kg.
@@ -64,25 +76,49 @@ pub struct OmittedMass {
     pub is_least: bool,
     /// The part that would move with the plate, kg.
     pub moving_kg: f64,
+    /// The spring of which most moves.
+    pub which: WhichSpring,
 }
 
 impl OmittedMass {
     /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
     pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
-        let own = Inertia::of(scene);
-        if own.spring_mass_kg.is_none() {
-            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)?;
-            let moving_kg = scene.mechanism.spring.moving_part() * mass_kg;
-            return Some(Self { mass_kg, is_least: true, moving_kg });
-        }
-        let mut sum = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0 };
-        for spring in scene.mechanism.acting().filter(|it| it.own_mass == OwnMass::Ignored) {
-            let mass_kg = mass_kg(scene, spring).unwrap_or(0.0);
+        let (mut known, mut counted_kg, mut greatest_kg) = (None, 0.0, 0.0);
+        for (which, spring) in present(scene) {
+            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
+            if spring.own_mass == OwnMass::Counted {
+                counted_kg += mass_kg;
+                continue;
+            }
+            let none = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0, which };
+            let sum = known.get_or_insert(none);
+            let moving_kg = spring.moving_part() * mass_kg;
             sum.mass_kg += mass_kg;
-            sum.moving_kg += spring.moving_part() * mass_kg;
+            sum.moving_kg += moving_kg;
+            if moving_kg > greatest_kg {
+                (greatest_kg, sum.which) = (moving_kg, which);
+            }
         }
-        Some(sum)
+        let unknown = present(scene).find(|(_, spring)| {
+            spring.own_mass == OwnMass::Ignored && mass_kg(scene, spring).is_none()
+        });
+        let least = unknown.and_then(|(which, spring)| {
+            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)? - counted_kg;
+            let moving_kg = spring.moving_part() * mass_kg;
+            Some(Self { mass_kg, is_least: true, moving_kg, which })
+        });
+        // Each is a lower bound.
+        let both = [known, least].into_iter().flatten();
+        both.max_by(|a, b| a.moving_kg.total_cmp(&b.moving_kg))
     }
+}
+
+/// The springs that act and are there.
+fn present(scene: &Scene) -> impl Iterator<Item = (WhichSpring, &scene::Spring)> {
+    let mechanism = &scene.mechanism;
+    let acting = WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which));
+    let springs = acting.map(|which| (which, mechanism.one(which)));
+    springs.filter(|(_, spring)| !scene.is_rigid() && !spring.is_absent())
 }
 
 /// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.

@@ -171,6 +171,22 @@ fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
     }
 }
 
+/// 147.5/2 J need 374.8 g of wire, of which the 1 g of the second spring is a part.
+#[test]
+fn a_known_mass_of_one_spring_hides_no_other() {
+    let scene = crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1g");
+    let own = Inertia::of(&scene);
+    assert_eq!((own.spring_mass_kg, own.spring_kg(Some(0.3748))), (None, Some(0.3748)));
+    let omitted = OmittedMass::of(&scene, Some(73.75)).unwrap();
+    assert!(omitted.is_least && (omitted.mass_kg - 0.3748).abs() < 5e-5, "{omitted:?}");
+    // What is known is a lower bound too, and an absent spring is none.
+    let scene = crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1kg");
+    assert_eq!(Inertia::of(&scene).spring_kg(Some(0.3748)), Some(1.0));
+    assert_eq!(OmittedMass::of(&scene, Some(73.75)).unwrap().mass_kg, 1.0);
+    let scene = crate::model::variables::scene_with("k=0 combine=parallel k_2=1e4 m_spring_2=1g");
+    assert_eq!(Inertia::of(&scene).spring_mass_kg, Some(1e-3));
+}
+
 /// The wire of a coil takes up 196.8 J/kg; of aluminium honeycomb 19460 J/kg are known, of a crush force alone nothing.
 #[test]
 fn only_coils_have_a_least_mass_without_a_specific_energy() {
