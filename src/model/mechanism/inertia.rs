@@ -126,21 +126,32 @@ fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     spring
         .mass_kg
         .or_else(|| spring.law().mass_kg(spring))
-        .or_else(|| (spring.own_mass == OwnMass::Counted).then(|| coil_kg(scene, spring)))
+        .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
+}
+
+/// The spring whose mass is to count and is not known: it counts as nothing.
+pub fn uncounted(scene: &Scene) -> Option<WhichSpring> {
+    let is_unknown =
+        |spring| mass_kg(scene, spring).is_none() && spring.own_mass == OwnMass::Counted;
+    present(scene).find(|(_, spring)| is_unknown(spring)).map(|(which, _)| which)
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
-/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound.
-fn coil_kg(scene: &Scene, spring: &scene::Spring) -> f64 {
+/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound. `None` of other springs
+/// than coils where no specific energy is given.
+fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+    let coil_j_kg =
+        || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let energy_j_kg = scene.mechanism.energy_j_kg.or_else(coil_j_kg)?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
     let momentum = m_p * scene.projectile.velocity_m_s * cos;
     let bodies_kg = m_p * cos * cos + scene.plate_mass_kg();
     // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
-    let (part, energy_j_kg) = (spring.moving_part(), 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let part = spring.moving_part();
     let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);
     let product = bodies_kg * cocked_j + 0.5 * momentum * momentum;
     let root = (half * half + part * energy_j_kg * product).sqrt();
-    if half > 0.0 { product / (half + root) } else { (root - half) / (part * energy_j_kg) }
+    Some(if half > 0.0 { product / (half + root) } else { (root - half) / (part * energy_j_kg) })
 }

@@ -187,6 +187,28 @@ fn a_known_mass_of_one_spring_hides_no_other() {
     assert_eq!(Inertia::of(&scene).spring_mass_kg, Some(1e-3));
 }
 
+/// With 500 J/kg the spring m stores what is left of 2.95 kg m/s: 500 m = 2.95²/2/(0.059 + m/3). No spring and no mass weigh nothing.
+#[test]
+fn a_counted_mass_follows_from_the_specific_energy_that_is_given() {
+    let scene = |pairs: &str| {
+        crate::model::variables::scene_with(&format!("own_mass=counted {pairs}"))
+    };
+    for kind in ["power-law", "column", "constant", "crush"] {
+        let own = Inertia::of(&scene(&format!("e_spring=500 spring={kind}")));
+        let mass = own.spring_mass_kg.unwrap();
+        let cocked = if kind == "power-law" { mass } else { 0.0957 };
+        assert!((cocked / 0.0957 - 1.0).abs() < 1e-3, "{kind}: {mass}");
+        if kind == "power-law" {
+            assert!((500.0 * mass * (0.059 + mass / 3.0) - 4.351_25).abs() < 1e-9);
+        } else {
+            assert_eq!(Inertia::of(&scene(&format!("spring={kind}"))).added_kg(), 0.0);
+            assert_eq!(uncounted(&scene(&format!("spring={kind}"))), Some(WhichSpring::First));
+        }
+    }
+    assert_eq!(Inertia::of(&scene("k=0")), Inertia::default());
+    assert_eq!(uncounted(&scene("k=0")), None);
+}
+
 /// The wire of a coil takes up 196.8 J/kg; of aluminium honeycomb 19460 J/kg are known, of a crush force alone nothing.
 #[test]
 fn only_coils_have_a_least_mass_without_a_specific_energy() {
