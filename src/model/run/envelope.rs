@@ -360,10 +360,11 @@ fn spring_mass(run: &Run) -> Option<Breach> {
     }
     let text = format!(
         "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; set \
-         own_mass=counted",
+         own_mass{}=counted",
         if omitted.is_least { "at least " } else { "" },
         significant(1e3 * omitted.mass_kg, 3),
-        significant(over_plate, 3)
+        significant(over_plate, 3),
+        omitted.which.suffix()
     );
     Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
 }
@@ -520,6 +521,8 @@ mod tests {
         assert_eq!(text_of("m_spring=8g"), None);
         let text = text_of("m_spring=10g").unwrap();
         assert!(text.contains("own mass, 10 g,") && text.contains("is 0.113 times"), "{text}");
+        let text = text_of("m_spring=1g combine=parallel k_2=1e4 m_spring_2=100g").unwrap();
+        assert!(text.contains("set own_mass_2=counted"), "{text}");
         let text = text_of("spring=column own_mass=counted").unwrap();
         assert!(text.contains("give m_spring or e_spring"), "{text}");
         // An absorber of 19460 J/kg needs 3.8 g for the same energy.
