@@ -42,8 +42,7 @@ impl Inertia {
             }
         }
         let is_known = present(scene).all(|(_, spring)| mass_kg(scene, spring).is_some());
-        sum.spring_mass_kg =
-            (is_known && present(scene).next().is_some()).then_some(sum.known_kg);
+        sum.spring_mass_kg = (is_known && present(scene).next().is_some()).then_some(sum.known_kg);
         sum
     }
 
@@ -140,8 +139,7 @@ pub fn uncounted(scene: &Scene) -> Option<WhichSpring> {
 /// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound. `None` of other springs
 /// than coils where no specific energy is given.
 fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
-    let coil_j_kg =
-        || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let coil_j_kg = || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
     let energy_j_kg = scene.mechanism.energy_j_kg.or_else(coil_j_kg)?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);

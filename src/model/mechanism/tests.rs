@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::load;
 use super::*;
-use crate::model::scene::{Combination, Spring as Parameters, SpringKind};
+use crate::model::scene::{Combination, Spring as Parameters, SpringKind, WhichSpring};
 
 /// Every kind with its default values, and combinations of unlike ones.
 fn curves() -> Vec<(String, Curve)> {
@@ -180,7 +180,8 @@ fn a_known_mass_of_one_spring_hides_no_other() {
     let omitted = OmittedMass::of(&scene, Some(73.75)).unwrap();
     assert!(omitted.is_least && (omitted.mass_kg - 0.3748).abs() < 5e-5, "{omitted:?}");
     // What is known is a lower bound too, and an absent spring is none.
-    let scene = crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1kg");
+    let scene =
+        crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1kg");
     assert_eq!(Inertia::of(&scene).spring_kg(Some(0.3748)), Some(1.0));
     assert_eq!(OmittedMass::of(&scene, Some(73.75)).unwrap().mass_kg, 1.0);
     let scene = crate::model::variables::scene_with("k=0 combine=parallel k_2=1e4 m_spring_2=1g");
@@ -190,9 +191,8 @@ fn a_known_mass_of_one_spring_hides_no_other() {
 /// With 500 J/kg the spring m stores what is left of 2.95 kg m/s: 500 m = 2.95²/2/(0.059 + m/3). No spring and no mass weigh nothing.
 #[test]
 fn a_counted_mass_follows_from_the_specific_energy_that_is_given() {
-    let scene = |pairs: &str| {
-        crate::model::variables::scene_with(&format!("own_mass=counted {pairs}"))
-    };
+    let scene =
+        |pairs: &str| crate::model::variables::scene_with(&format!("own_mass=counted {pairs}"));
     for kind in ["power-law", "column", "constant", "crush"] {
         let own = Inertia::of(&scene(&format!("e_spring=500 spring={kind}")));
         let mass = own.spring_mass_kg.unwrap();
