@@ -12,6 +12,7 @@ use crate::cli::text::width;
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
+use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
     self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
@@ -62,6 +63,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     for name in names {
         let mut preset = scene::named(name)?;
         arguments.changes.apply(&mut preset.scene)?;
+        library::warnings(&preset.scene).for_each(output::note);
         presets.push(preset);
     }
     let mut reports: Vec<Named> = Vec::new();

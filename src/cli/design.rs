@@ -9,6 +9,7 @@ use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{TableArguments, at_top};
 use crate::model::design;
+use crate::model::library;
 use crate::model::run::envelope;
 use crate::model::scene::{Scene, Wire};
 use crate::model::units::{engineering, significant};
@@ -86,6 +87,7 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     let breaches = envelope::of_scene(&preset.scene);
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
+    warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
     arguments.table.alone().deliver(&at_top(&page, &warnings), &rows.with_warnings(&warnings))
 }
 

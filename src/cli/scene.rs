@@ -91,7 +91,7 @@ impl Changes {
             {
                 let v = scene.projectile.velocity_m_s;
                 output::note(&format!(
-                    "warning: threat {name} has no velocity: v_i = {v} m/s is the scene's; set v_i"
+                    "warning: threat {name} has no velocity: v_i = {v} m/s is the scene's; set v_i, unless an axis does"
                 ));
             }
         }
@@ -119,7 +119,9 @@ impl Changes {
             let symbol = variable.symbol;
             if !variables::is_used(variable, scene) {
                 let used = used_when(variable);
-                let text = format!("{symbol} has no effect on this scene: it is used {used}");
+                let text = format!(
+                    "{symbol} has no effect on this scene: it is used {used}; an axis may see to that"
+                );
                 output::note(&format!("warning: {text}"));
             } else if let Some(law) = bent_law(variable, value, scene) {
                 let (unit, exponent) = (variable.unit(), law.exponent);

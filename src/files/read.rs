@@ -130,6 +130,19 @@ impl<'t> Reader<'t> {
         Err(SceneErrors { file: self.file.to_owned(), problems: self.problems, more: self.more })
     }
 
+    /// Notes two sizes of one plate in the table that has it.
+    pub(super) fn one_size(&mut self, table: &DeTable<'_>) {
+        let sizes = PlateSize::KEYS.iter().filter_map(|key| Some((*key, find(table, key)?)));
+        // A word says that it is absent.
+        let sizes = sizes.filter(|(_, span)| !self.text[span.clone()].starts_with(['"', '\'']));
+        if let [(first, _), (second, span), ..] = &sizes.collect::<Vec<_>>()[..] {
+            let all = PlateSize::KEYS.join(", ");
+            let text =
+                format!("{first} and {second} both give the plate's size: give only one of {all}");
+            self.problem(span.clone(), text);
+        }
+    }
+
     fn document(&mut self, scene: &mut Scene, document: &DeTable<'_>) {
         if !self.is_readable_format(document) {
             return;
@@ -145,15 +158,7 @@ impl<'t> Reader<'t> {
         }
         self.measured_curves(scene, document);
         // After gamma, which follows from them.
-        let sizes = PlateSize::KEYS.iter().filter_map(|key| Some((*key, find(document, key)?)));
-        // A word says that it is absent.
-        let sizes = sizes.filter(|(_, span)| !self.text[span.clone()].starts_with(['"', '\'']));
-        if let [(first, _), (second, span), ..] = &sizes.collect::<Vec<_>>()[..] {
-            let all = PlateSize::KEYS.join(", ");
-            let text =
-                format!("{first} and {second} both give the plate's size: give only one of {all}");
-            self.problem(span.clone(), text);
-        }
+        self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
             let found = VARIABLES.iter().find(|variable| variable.key == *key);
             let plate = document.get("plate").map(Spanned::get_ref);

@@ -45,6 +45,7 @@ pub(super) fn layers(
             reader.problem(row.span(), text);
             continue;
         };
+        reader.one_size(table);
         let mut own = scene.clone();
         for (key, value) in table {
             let name = key.get_ref().as_ref();

@@ -54,7 +54,8 @@ pub(super) fn points(
 }
 
 /// The points of a measured curve in a CSV file: displacement and force, the first two columns; a line of names may come first. They
-/// are in m and N unless the names end in other units: `x_mm,F_kN` or `travel (in),force (lbf)`.
+/// are in m and N unless the names end in other units: `x_mm,F_kN` or `travel (in),force (lbf)`. An end in brackets or after `_` or `/`
+/// must be a unit.
 ///
 /// # Errors
 /// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
@@ -68,9 +69,22 @@ fn beside(scene: &str, file: &str) -> PathBuf {
     Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
 }
 
+/// What a heading ends in, where that must be a unit, or may be one.
+fn end(heading: &str) -> Option<(&str, bool)> {
+    if let Some(inner) = heading.strip_suffix([')', ']']) {
+        return inner.rsplit_once(['(', '[']).map(|(_, end)| (end.trim(), true));
+    }
+    let at = heading.rfind(['_', '/', ' '])?;
+    Some((&heading[at + 1..], !heading[at..].starts_with(' ')))
+}
+
 /// The unit that a heading ends in, in that of the stored quantity; `None` without one of its kind.
 fn unit(heading: &str, quantity: Quantity) -> Option<f64> {
-    let (_, unit) = heading.trim_end_matches([')', ']']).rsplit_once(['_', ' ', '(', '[', '/'])?;
+    let (unit, _) = end(heading)?;
+    // Columns of tables end in `_n`.
+    if unit.eq_ignore_ascii_case(quantity.unit()) {
+        return Some(1.0);
+    }
     units::parse(&format!("1 {unit}"), quantity, Bare::Stored).ok().filter(|_| !unit.is_empty())
 }
 
@@ -102,8 +116,20 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
                         clean::line(&format!("{x},{force}"))
                     ));
                 }
-                units = [(x, Quantity::Length), (force, Quantity::Force)]
-                    .map(|(heading, quantity)| unit(heading, quantity).unwrap_or(1.0));
+                for (at, heading, quantity) in
+                    [(0, x, Quantity::Length), (1, force, Quantity::Force)]
+                {
+                    let found = unit(heading, quantity);
+                    if let Some((word, true)) = end(heading).filter(|_| found.is_none()) {
+                        return Err(format!(
+                            "`{shown}`, line {line}: `{}` is not a unit of `{}`: write mm, m, N, kN or lbf, or no unit for m \
+                             and N",
+                            clean::line(word),
+                            clean::line(heading)
+                        ));
+                    }
+                    units[at] = found.unwrap_or(1.0);
+                }
             }
             _ => {
                 return Err(format!(
@@ -132,7 +158,7 @@ mod tests {
     fn the_units_of_the_first_line_are_those_of_the_points() {
         let points = |heading: &str| points_in(&format!("{heading}\n2,3\n"), Path::new("F.csv"));
         let found = |heading: &str| points(heading).unwrap()[0];
-        for heading in ["x_m,F_N", "x_m,force_n", "displacement,force", "x,F [N]"] {
+        for heading in ["x_m,F_N", "x_m,force_n", "plate travel,mount force", "x,F [N]"] {
             assert_eq!(
                 found(heading).map(f64::to_bits),
                 [2f64, 3f64].map(f64::to_bits),
@@ -142,6 +168,14 @@ mod tests {
         for heading in ["x_mm,F_kN", "travel (mm),force (kN)", "x/mm,F/kN"] {
             let [x, force] = found(heading);
             assert!((x - 2e-3).abs() < 1e-17 && (force - 3e3).abs() < 1e-9, "{heading}");
+        }
+        for (heading, told) in [
+            ("x_mm,F_kgf", "`kgf` is not a unit of `F_kgf`: write mm, m, N, kN or lbf"),
+            ("travel (mm),force (kg f)", "`kg f` is not a unit"),
+            ("x/furlong,F", "`furlong` is not a unit of `x/furlong`"),
+        ] {
+            let error = points(heading).unwrap_err();
+            assert!(error.contains(told), "{error}");
         }
         assert!(points("F_kN,x_mm").unwrap_err().contains("write displacement first"));
     }

@@ -276,7 +276,7 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
 fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
     let peaks = Peaks::of(scene, run).unwrap_or_default();
     Stiffness {
-        swings_rad: peaks.swing_per_s * peaks.contact_s,
+        swings_rad: peaks.oscillation_per_s * peaks.contact_s,
         decays: peaks.decay_per_s * peaks.contact_s,
     }
 }
@@ -285,7 +285,7 @@ fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 struct Peaks {
     contact_s: f64,
-    swing_per_s: f64,
+    oscillation_per_s: f64,
     decay_per_s: f64,
     /// Rate at which the contact force's dependence on velocity slows the slip, 1/s.
     drag_per_s: f64,
@@ -325,7 +325,7 @@ impl Peaks {
             let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
             if x > COUNTS_FROM * far_m {
                 let swing = (mechanism.spring.tangent(x).abs() / mass_kg).sqrt();
-                peaks.swing_per_s = larger(swing, peaks.swing_per_s);
+                peaks.oscillation_per_s = larger(swing, peaks.oscillation_per_s);
             }
             if w.abs() > COUNTS_FROM * peaks.speed_m_s {
                 let decay = mechanism.damper.tangent(w) / mass_kg;

@@ -333,8 +333,8 @@ fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
     let Some(given) = given.filter(|_| scene.plate.size != PlateSize::Ratio) else { return Ok(()) };
     let (symbol, value) = (given.symbol, given.show(scene));
     Err(SweepError(format!(
-        "axis {axis}: the scene has {symbol} = {value} {}, and both give the plate's size; use an axis over {symbol}, or set \
-         {axis} in place of {symbol}",
+        "{axis} varies, but the scene has {symbol} = {value} {}, and both give the plate's size: vary {symbol}, or set {axis} \
+         in place of {symbol}",
         given.unit()
     )))
 }

@@ -273,7 +273,7 @@ fn two_sizes_of_a_plate_and_two_design_velocities_are_refused() {
             ["--design-velocity", "20"],
             "--design-velocity 20 and --map v_i=10..20:2,gamma=1..2:2: both",
         ),
-        (["--set", "face=100mm"], "axis gamma: the scene has face = 0.1 m"),
+        (["--set", "face=100mm"], "gamma varies, but the scene has face = 0.1 m"),
     ] {
         let (_, error) = says("compare", &[&map[..], &more].concat(), 2);
         assert!(error.contains(told), "{error}");

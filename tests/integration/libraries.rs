@@ -165,6 +165,13 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
         page.contains("blunt chisel nose") && error.contains("no velocity: v_i = 100 m/s"),
         "{error}"
     );
+    for command in
+        [&["design", "shot"][..], &["stability", "--map", "k", "--quick"], &["accuracy", "--quick"]]
+    {
+        let more = [&command[1..], &["--threat", "fsp-22", "--set", "v_i=438"]].concat();
+        let (page, error) = says(command[0], &more, 0);
+        assert!(format!("{page}{error}").contains("blunt chisel nose"), "{command:?}");
+    }
     let (_, error) = says("run", &["--threat", "fsp-22", "--set", "v_i=438"], 0);
     assert!(!error.contains("velocity"), "{error}");
 }

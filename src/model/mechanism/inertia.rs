@@ -8,7 +8,8 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, OwnMass, Scene};
+use crate::model::scene::{self, OwnMass, Scene, WhichSpring};
+use crate::numerics::larger;
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -17,8 +18,10 @@ pub struct Inertia {
     pub rotation_kg: f64,
     /// The moving part of the springs' own mass.
     pub springs_kg: f64,
-    /// The springs' whole mass, as far as it is known.
+    /// The springs' whole mass, where that of every spring is known; an absent one has none.
     pub spring_mass_kg: Option<f64>,
+    /// The mass of those springs whose mass is known.
+    known_kg: f64,
 }
 
 impl Inertia {
@@ -30,14 +33,22 @@ impl Inertia {
         let mut sum = Self::default();
         for spring in scene.mechanism.acting() {
             sum.rotation_kg += spring.law().rotation_kg();
-            if let Some(mass_kg) = mass_kg(scene, spring) {
-                sum.spring_mass_kg = Some(sum.spring_mass_kg.unwrap_or(0.0) + mass_kg);
-                if spring.own_mass == OwnMass::Counted {
-                    sum.springs_kg += spring.moving_part() * mass_kg;
-                }
+        }
+        for (_, spring) in present(scene) {
+            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
+            sum.known_kg += mass_kg;
+            if spring.own_mass == OwnMass::Counted {
+                sum.springs_kg += spring.moving_part() * mass_kg;
             }
         }
+        let is_known = present(scene).all(|(_, spring)| mass_kg(scene, spring).is_some());
+        sum.spring_mass_kg = (is_known && present(scene).next().is_some()).then_some(sum.known_kg);
         sum
+    }
+
+    /// The springs' whole mass where it is known, else the greater of its lower bounds: the least by their energy, and what is known, kg.
+    pub fn spring_kg(&self, least_kg: Option<f64>) -> Option<f64> {
+        self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
     }
 
     /// All of it, kg.
@@ -64,25 +75,49 @@ pub struct OmittedMass {
     pub is_least: bool,
     /// The part that would move with the plate, kg.
     pub moving_kg: f64,
+    /// The spring of which most moves.
+    pub which: WhichSpring,
 }
 
 impl OmittedMass {
     /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
     pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
-        let own = Inertia::of(scene);
-        if own.spring_mass_kg.is_none() {
-            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)?;
-            let moving_kg = scene.mechanism.spring.moving_part() * mass_kg;
-            return Some(Self { mass_kg, is_least: true, moving_kg });
-        }
-        let mut sum = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0 };
-        for spring in scene.mechanism.acting().filter(|it| it.own_mass == OwnMass::Ignored) {
-            let mass_kg = mass_kg(scene, spring).unwrap_or(0.0);
+        let (mut known, mut counted_kg, mut greatest_kg) = (None, 0.0, 0.0);
+        for (which, spring) in present(scene) {
+            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
+            if spring.own_mass == OwnMass::Counted {
+                counted_kg += mass_kg;
+                continue;
+            }
+            let none = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0, which };
+            let sum = known.get_or_insert(none);
+            let moving_kg = spring.moving_part() * mass_kg;
             sum.mass_kg += mass_kg;
-            sum.moving_kg += spring.moving_part() * mass_kg;
+            sum.moving_kg += moving_kg;
+            if moving_kg > greatest_kg {
+                (greatest_kg, sum.which) = (moving_kg, which);
+            }
         }
-        Some(sum)
+        let unknown = present(scene).find(|(_, spring)| {
+            spring.own_mass == OwnMass::Ignored && mass_kg(scene, spring).is_none()
+        });
+        let least = unknown.and_then(|(which, spring)| {
+            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)? - counted_kg;
+            let moving_kg = spring.moving_part() * mass_kg;
+            Some(Self { mass_kg, is_least: true, moving_kg, which })
+        });
+        // Each is a lower bound.
+        let both = [known, least].into_iter().flatten();
+        both.max_by(|a, b| a.moving_kg.total_cmp(&b.moving_kg))
     }
+}
+
+/// The springs that act and are there.
+fn present(scene: &Scene) -> impl Iterator<Item = (WhichSpring, &scene::Spring)> {
+    let mechanism = &scene.mechanism;
+    let acting = WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which));
+    let springs = acting.map(|which| (which, mechanism.one(which)));
+    springs.filter(|(_, spring)| !scene.is_rigid() && !spring.is_absent())
 }
 
 /// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
@@ -90,21 +125,31 @@ fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     spring
         .mass_kg
         .or_else(|| spring.law().mass_kg(spring))
-        .or_else(|| (spring.own_mass == OwnMass::Counted).then(|| coil_kg(scene, spring)))
+        .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
+}
+
+/// The spring whose mass is to count and is not known: it counts as nothing.
+pub fn uncounted(scene: &Scene) -> Option<WhichSpring> {
+    let is_unknown =
+        |spring| mass_kg(scene, spring).is_none() && spring.own_mass == OwnMass::Counted;
+    present(scene).find(|(_, spring)| is_unknown(spring)).map(|(which, _)| which)
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
-/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound.
-fn coil_kg(scene: &Scene, spring: &scene::Spring) -> f64 {
+/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound. `None` of other springs
+/// than coils where no specific energy is given.
+fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+    let coil_j_kg = || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let energy_j_kg = scene.mechanism.energy_j_kg.or_else(coil_j_kg)?;
     let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
     let cocked_j = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
     let momentum = m_p * scene.projectile.velocity_m_s * cos;
     let bodies_kg = m_p * cos * cos + scene.plate_mass_kg();
     // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
-    let (part, energy_j_kg) = (spring.moving_part(), 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
+    let part = spring.moving_part();
     let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);
     let product = bodies_kg * cocked_j + 0.5 * momentum * momentum;
     let root = (half * half + part * energy_j_kg * product).sqrt();
-    if half > 0.0 { product / (half + root) } else { (root - half) / (part * energy_j_kg) }
+    Some(if half > 0.0 { product / (half + root) } else { (root - half) / (part * energy_j_kg) })
 }

@@ -124,7 +124,7 @@ kinds! {
         pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
             optional(Mass, NonNegative, "auto")
             .when(|scene| P::part(scene).own_mass == OwnMass::Counted || P::part(scene).mass_kg.is_some())
-            .from("auto: of its beams, or 4 rho G U/tau^2 (thesis section 9.5.1)");
+            .from("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
         /// The wire it is wound of, where its mass follows from that.
         pub wire: Wire = Wire::default();
     }
@@ -268,7 +268,7 @@ trait SpringPart {
 spring_part!(Spring, "", |spring| *spring);
 spring_part! {
     Wire, ".wire", |spring| spring.wire,
-    spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && !spring.has_own_mass()
+    spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && spring.law().is_coil()
 }
 
 /// One of the two springs, as a type.

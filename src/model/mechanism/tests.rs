@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::load;
 use super::*;
-use crate::model::scene::{Combination, Spring as Parameters, SpringKind};
+use crate::model::scene::{Combination, Spring as Parameters, SpringKind, WhichSpring};
 
 /// Every kind with its default values, and combinations of unlike ones.
 fn curves() -> Vec<(String, Curve)> {
@@ -169,6 +169,44 @@ fn valid_a_coil_spring_weighs_5_08_g_a_joule() {
         let mass = inertia.spring_mass_kg.unwrap();
         assert!((mass / (energy * 5.081_673_469e-3) - 1.0).abs() < 1e-6, "{pairs}: {mass}");
     }
+}
+
+/// 147.5/2 J need 374.8 g of wire, of which the 1 g of the second spring is a part.
+#[test]
+fn a_known_mass_of_one_spring_hides_no_other() {
+    let scene = crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1g");
+    let own = Inertia::of(&scene);
+    assert_eq!((own.spring_mass_kg, own.spring_kg(Some(0.3748))), (None, Some(0.3748)));
+    let omitted = OmittedMass::of(&scene, Some(73.75)).unwrap();
+    assert!(omitted.is_least && (omitted.mass_kg - 0.3748).abs() < 5e-5, "{omitted:?}");
+    // What is known is a lower bound too, and an absent spring is none.
+    let scene =
+        crate::model::variables::scene_with("k=1e6 combine=parallel k_2=1e4 m_spring_2=1kg");
+    assert_eq!(Inertia::of(&scene).spring_kg(Some(0.3748)), Some(1.0));
+    assert_eq!(OmittedMass::of(&scene, Some(73.75)).unwrap().mass_kg, 1.0);
+    let scene = crate::model::variables::scene_with("k=0 combine=parallel k_2=1e4 m_spring_2=1g");
+    assert_eq!(Inertia::of(&scene).spring_mass_kg, Some(1e-3));
+}
+
+/// With 500 J/kg the spring m stores what is left of 2.95 kg m/s: 500 m = 2.95²/2/(0.059 + m/3). No spring and no mass weigh nothing.
+#[test]
+fn a_counted_mass_follows_from_the_specific_energy_that_is_given() {
+    let scene =
+        |pairs: &str| crate::model::variables::scene_with(&format!("own_mass=counted {pairs}"));
+    for kind in ["power-law", "column", "constant", "crush"] {
+        let own = Inertia::of(&scene(&format!("e_spring=500 spring={kind}")));
+        let mass = own.spring_mass_kg.unwrap();
+        let cocked = if kind == "power-law" { mass } else { 0.0957 };
+        assert!((cocked / 0.0957 - 1.0).abs() < 1e-3, "{kind}: {mass}");
+        if kind == "power-law" {
+            assert!((500.0 * mass * (0.059 + mass / 3.0) - 4.351_25).abs() < 1e-9);
+        } else {
+            assert_eq!(Inertia::of(&scene(&format!("spring={kind}"))).added_kg(), 0.0);
+            assert_eq!(uncounted(&scene(&format!("spring={kind}"))), Some(WhichSpring::First));
+        }
+    }
+    assert_eq!(Inertia::of(&scene("k=0")), Inertia::default());
+    assert_eq!(uncounted(&scene("k=0")), None);
 }
 
 /// The wire of a coil takes up 196.8 J/kg; of aluminium honeycomb 19460 J/kg are known, of a crush force alone nothing.

@@ -10,9 +10,9 @@ use std::fmt;
 
 use crate::model::design::Rod;
 use crate::model::library;
-use crate::model::mechanism::{Mechanism, OmittedMass};
+use crate::model::mechanism::{Mechanism, OmittedMass, uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene};
+use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, WhichSpring};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -377,6 +377,13 @@ fn surge(run: &Run) -> Option<Breach> {
 
 /// The springs' own mass where it would slow the plate down and is omitted.
 fn spring_mass(run: &Run) -> Option<Breach> {
+    if let Some(suffix) = uncounted(&run.scene).map(WhichSpring::suffix) {
+        let text = format!(
+            "own_mass{suffix}=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give \
+             m_spring{suffix} or e_spring"
+        );
+        return Some(breach(Check::SpringMass, Direction::Unconservative, f64::INFINITY, text));
+    }
     let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
     let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
     if over_plate <= SPRING_MASS_MOST {
@@ -384,10 +391,11 @@ fn spring_mass(run: &Run) -> Option<Breach> {
     }
     let text = format!(
         "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; set \
-         own_mass=counted",
+         own_mass{}=counted",
         if omitted.is_least { "at least " } else { "" },
         significant(1e3 * omitted.mass_kg, 3),
-        significant(over_plate, 3)
+        significant(over_plate, 3),
+        omitted.which.suffix()
     );
     Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
 }
@@ -580,6 +588,10 @@ mod tests {
         assert_eq!(text_of("m_spring=8g"), None);
         let text = text_of("m_spring=10g").unwrap();
         assert!(text.contains("own mass, 10 g,") && text.contains("is 0.113 times"), "{text}");
+        let text = text_of("m_spring=1g combine=parallel k_2=1e4 m_spring_2=100g").unwrap();
+        assert!(text.contains("set own_mass_2=counted"), "{text}");
+        let text = text_of("spring=column own_mass=counted").unwrap();
+        assert!(text.contains("give m_spring or e_spring"), "{text}");
         // An absorber of 19460 J/kg needs 3.8 g for the same energy.
         assert_eq!(text_of("e_spring=19460"), None);
     }

@@ -93,10 +93,8 @@ impl Demand {
 
 /// The mass of an element's springs for a demand, kg; `None` where it is not known.
 fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f64> {
-    hardware
-        .spring_kg
-        .or_else(|| Inertia::of(element).spring_mass_kg)
-        .or_else(|| element.mechanism.least_spring_kg(demand.stored_j?))
+    let least_kg = || element.mechanism.least_spring_kg(demand.stored_j?);
+    hardware.spring_kg.or_else(|| Inertia::of(element).spring_kg(least_kg()))
 }
 
 /// Whether the springs of a scene know their own mass.

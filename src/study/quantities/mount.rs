@@ -22,7 +22,7 @@ pub(super) fn own_spring_kg(run: &Run) -> Option<f64> {
 
 /// The springs' own mass where it is known, else the least, kg.
 fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    Inertia::of(scene).spring_mass_kg.or_else(|| least_spring_kg(scene, max_displacement_m))
+    Inertia::of(scene).spring_kg(least_spring_kg(scene, max_displacement_m))
 }
 
 /// Plate and springs, kg.

@@ -260,7 +260,7 @@ impl Target {
 }
 
 fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
-    let plate = rk4_limit(peaks.swing_per_s, peaks.decay_per_s);
+    let plate = rk4_limit(peaks.oscillation_per_s, peaks.decay_per_s);
     let force = match method {
         FixedStep::Rk4 => RK4_REAL,
         FixedStep::Thesis => {
@@ -274,9 +274,9 @@ fn limit(scene: &Scene, method: FixedStep, peaks: &Peaks) -> Option<f64> {
 }
 
 /// The step at which Runge-Kutta of order four stops being stable for z² + decay z + swing² = 0; infinite without both.
-pub fn rk4_limit(swing_per_s: f64, decay_per_s: f64) -> f64 {
+pub fn rk4_limit(oscillation_per_s: f64, decay_per_s: f64) -> f64 {
     let half = 0.5 * decay_per_s;
-    let under = half * half - swing_per_s * swing_per_s;
+    let under = half * half - oscillation_per_s * oscillation_per_s;
     // The eigenvalue of the greatest modulus: z = -half +- sqrt(under).
     let (re, im) =
         if under >= 0.0 { (-half - under.sqrt(), 0.0) } else { (-half, (-under).sqrt()) };
