@@ -21,8 +21,8 @@ pub(super) fn comment(scene: Option<&str>) -> String {
     export::again(&line(&program, &typed, scene))
 }
 
-/// The command that makes the rows again on standard output: its name, its positional arguments, its options with the values as they were typed and the names
-/// of today.
+/// The command that makes the rows again on standard output: its name, its positional arguments, its options by their names of today
+/// with the values as they were typed.
 fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
     let mut words = vec!["cmra".to_owned()];
     let Some((name, typed)) = typed.subcommand() else { return words.remove(0) };
