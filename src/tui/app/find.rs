@@ -23,17 +23,13 @@ pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     } else if names.iter().any(|name| name.starts_with(&typed)) {
         Some(2)
     } else if names.iter().any(|name| begin_words(name)) {
-        Some(BY_WORDS)
+        Some(3)
     } else if begin_words(&all) {
-        Some(BY_ANY_WORDS)
+        Some(4)
     } else {
         (typed.len() >= PART_LEAST && all.contains(&typed)).then_some(5)
     }
 }
-
-/// The rank of what has all the words in a name, and of what has them in its names and its text.
-pub const BY_WORDS: usize = 3;
-pub const BY_ANY_WORDS: usize = 4;
 
 /// Letters from which on a text is found inside a word: fewer are in too many words.
 const PART_LEAST: usize = 5;

@@ -3,7 +3,7 @@
 use crate::model::variables::{VARIABLES, Variable, is_offered};
 use crate::report::series::Quantity as Curve;
 use crate::study::quantities::{QUANTITIES, Quantity};
-use crate::tui::app::find::{BY_ANY_WORDS, BY_WORDS, rank, rank_variable, ranked};
+use crate::tui::app::find::{rank, rank_variable, ranked};
 use crate::tui::dialogs::{Picker, presets};
 use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::PresetEntry;
@@ -61,11 +61,11 @@ impl Item<'_> {
             Self::Command(command) => rank(typed, &[command.name], command.synonyms),
             Self::Variable(index) => rank_variable(typed, &VARIABLES[*index]),
             Self::Curve(curve) => rank(typed, &[curve.title(), curve.symbol()], ""),
-            // It edits the scene: a tab or page that has a word of it comes first.
             Self::Quantity(quantity) => {
-                let text = [&quantity.heading(), quantity.meaning].join(" ");
-                let rank = rank(typed, &[&quantity.title()], &text);
-                rank.map(|rank| if rank == BY_WORDS { BY_ANY_WORDS } else { rank })
+                let rank = |name: String| rank(typed, &[&name], quantity.meaning);
+                // The heading of a column is no whole name: `limit` is that of a tab, too.
+                let heading = rank(quantity.heading()).map(|rank| rank.max(2));
+                rank(quantity.title()).into_iter().chain(heading).min()
             }
             Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
         }
@@ -86,7 +86,7 @@ impl App {
         let curves = Curve::ALL.into_iter().map(Item::Curve);
         let quantities = QUANTITIES.iter().map(Item::Quantity);
         let presets = self.presets.iter().map(Item::Preset);
-        let all = commands.chain(variables).chain(curves).chain(quantities).chain(presets);
+        let all = commands.chain(variables).chain(quantities).chain(curves).chain(presets);
         ranked(all, |item| item.rank(typed))
     }
 

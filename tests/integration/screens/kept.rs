@@ -1,6 +1,7 @@
 //! Results that a page keeps: of which scene, how far they came, and what a key of another meaning is called.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use super::bench::{Bench, ended, made};
 use super::{limit, search, stability, sweep};
@@ -58,7 +59,9 @@ fn an_error_stays_with_the_page_that_was_searched() {
     bench.reply(front, ReportBody::Failed("no design has a stroke".to_owned()));
     assert_eq!(bench.app.pages.search.page, Page::Sensitivity);
     // The page that waited has its turn.
-    assert_eq!(searched(&mut bench).1, Page::Sensitivity);
+    let (waiting, page) = searched(&mut bench);
+    assert_eq!(page, Page::Sensitivity);
+    bench.reply(waiting, ReportBody::Ended { found: None, took: Duration::ZERO });
     bench.app.notice = None;
     assert!(!bench.screen().contains("cannot be searched"), "{}", bench.screen());
     bench.app.pages.search.page = Page::Front;
