@@ -105,6 +105,8 @@ impl Changes {
             scene.target.closure = Closure::Given;
         } else if set("target.dishing") || set("target.drag_coefficient") {
             scene.target.closure = scene.closure();
+        } else {
+            return Ok(());
         }
         // What was typed holds, beside what suits the thickness.
         change(scene, &self.set)

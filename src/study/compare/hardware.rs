@@ -68,18 +68,17 @@ pub(super) struct Demand {
 
 impl Demand {
     pub(super) fn of(element: &Scene, max_displacement_m: Option<f64>) -> Self {
-        let start_m = 0.0 - element.plate.cocking_m;
-        Self { max_displacement_m, stored_j: spring_energy_j(element, start_m, max_displacement_m) }
+        let stored_j = spring_energy_j(element, element.start_m(), max_displacement_m);
+        Self { max_displacement_m, stored_j }
     }
 
     fn of_rest(element: &Scene) -> Self {
-        Self::of(element, Some(0.0 - element.plate.cocking_m))
+        Self::of(element, Some(element.start_m()))
     }
 
     /// The demands of every element of a run's scene.
     pub(super) fn of_run(run: &Run, elements: &[Scene]) -> Vec<Self> {
-        let behind = run.stack.iter().flat_map(|stack| stack.behind.iter());
-        let mut runs = std::iter::once(run).chain(behind.map(|run| &**run));
+        let mut runs = run.plates();
         let demand = |element: &Scene| {
             let struck = runs.next();
             struck.map_or_else(
