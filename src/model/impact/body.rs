@@ -12,6 +12,7 @@ mod energy;
 mod missed_event;
 mod omission;
 mod outcome;
+mod rebound;
 
 pub(super) use active_events::Noted;
 pub(super) use energy::NO_ENERGY;

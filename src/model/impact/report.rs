@@ -8,8 +8,8 @@ use crate::model::impact::record::Record;
 use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, Event, EventKind, MechanismLoad, NotModelled, Outcome,
-    Run, STILL_WITHIN_CONTACT, Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, Event, EventKind, MechanismLoad, Mode, NotModelled,
+    Outcome, Run, STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
@@ -91,6 +91,16 @@ pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReas
 fn tension(problem: &Problem, record: &Record<'_>) -> Option<f64> {
     let is_known = record.push_ratio.is_some() && !problem.plastic;
     is_known.then(|| tension_ratio(record.pull_ratio, problem.grip))
+}
+
+/// The tension of a fused interface on the way back, after the run, over its strength in tension, where it is too much and nothing
+/// has been before.
+fn rebound(problem: &Problem, simulation: &Simulation<'_>, farthest_m: f64) -> Option<f64> {
+    let (body, record) = (&simulation.body, &simulation.record);
+    let is_asked = body.mode == Mode::Fused && !problem.plastic && record.pull_exceeded_s.is_none();
+    let strength_n = Some(body.interface_n()).filter(|strength_n| is_asked && *strength_n > 0.0)?;
+    let pull = body.rebound_pull_n(farthest_m)? / strength_n;
+    Some(tension_ratio(pull, problem.grip)).filter(|ratio| *ratio > 1.0)
 }
 
 /// The greatest tension over the strength in tension, from that over `A S_y`.
@@ -186,6 +196,9 @@ fn warnings(
     if let Some(t_s) = record.pull_exceeded_s {
         let ratio = tension_ratio(record.pull_ratio, problem.grip);
         list.push(Warning::InterfacePull { ratio, t_s });
+    }
+    if let Some(ratio) = rebound(problem, simulation, far) {
+        list.push(Warning::InterfaceRebound { ratio });
     }
     if record.no_strength && !problem.plastic {
         list.push(Warning::InterfaceWithoutStrength);

@@ -406,7 +406,9 @@ fn check_of(warning: &Warning) -> Option<(Check, f64)> {
         Warning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
         Warning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
         // The grip is an assumption: a push is the surer of the two.
-        Warning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
+        Warning::InterfacePull { .. } | Warning::InterfaceRebound { .. } => {
+            Some((Check::Interface, 0.0))
+        }
         _ => None,
     }
 }

@@ -13,6 +13,7 @@ use crate::model::worded::worded;
 pub enum Warning {
     InterfacePush { ratio: f64, t_s: f64 },
     InterfacePull { ratio: f64, t_s: f64 },
+    InterfaceRebound { ratio: f64 },
     InterfaceWithoutStrength,
     PenetrationResumed { t_s: f64 },
     EnergyDrift { residual: f64 },
@@ -111,6 +112,15 @@ impl fmt::Display for Warning {
                 "the fused interface must carry {ratio:.3} times its strength g A S_y in tension (grip g is an assumption), first at \
                  t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
                 t_s * 1e3
+            ),
+            Self::InterfaceRebound { ratio } if !ratio.is_finite() => f.write_str(
+                "after this run the plate swings back and pulls at the fused interface, which has no grip (g = 0): the projectile would \
+                 be pulled out; try interface = plastic",
+            ),
+            Self::InterfaceRebound { ratio } => write!(
+                f,
+                "after this run the plate swings back and pulls at the fused interface with {ratio:.3} times its strength g A S_y (grip g \
+                 is an assumption): the projectile would be pulled out, and may strike again; try interface = plastic",
             ),
             Self::InterfaceWithoutStrength => {
                 f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")

@@ -25,7 +25,7 @@ impl Body<'_> {
     }
 
     /// Energy in spring and elastic stop at a displacement, J.
-    fn potential_j(&self, x: f64) -> f64 {
+    pub(super) fn potential_j(&self, x: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let pressed = larger(x - mechanism.stop_at_m, 0.0);
         let stop = mechanism
