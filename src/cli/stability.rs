@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::study::StudyArguments;
-use crate::cli::table::{at_top, choice};
+use crate::cli::study::{Answer, StudyArguments};
+use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::library;
 use crate::model::units::engineering;
@@ -81,11 +81,13 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
         .study
         .run("rows", |context| map::map(&preset.scene, arguments.method, axis, cells, context));
     let name = preset.name.as_str();
-    let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
-    let page = at_top(&map_page(&map, name), &warnings);
-    let object = tables::map_json(name, &map);
-    let table = arguments.study.table.of(&arguments.study.scene, &preset.scene);
-    table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
+    let answer = Answer {
+        warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
+        page: map_page(&map, name),
+        object: tables::map_json(name, &map),
+        rows: tables::map_table(name, &map),
+    };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(true))
 }
 

@@ -479,7 +479,8 @@ fn a_map_is_read_back_from_its_table() {
         says("stability", &["--map", "b", "--method", "rk4", "--quick", "--csv", "-"], 0);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-    assert_eq!(heads, ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"]);
+    let keys = ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s", "warnings"];
+    assert_eq!(heads, keys);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
