@@ -212,6 +212,24 @@ fn the_setup_of_v50_stands_beside_the_curve() {
     assert_snapshot!("limit_setup", bench.screen());
 }
 
+/// The limit is that of any shot: another impact velocity starts no second search. V50 is compared with the shot.
+#[test]
+fn a_search_under_way_goes_on_at_another_impact_velocity() {
+    let mut bench = Bench::ascii(80, 24);
+    let asked = |bench: &mut Bench| {
+        let studies = bench.studies().into_iter();
+        studies.filter(|study| study.asked.of::<LimitSearch>().is_some()).count()
+    };
+    bench.keys("3");
+    assert_eq!(asked(&mut bench), 1);
+    bench.keys("1/v_i<Enter><Enter>150<Enter>3");
+    assert_eq!(asked(&mut bench), 0);
+    bench.keys("v");
+    assert_eq!(asked(&mut bench), 1);
+    bench.keys("1<Enter>160<Enter>3");
+    assert_eq!(asked(&mut bench), 1);
+}
+
 #[test]
 fn the_crosshair_walks_from_shot_to_shot() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));

@@ -194,13 +194,18 @@ impl App {
         (page > 0).then_some((page, page == pages))
     }
 
-    /// The scene whose limit is wanted: at the impact velocity of the one that was found, on which only the samples depend.
-    pub fn limit_scene(&self) -> Scene {
-        let (mut scene, tab) = ((*self.scene).clone(), &self.pages.limit);
-        if tab.report.found.is_some() && !tab.sampled {
-            scene.projectile.velocity_m_s = tab.report.scene.projectile.velocity_m_s;
+    /// The scene on the screen at the impact velocity of another one: only what the samples are compared with depends on it.
+    fn limit_scene_at(&self, other: &Scene) -> Scene {
+        let mut scene = (*self.scene).clone();
+        if !self.pages.limit.sampled {
+            scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
         }
         scene
+    }
+
+    /// The scene whose limit is wanted, at the impact velocity of the one that was found.
+    pub fn limit_scene(&self) -> Scene {
+        self.limit_scene_at(&self.pages.limit.report.scene)
     }
 
     /// Whether what is wanted of the limit is neither there nor under way.
@@ -208,7 +213,7 @@ impl App {
         let tab = &self.pages.limit;
         match self.jobs.study::<LimitSearch>() {
             Some((running, search)) => {
-                search.0 != tab.effort() || running.scene != self.scene
+                search.0 != tab.effort() || *running.scene != self.limit_scene_at(&running.scene)
             }
             None => tab.lacks_v50() || !tab.report.is_there(&self.limit_scene()),
         }
