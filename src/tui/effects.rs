@@ -280,13 +280,10 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
 }
 
 fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
-    let (presets, problems) = preset::list(paths);
+    let preset::List { presets, unreadable } = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
-    let problems = problems.into_iter().map(|(name, problem)| (name, problem.to_string()));
-    let problems: Vec<(String, String)> = problems.collect();
-    let wrong_parts = wrong_parts.iter().map(ToString::to_string);
-    for problem in problems.iter().map(|(_, problem)| problem.clone()).chain(wrong_parts) {
-        log::warn!("{problem}");
+    for error in unreadable.iter().map(|one| &one.error).chain(&wrong_parts) {
+        log::warn!("{error}");
     }
     // A recent file that is gone or broken is omitted: loading it says why.
     let recent = recent.iter().filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
@@ -305,7 +302,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         })
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
-        .chain(problems.into_iter().map(|(name, problem)| PresetEntry::broken(name, problem)))
+        .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
         .collect()
 }
 
