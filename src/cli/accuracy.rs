@@ -7,12 +7,11 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, at_top};
 use crate::cli::text::width;
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
-use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
     self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
@@ -63,7 +62,6 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     for name in names {
         let mut preset = scene::named(name)?;
         arguments.changes.apply(&mut preset.scene)?;
-        library::warnings(&preset.scene).for_each(output::note);
         presets.push(preset);
     }
     let mut reports: Vec<Named> = Vec::new();
@@ -103,7 +101,8 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
 
 /// The pages of all scenes, one under the other.
 fn page(reports: &[Named]) -> String {
-    let pages: Vec<String> = reports.iter().map(|(name, report)| page_of(name, report)).collect();
+    let page = |(name, report): &Named| at_top(&page_of(name, report), &accuracy::warnings(report));
+    let pages: Vec<String> = reports.iter().map(page).collect();
     pages.join("\n")
 }
 

@@ -63,8 +63,8 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
 }
 
 fn presets() -> Vec<String> {
-    let (found, _) = preset::list(Paths::of_user().ok().as_ref());
-    found.into_iter().map(|preset| preset.name).collect()
+    let found = preset::list(Paths::of_user().ok().as_ref());
+    found.presets.into_iter().map(|preset| preset.name).collect()
 }
 
 fn entries(wanted: Library) -> Vec<String> {

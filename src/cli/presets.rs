@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
 fn list(table: &TableArguments) -> Result<(), CliError> {
     table.check()?;
     let paths = Paths::of_user().ok();
-    let (presets, problems) = preset::list(paths.as_ref());
+    let preset::List { presets, unreadable } = preset::list(paths.as_ref());
     let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
     let (mut text, mut own) = (String::new(), paths.as_ref());
     for preset in &presets {
@@ -61,8 +61,8 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let _ = writeln!(text, "{}", row.trim_end());
     }
     table.alone().deliver(&text, &table_of(&presets))?;
-    for (_, problem) in problems {
-        output::note(&format!("not listed: {problem}"));
+    for one in unreadable {
+        output::note(&format!("not listed: {}", one.error));
     }
     Ok(())
 }

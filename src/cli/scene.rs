@@ -104,7 +104,7 @@ impl Changes {
         if set("target.flow_strength_pa") {
             scene.target.closure = Closure::Given;
         } else if set("target.dishing") || set("target.drag_coefficient") {
-            scene.target.closure = scene.closure();
+            scene.target.closure = scene.target_in_effect().closure;
         } else {
             return Ok(());
         }

@@ -6,21 +6,21 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::study::StudyArguments;
-use crate::cli::table::{at_top, choice};
+use crate::cli::study::{Answer, StudyArguments};
+use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, FixedStep, Map};
+use crate::study::stability::map::{self, Axis, FixedStep, Map, Size};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
-/// Rows and columns of a coarser map.
-const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
+/// The size of a coarser map.
+const QUICK: Size = Size { rows: 10, columns: 31 };
 
 #[derive(Debug, Args)]
 #[command(
@@ -76,16 +76,18 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
-    let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
+    let size = if arguments.quick { QUICK } else { map::SIZE };
     let map = arguments
         .study
-        .run("rows", |context| map::map(&preset.scene, arguments.method, axis, cells, context));
+        .run("rows", |context| map::map(&preset.scene, arguments.method, axis, size, context));
     let name = preset.name.as_str();
-    let warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
-    let page = at_top(&map_page(&map, name), &warnings);
-    let object = tables::map_json(name, &map);
-    let table = arguments.study.table.of(&arguments.study.scene, &preset.scene);
-    table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
+    let answer = Answer {
+        warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
+        page: map_page(&map, name),
+        object: tables::map_json(name, &map),
+        rows: tables::map_table(name, &map),
+    };
+    arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(true))
 }
 

@@ -9,7 +9,7 @@ use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::files::validation;
-use crate::model::scene::Closure;
+use crate::model::scene::ClosureInEffect;
 use crate::model::units::{engineering, fixed_significant};
 use crate::report::validation as tables;
 use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
@@ -63,8 +63,10 @@ fn page(report: &[Row]) -> String {
                 "alternative",
                 row.other.map_or_else(String::new, |value| {
                     let other = match row.closure {
-                        Closure::Cavity | Closure::ByThickness => Closure::DoubleYield,
-                        Closure::Given | Closure::DoubleYield => Closure::Cavity,
+                        ClosureInEffect::Cavity => ClosureInEffect::DoubleYield,
+                        ClosureInEffect::Given | ClosureInEffect::DoubleYield => {
+                            ClosureInEffect::Cavity
+                        }
                     };
                     format!("{} by {}", off(value), closure_words(other))
                 }),
@@ -142,10 +144,10 @@ fn summary(report: &[Row]) -> String {
     table + "\n" + &text::hanging("", &said, 0)
 }
 
-fn closure_words(closure: Closure) -> &'static str {
+fn closure_words(closure: ClosureInEffect) -> &'static str {
     match closure {
-        Closure::Given => "a flow strength that is given",
-        Closure::Cavity | Closure::ByThickness => "cavity, without dishing",
-        Closure::DoubleYield => "double-yield, with dishing",
+        ClosureInEffect::Given => "a flow strength that is given",
+        ClosureInEffect::Cavity => "cavity, without dishing",
+        ClosureInEffect::DoubleYield => "double-yield, with dishing",
     }
 }

@@ -187,7 +187,7 @@ mod tests {
 
     use super::*;
     use crate::model::library::warnings;
-    use crate::model::scene::Closure;
+    use crate::model::scene::ClosureInEffect;
 
     #[test]
     fn bundled_entries_are_all_read_and_cite_a_source() {
@@ -230,11 +230,11 @@ mod tests {
         material.apply(&mut scene).unwrap();
         // Of a diameter of 12.7 mm, and after a change of the thickness alone.
         for (thickness_m, closure, drag) in
-            [(0.003, Closure::DoubleYield, 0.5), (0.0127, Closure::Cavity, 1.0)]
+            [(0.003, ClosureInEffect::DoubleYield, 0.5), (0.0127, ClosureInEffect::Cavity, 1.0)]
         {
             scene.target.thickness_m = thickness_m;
             assert_eq!(scene.closure(), closure);
-            assert_eq!(scene.dishing(), closure == Closure::DoubleYield);
+            assert_eq!(scene.dishing(), closure == ClosureInEffect::DoubleYield);
             assert_eq!(scene.drag_kg_m3().to_bits(), (0.5 * drag * 2710.0_f64).to_bits());
         }
         let mut scene = Scene::default();

@@ -56,10 +56,27 @@ impl Origin {
     }
 }
 
-/// Every preset that can be read, bundled first, then the user's own by name; and the names of those that cannot be read, with the
-/// reason.
-pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
-    let (mut presets, mut problems) = (Vec::new(), Vec::new());
+/// The presets there are.
+#[derive(Debug, Default)]
+pub struct List {
+    /// Those that can be read, bundled first, then the user's own by name.
+    pub presets: Vec<Preset>,
+    /// Those that cannot.
+    pub unreadable: Vec<Unreadable>,
+}
+
+/// A preset that cannot be read.
+#[derive(Debug)]
+pub struct Unreadable {
+    /// Its name.
+    pub name: String,
+    /// The reason.
+    pub error: FileError,
+}
+
+/// Lists the presets.
+pub fn list(paths: Option<&Paths>) -> List {
+    let mut list = List::default();
     let own = paths.map(own_presets).unwrap_or_default().into_iter();
     let found = BUNDLED.iter().map(|preset| (preset.name.to_owned(), from_bundled(*preset))).chain(
         own.map(|(name, path)| {
@@ -69,11 +86,11 @@ pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<(String, FileError)>) {
     );
     for (name, preset) in found {
         match preset {
-            Ok(preset) => presets.push(preset),
-            Err(problem) => problems.push((name, problem)),
+            Ok(preset) => list.presets.push(preset),
+            Err(error) => list.unreadable.push(Unreadable { name, error }),
         }
     }
-    (presets, problems)
+    list
 }
 
 /// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
@@ -308,8 +325,8 @@ mod tests {
         let paths = Paths::below(place.path());
         let scene = Scene { title: "mine".to_owned(), ..Scene::default() };
         let path = save(&paths, "my scene", &scene, Existing::Keep).unwrap();
-        let (presets, problems) = list(Some(&paths));
-        assert!(problems.is_empty(), "{problems:?}");
+        let List { presets, unreadable } = list(Some(&paths));
+        assert!(unreadable.is_empty(), "{unreadable:?}");
         let mine = presets.last().unwrap();
         assert_eq!((mine.name.as_str(), &mine.scene), ("my scene", &scene));
         assert_eq!(mine.origin, Origin::Mine(path));
@@ -340,8 +357,8 @@ mod tests {
         fs::create_dir_all(&paths.presets).unwrap();
         let path = paths.preset_file("hurt");
         fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
-        let (_, problems) = list(Some(&paths));
-        assert!(problems[0].1.to_string().contains("hurt.toml:3:1"), "{}", problems[0].1);
+        let problem = list(Some(&paths)).unreadable[0].error.to_string();
+        assert!(problem.contains("hurt.toml:3:1"), "{problem}");
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("was not replaced"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
@@ -351,18 +368,24 @@ mod tests {
     fn unreadable_presets_are_reported() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let told = || list(Some(&paths)).1.iter().map(|it| it.1.to_string()).collect::<Vec<_>>();
+        let problems = || -> Vec<String> {
+            list(Some(&paths)).unreadable.iter().map(|it| it.error.to_string()).collect()
+        };
         // No folder yet: nothing has been saved.
-        assert!(told().is_empty(), "{:?}", told());
+        assert!(problems().is_empty(), "{:?}", problems());
         fs::create_dir_all(&paths.presets).unwrap();
         let long = "n".repeat(65);
         fs::write(paths.presets.join(format!("{long}.toml")), "format = 1\n").unwrap();
         fs::write(paths.presets.join("notes.txt"), "no preset").unwrap();
-        assert_eq!(told().len(), 1);
-        assert!(told()[0].contains(&long) && told()[0].contains("1 to 64"), "{}", told()[0]);
+        assert_eq!(problems().len(), 1);
+        assert!(
+            problems()[0].contains(&long) && problems()[0].contains("1 to 64"),
+            "{}",
+            problems()[0]
+        );
         fs::remove_dir_all(&paths.presets).unwrap();
         // A folder that cannot be read.
         fs::write(&paths.presets, "a file").unwrap();
-        assert!(told()[0].contains("presets"), "{}", told()[0]);
+        assert!(problems()[0].contains("presets"), "{}", problems()[0]);
     }
 }

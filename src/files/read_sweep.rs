@@ -54,7 +54,7 @@ impl AxisRow {
             }
         };
         let axis = axis.map_err(|error| error.to_string())?;
-        Ok(SweepAxis { name: name.clone(), ..axis.asked() })
+        Ok(SweepAxis { name: name.clone(), ..axis.to_sweep_axis() })
     }
 }
 

@@ -15,7 +15,7 @@ mod mechanism;
 pub use crate::model::mechanism::damper::Damper;
 pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
 pub use crate::model::mechanism::stop::{Stop, StopKind};
-pub use bodies::{Closure, Mount, Nose, Plate, PlateSize, Projectile, Target};
+pub use bodies::{Closure, ClosureInEffect, Mount, Nose, Plate, PlateSize, Projectile, Target};
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Jumps, Listing, Reading};
 pub use mechanism::{Combination, Mechanism, OwnMass, WhichSpring, Wire};
 
@@ -164,7 +164,7 @@ impl Scene {
     }
 
     /// The closure that the plate's thickness chooses; `None` where the scene states one.
-    pub fn closure_by_thickness(&self) -> Option<Closure> {
+    pub fn closure_by_thickness(&self) -> Option<ClosureInEffect> {
         (self.target.closure == Closure::ByThickness).then(|| self.closure())
     }
 
@@ -173,9 +173,9 @@ impl Scene {
         self.target.in_effect(self.projectile.tip_radius_m)
     }
 
-    /// The closure in effect: never [`Closure::ByThickness`].
-    pub fn closure(&self) -> Closure {
-        self.target_in_effect().closure
+    /// The closure in effect.
+    pub fn closure(&self) -> ClosureInEffect {
+        self.target.closure_in_effect(self.projectile.tip_radius_m)
     }
 
     /// Whether the plate dishes.
@@ -192,11 +192,9 @@ impl Scene {
     pub fn flow_strength_pa(&self) -> f64 {
         let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
         match self.closure() {
-            Closure::Given => flow_strength_pa,
-            Closure::DoubleYield => 2.0 * y,
-            Closure::Cavity | Closure::ByThickness => {
-                2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln())
-            }
+            ClosureInEffect::Given => flow_strength_pa,
+            ClosureInEffect::DoubleYield => 2.0 * y,
+            ClosureInEffect::Cavity => 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln()),
         }
     }
 

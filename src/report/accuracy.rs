@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
@@ -11,10 +12,10 @@ use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, Report};
 /// A scene's name and its comparison.
 pub type Named = (String, Report);
 
-/// A point with its method and the name of its scene.
+/// A point with its method and its comparison.
 #[derive(Clone, Copy)]
 pub struct Row<'r> {
-    scene: &'r str,
+    of: &'r Named,
     method: &'r MethodReport,
     point: &'r Point,
 }
@@ -25,17 +26,21 @@ impl<'r> Row<'r> {
     }
 }
 
-fn rows((scene, report): &Named) -> impl Iterator<Item = Row<'_>> {
-    report
-        .methods
+fn rows(of: &Named) -> impl Iterator<Item = Row<'_>> {
+    of.1.methods
         .iter()
-        .flat_map(move |method| method.points.iter().map(move |point| Row { scene, method, point }))
+        .flat_map(move |method| method.points.iter().map(move |point| Row { of, method, point }))
+}
+
+/// What its scene's entries of a library warn of.
+pub fn warnings(report: &Report) -> Vec<String> {
+    library::warnings(&report.scene).map(str::to_owned).collect()
 }
 
 /// The points of all scenes.
 pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
     Table::of(reports.iter().flat_map(rows))
-        .with("scene", "scene", "", |row| row.scene)
+        .with("scene", "scene", "", |row| row.of.0.as_str())
         .with("method", "method", "", |row| row.method.method.name())
         .with("letter", "letter", "", |row| row.method.method.letter().to_string())
         .with("time_step_s", "time step", "s", |row| match row.point.knob {
@@ -65,7 +70,11 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("reference_uncertainty", "its uncertainty", "", |row| {
             row.method.reference?.uncertainty
         })
+        .with(WARNINGS, WARNINGS, "", |row| warnings(&row.of.1).join("; "))
 }
+
+/// The key of the warnings.
+const WARNINGS: &str = "warnings";
 
 /// The accuracies of the table of methods.
 pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
@@ -149,7 +158,8 @@ fn scene(named: &Named) -> Value {
         "scene": name,
         "references": references.collect::<Vec<_>>(),
         "answers": answers,
-        "points": table(std::slice::from_ref(named)).objects(|_| true),
+        "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
+        WARNINGS: warnings(report),
     })
 }
 

@@ -8,7 +8,7 @@ use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{self, LINE, Tone};
 use crate::report::table::Table;
-use crate::study::stability::map::{Cell, Map};
+use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::others::Other;
 use crate::study::stability::{Row, Shortfall};
 
@@ -112,7 +112,7 @@ pub fn map_json(scene: &str, map: &Map) -> Value {
         "values": map.values,
         "cells": rows,
         "limit_dt_s": map.limit_s,
-        "present": { "value": map.present.0, "dt_s": map.present.1 },
+        "present": { "value": map.present, "dt_s": THESIS_DT_S },
         "largest_stable_dt_s": map.largest_stable_dt_s,
     })
 }

@@ -32,7 +32,7 @@ impl Columns {
             // Without outputs all are meant.
             Self::All => Vec::new(),
         };
-        Sweep { axes: plan.axes().iter().map(Axis::asked).collect(), outputs }
+        Sweep { axes: plan.axes().iter().map(Axis::to_sweep_axis).collect(), outputs }
     }
 }
 

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use crate::model::run::envelope::{self, Check};
-use crate::model::scene::{Closure, Scene};
+use crate::model::scene::{Closure, ClosureInEffect, Scene};
 use crate::model::variables;
 use crate::study::{changed, limit, plain_run};
 
@@ -191,7 +191,7 @@ pub struct Row {
     /// By the case's own closure; `None` where the model gives nothing.
     pub computed: Option<f64>,
     /// Its closure.
-    pub closure: Closure,
+    pub closure: ClosureInEffect,
     /// By the other closure; `None` where the flow strength is given outright.
     pub other: Option<f64>,
     /// Plate thickness over projectile diameter.
@@ -233,9 +233,9 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
     (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
-        Closure::Given => return None,
-        Closure::DoubleYield => (Closure::Cavity, false, 1.0),
-        Closure::Cavity | Closure::ByThickness => (Closure::DoubleYield, true, 0.5),
+        ClosureInEffect::Given => return None,
+        ClosureInEffect::DoubleYield => (Closure::Cavity, false, 1.0),
+        ClosureInEffect::Cavity => (Closure::DoubleYield, true, 0.5),
     };
     Some(own)
 }

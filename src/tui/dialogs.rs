@@ -36,6 +36,17 @@ impl Dialog {
     }
 }
 
+/// The dialog on top if it is the one that asked: meanwhile another one may have been opened.
+pub(crate) fn asking(
+    dialog: &mut Option<Dialog>,
+    is_it: impl FnOnce(&Ask) -> bool,
+) -> Option<&mut Ask> {
+    match dialog {
+        Some(Dialog::Ask(ask)) => Some(&mut **ask).filter(|ask| is_it(ask)),
+        Some(Dialog::List(..)) | None => None,
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {
     /// Keys, and what the selected variable means.

@@ -190,7 +190,8 @@ impl FileQueue {
         let paths = self.unsaved.paths.as_ref();
         match task {
             Task::SavePreset { name, scene, overwrite } => {
-                EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
+                let saved = save_preset(paths, &name, &scene, overwrite);
+                EffectReport::Saved(name, saved)
             }
             Task::Export(to, content) => {
                 EffectReport::Exported(to.path.clone(), export(to, &content))
@@ -257,13 +258,12 @@ pub(super) fn of_another(aside: &Path) -> String {
 
 fn save_preset(
     paths: Option<&Paths>,
-    name: String,
+    name: &str,
     scene: &Scene,
     overwrite: bool,
-) -> Result<(String, PathBuf), String> {
+) -> Result<PathBuf, String> {
     let paths = paths.ok_or_else(|| FileError::NoHome.to_string())?;
-    preset::save(paths, &name, scene, Existing::replaced(overwrite))
-        .map(|path| (name, path))
+    preset::save(paths, name, scene, Existing::replaced(overwrite))
         .map_err(|error| error.to_string())
 }
 
@@ -280,13 +280,10 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
 }
 
 fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
-    let (presets, problems) = preset::list(paths);
+    let preset::List { presets, unreadable } = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
-    let problems = problems.into_iter().map(|(name, problem)| (name, problem.to_string()));
-    let problems: Vec<(String, String)> = problems.collect();
-    let wrong_parts = wrong_parts.iter().map(ToString::to_string);
-    for problem in problems.iter().map(|(_, problem)| problem.clone()).chain(wrong_parts) {
-        log::warn!("{problem}");
+    for error in unreadable.iter().map(|one| &one.error).chain(&wrong_parts) {
+        log::warn!("{error}");
     }
     // A recent file that is gone or broken is omitted: loading it says why.
     let recent = recent.iter().filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
@@ -305,7 +302,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         })
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
-        .chain(problems.into_iter().map(|(name, problem)| PresetEntry::broken(name, problem)))
+        .chain(unreadable.into_iter().map(|it| PresetEntry::broken(it.name, it.error.to_string())))
         .collect()
 }
 
@@ -429,16 +426,16 @@ mod tests {
             });
         };
         ask(false);
-        let EffectReport::Saved(Ok((name, path))) = report(&inbox) else {
+        let EffectReport::Saved(name, Ok(path)) = report(&inbox) else {
             panic!("not saved");
         };
         assert_eq!((name.as_str(), &path), ("mine", &paths.preset_file("mine")));
         ask(false);
         assert!(
-            matches!(report(&inbox), EffectReport::Saved(Err(text)) if text.contains("exists"))
+            matches!(report(&inbox), EffectReport::Saved(_, Err(text)) if text.contains("exists"))
         );
         ask(true);
-        assert!(matches!(report(&inbox), EffectReport::Saved(Ok(_))));
+        assert!(matches!(report(&inbox), EffectReport::Saved(_, Ok(_))));
         io_thread.ask(Task::ListPresets(Vec::new()));
         let EffectReport::Presets(presets) = report(&inbox) else {
             panic!("not a list");

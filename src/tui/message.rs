@@ -60,8 +60,8 @@ pub enum Target {
 /// How an effect ended. The texts are for the message row.
 #[derive(Clone, Debug)]
 pub enum EffectReport {
-    /// A preset was saved: its name and path.
-    Saved(Result<(String, PathBuf), String>),
+    /// A preset of this name was saved: its path.
+    Saved(String, Result<PathBuf, String>),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
     /// The presets that can be loaded now.

@@ -5,7 +5,7 @@ pub(crate) mod edit;
 pub(crate) mod jobs;
 pub(crate) mod zoom;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -13,7 +13,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
-use crate::tui::dialogs::{Dialog, Purpose, ask, list};
+use crate::tui::dialogs::{ask, asking, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
@@ -346,11 +346,7 @@ fn is_typing(app: &App) -> bool {
 /// An effect has been carried out, or has failed.
 pub(crate) fn done(app: &mut App, report: EffectReport) {
     match report {
-        EffectReport::Saved(Ok((name, path))) => saved(app, name, &path),
-        EffectReport::Saved(Err(text)) => match &mut app.dialog {
-            Some(Dialog::Ask(ask)) => ask.text.error = Some(text),
-            _ => app.refuse(text),
-        },
+        EffectReport::Saved(name, outcome) => saved(app, name, outcome),
         EffectReport::Exported(path, outcome) => exported(app, &path, outcome),
         EffectReport::Presets(list) => app.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
@@ -378,10 +374,21 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     app.session_lost = kept.is_err();
 }
 
-fn saved(app: &mut App, name: String, path: &Path) {
-    if matches!(&app.dialog, Some(Dialog::Ask(ask)) if ask.purpose == Purpose::Preset) {
-        app.dialog = None;
-    }
+fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
+    let asked = asking(&mut app.dialog, |ask| ask.saves(&name));
+    let path = match (outcome, asked) {
+        (Ok(path), asked) => {
+            if asked.is_some() {
+                app.dialog = None;
+            }
+            path
+        }
+        (Err(text), Some(ask)) => {
+            ask.text.error = Some(text);
+            return;
+        }
+        (Err(text), None) => return app.refuse(text),
+    };
     app.tell(format!("saved `{name}` as {}", path.display()));
     app.base = Base { name, is_mine: true, scene: Arc::clone(&app.scene) };
     app.list_presets();
@@ -389,12 +396,7 @@ fn saved(app: &mut App, name: String, path: &Path) {
 }
 
 fn exported(app: &mut App, path: &Path, outcome: ExportOutcome) {
-    // A report takes a while: meanwhile another dialog may have been opened.
-    let directory = &app.directory;
-    let asked = match &mut app.dialog {
-        Some(Dialog::Ask(ask)) => Some(ask).filter(|ask| ask.exports_to(directory, path)),
-        _ => None,
-    };
+    let asked = asking(&mut app.dialog, |ask| ask.exports_to(&app.directory, path));
     match (outcome, asked) {
         (ExportOutcome::Written(files), asked) => {
             if asked.is_some() {

@@ -169,8 +169,17 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
         [&["design", "shot"][..], &["stability", "--map", "k", "--quick"], &["accuracy", "--quick"]]
     {
         let more = [&command[1..], &["--threat", "fsp-22", "--set", "v_i=438"]].concat();
-        let (page, error) = says(command[0], &more, 0);
-        assert!(format!("{page}{error}").contains("blunt chisel nose"), "{command:?}");
+        let page = says(command[0], &more, 0).0;
+        assert!(page.contains("blunt chisel nose"), "{command:?}: {page}");
+        if command[0] != "design" {
+            let of = |option: &[&str]| says(command[0], &[&more[..], option].concat(), 0).0;
+            let found: Value = serde_json::from_str(&of(&["--json"])).unwrap();
+            let object = if found.is_array() { &found[0] } else { &found };
+            let warning = object["warnings"][0].as_str().unwrap();
+            assert!(warning.contains("blunt chisel nose"), "{warning}");
+            let csv = of(&["--csv", "-"]);
+            assert!(csv.lines().nth(1).unwrap().contains("blunt chisel nose"), "{csv}");
+        }
     }
     let (_, error) = says("run", &["--threat", "fsp-22", "--set", "v_i=438"], 0);
     assert!(!error.contains("velocity"), "{error}");

@@ -244,7 +244,7 @@ fn first_arrest_is_the_same_in_both_interface_laws() {
 #[test]
 fn energy_closes_to_1e_9_on_every_preset() {
     let mut count = 0;
-    for preset in files::preset::list(None).0 {
+    for preset in files::preset::list(None).presets {
         let run = run_with(preset.scene.clone(), Settings::default());
         let residual = run.ledger.residual();
         assert!(residual.abs() < 1e-9, "{}: {residual:e}", preset.name);

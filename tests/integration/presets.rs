@@ -18,9 +18,9 @@ use serde::Deserialize;
 use crate::support::{files_in, in_repository};
 
 fn all() -> Vec<Preset> {
-    let (presets, problems) = preset::list(None);
-    assert!(problems.is_empty(), "{problems:?}");
-    presets
+    let list = preset::list(None);
+    assert!(list.unreadable.is_empty(), "{:?}", list.unreadable);
+    list.presets
 }
 
 #[test]

@@ -13,7 +13,7 @@ use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::stability::map::{self, Axis, FixedStep};
+use cmra::study::stability::map::{self, Axis, FixedStep, Size};
 
 use crate::support::says;
 
@@ -479,11 +479,13 @@ fn a_map_is_read_back_from_its_table() {
         says("stability", &["--map", "b", "--method", "rk4", "--quick", "--csv", "-"], 0);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
-    assert_eq!(heads, ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"]);
+    let keys = ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s", "warnings"];
+    assert_eq!(heads, keys);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
-    let map = map::map(&Scene::default(), FixedStep::Rk4, Axis::B, (10, 31), context);
+    let size = Size { rows: 10, columns: 31 };
+    let map = map::map(&Scene::default(), FixedStep::Rk4, Axis::B, size, context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);
     let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);

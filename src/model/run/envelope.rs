@@ -12,7 +12,9 @@ use crate::model::design::Rod;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, WhichSpring};
+use crate::model::scene::{
+    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, Scene, WhichSpring,
+};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -178,8 +180,8 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     let shown = significant(ratio, 3);
     if scene.dishing() && ratio > THICKNESS + ABOUT {
         let cure = match scene.closure() {
-            Closure::Given => "set dishing=off and a strength by cavity expansion",
-            Closure::DoubleYield | Closure::Cavity | Closure::ByThickness => {
+            ClosureInEffect::Given => "set dishing=off and a strength by cavity expansion",
+            ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => {
                 "set dishing=off and closure=cavity"
             }
         };
@@ -191,7 +193,7 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         return None;
     }
     let (closure, target) = (scene.closure(), &scene.target);
-    let is_hard = closure == Closure::Cavity && target.yield_pa >= HARD_PA;
+    let is_hard = closure == ClosureInEffect::Cavity && target.yield_pa >= HARD_PA;
     if is_hard && ratio < HARD_THICKNESS {
         let text = format!(
             "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
@@ -204,8 +206,8 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         return None;
     }
     let cure = match closure {
-        Closure::Given | Closure::DoubleYield => "set dishing=on",
-        Closure::Cavity | Closure::ByThickness => "set closure=double-yield and dishing=on",
+        ClosureInEffect::Given | ClosureInEffect::DoubleYield => "set dishing=on",
+        ClosureInEffect::Cavity => "set closure=double-yield and dishing=on",
     };
     let text = format!(
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"
@@ -440,7 +442,7 @@ pub fn remarks(run: &Run) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Layer;
+    use crate::model::scene::{Closure, Layer};
     use crate::model::simulate::bare_run as run;
 
     fn checks(found: &[Breach]) -> Vec<Check> {

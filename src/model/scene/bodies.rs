@@ -106,6 +106,16 @@ worded! {
 }
 
 worded! {
+    /// The closure in effect: the one that is stated, or the one that the plate's thickness chooses.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum ClosureInEffect: word {
+        Given = "given",
+        DoubleYield = "double-yield",
+        Cavity = "cavity",
+    }
+}
+
+worded! {
     /// How the plate is carried.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Mount: word {
@@ -149,6 +159,17 @@ impl Target {
         CAVITY_FROM * 2.0 * tip_radius_m
     }
 
+    /// The closure in effect.
+    pub fn closure_in_effect(&self, tip_radius_m: f64) -> ClosureInEffect {
+        let is_thin = self.thickness_m < Self::thick_from_m(tip_radius_m);
+        match self.closure {
+            Closure::Given => ClosureInEffect::Given,
+            Closure::DoubleYield => ClosureInEffect::DoubleYield,
+            Closure::ByThickness if is_thin => ClosureInEffect::DoubleYield,
+            Closure::Cavity | Closure::ByThickness => ClosureInEffect::Cavity,
+        }
+    }
+
     /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
     /// expansion with a hemisphere's drag on a thick one.
     #[must_use]
@@ -156,7 +177,7 @@ impl Target {
         if self.closure != Closure::ByThickness {
             return self;
         }
-        if self.thickness_m < Self::thick_from_m(tip_radius_m) {
+        if self.closure_in_effect(tip_radius_m) == ClosureInEffect::DoubleYield {
             return Self {
                 closure: Closure::DoubleYield,
                 dishing: true,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, Scene};
+use crate::model::scene::{Closure, ClosureInEffect, Scene};
 use crate::study::context::Context;
 use crate::study::limit::alone;
 
@@ -22,7 +22,7 @@ impl Closures {
             let own = Arc::new(by_closure(scene, closure));
             alone(&own, context).ok().and_then(super::Limit::velocity_m_s)
         };
-        (scene.closure() != Closure::Given).then(|| Self {
+        (scene.closure() != ClosureInEffect::Given).then(|| Self {
             double_yield_m_s: by(Closure::DoubleYield),
             cavity_m_s: by(Closure::Cavity),
         })

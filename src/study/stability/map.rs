@@ -35,8 +35,8 @@ const STEPS_MAX: usize = 200_000;
 const ARREST: f64 = 1e-4;
 /// Real and imaginary extent of Runge-Kutta's region of stability.
 const RK4_REAL: f64 = 2.785_293_563_405_282;
-/// Rows and columns of a map on a screen.
-pub const CELLS: (usize, usize) = (19, 61);
+/// The size of a map on a screen.
+pub const SIZE: Size = Size { rows: 19, columns: 61 };
 /// The thesis's own step, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
@@ -131,6 +131,15 @@ enumeration! {
     Waiting { word: "not computed", words: "not computed", letter: ' ' }
 }
 
+/// How many cells a map has, at least 2 each way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Values of the variable.
+    pub rows: usize,
+    /// Steps.
+    pub columns: usize,
+}
+
 /// A map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
@@ -146,8 +155,8 @@ pub struct Map {
     pub cells: Vec<Cell>,
     /// The analytic limit of the step in each row, s; `None` where nothing limits it or the contact is unknown.
     pub limit_s: Vec<Option<f64>>,
-    /// The present point: the scene's value and the thesis's step.
-    pub present: (f64, f64),
+    /// The scene's own value; its step is the thesis's.
+    pub present: f64,
     /// The largest step the analytic limit allows at the present point, s.
     pub largest_stable_dt_s: Option<f64>,
 }
@@ -165,7 +174,7 @@ impl Map {
 
     /// Row and column of the present point; `None` where it lies outside.
     pub fn present_at(&self) -> Option<(usize, usize)> {
-        nearest(&self.values, self.present.0).zip(nearest(&self.dt_s, self.present.1))
+        nearest(&self.values, self.present).zip(nearest(&self.dt_s, THESIS_DT_S))
     }
 
     /// The first column of a row beyond its analytic limit, if that lies within the map.
@@ -195,13 +204,12 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::require_single(scene)
 }
 
-/// Compute the map of a valid scene with `(rows, columns)` cells, both at least 2, and show it as it grows. Where it is stopped, the
-/// rest is waiting.
+/// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
 pub fn map(
     scene: &Scene,
     method: FixedStep,
     axis: Axis,
-    (rows, columns): (usize, usize),
+    Size { rows, columns }: Size,
     context: &mut Context<'_, Map>,
 ) -> Map {
     let present = Target::of(scene);
@@ -219,7 +227,7 @@ pub fn map(
         limit_s: vec![None; rows],
         dt_s,
         values,
-        present: ((axis.get())(scene), THESIS_DT_S),
+        present: (axis.get())(scene),
         largest_stable_dt_s: present.and_then(|target| limit(scene, method, &target.peaks)),
     };
     context.expect(rows);
@@ -392,7 +400,8 @@ mod tests {
     fn a_map_has_a_cell_for_every_row_and_column() {
         let mut watch = to_its_end;
         let context = &mut Context::new(1, &mut watch);
-        let map = map(&Scene::default(), FixedStep::Rk4, Axis::B, (4, 5), context);
+        let map =
+            map(&Scene::default(), FixedStep::Rk4, Axis::B, Size { rows: 4, columns: 5 }, context);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -419,7 +428,8 @@ mod tests {
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let context = &mut Context::new(1, stop);
-        let map = map(&Scene::default(), FixedStep::Rk4, Axis::B, (40, 5), context);
+        let map =
+            map(&Scene::default(), FixedStep::Rk4, Axis::B, Size { rows: 40, columns: 5 }, context);
         assert_eq!(map.cells.len(), 200);
         assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
         assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));

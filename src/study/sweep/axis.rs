@@ -144,13 +144,13 @@ impl Axis {
     ///
     /// # Errors
     /// As [`Axis::new`].
-    pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
-        if !asked.values.is_empty() {
-            return Self::listed(&asked.name, &asked.values, counts);
+    pub fn of(axis: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
+        if !axis.values.is_empty() {
+            return Self::listed(&axis.name, &axis.values, counts);
         }
-        let spacing = if asked.log { Spacing::Log } else { Spacing::Linear };
-        let count = u64::try_from(asked.count).unwrap_or(u64::MAX);
-        Self::within(&asked.name, (asked.from, asked.to), count, spacing, counts)
+        let spacing = if axis.log { Spacing::Log } else { Spacing::Linear };
+        let count = u64::try_from(axis.count).unwrap_or(u64::MAX);
+        Self::within(&axis.name, (axis.from, axis.to), count, spacing, counts)
     }
 
     /// The axes of a sweep as a scene keeps it.
@@ -193,7 +193,7 @@ impl Axis {
     }
 
     /// The same axis as a scene file has it.
-    pub fn asked(&self) -> SweepAxis {
+    pub fn to_sweep_axis(&self) -> SweepAxis {
         SweepAxis {
             name: self.symbol().to_owned(),
             from: self.from,
@@ -465,7 +465,7 @@ mod tests {
         assert_eq!([2e4, 9e4, 9e9].map(|value| axis.nearest(value)), [1, 0, 2]);
         let shares = [0.0, 0.34, 0.99, 1.0].map(|share| axis.at_share(share));
         assert_eq!(shares.to_vec(), vec![1e5, 1e4, 3e6, 3e6]);
-        assert_eq!(Axis::of(&axis.asked(), &COUNTS).unwrap(), axis);
+        assert_eq!(Axis::of(&axis.to_sweep_axis(), &COUNTS).unwrap(), axis);
         for (values, fragment) in [
             (&[1e5][..], "count = 1"),
             (&[1e5, 2e5, 1e5], "1e5 occurs twice"),

@@ -258,8 +258,8 @@ impl<'p> Evaluator<'p> {
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;
-            let told = outputs.iter().filter(|_| run.end.is_complete());
-            let values = told.map(|it| it.value(&run)).collect();
+            let known = outputs.iter().filter(|_| run.end.is_complete());
+            let values = known.map(|it| it.value(&run)).collect();
             Some((run, values))
         };
         // Each point begins again, so a panic at one leaves nothing behind for the next.

@@ -94,11 +94,11 @@ impl Summary {
     /// Add rows, the first of which is point `first`.
     pub fn add(&mut self, first: u64, rows: &Rows) {
         for (row, point) in (0..rows.len()).zip(first..) {
-            self.outcomes.add(rows.outcome(row));
+            let outcome = rows.outcome(row);
+            self.outcomes.add(outcome);
+            let counts = matches!(outcome, PointOutcome::Arrested | PointOutcome::Separated);
             for output in 0..self.extremes.len() {
-                let told =
-                    matches!(rows.outcome(row), PointOutcome::Arrested | PointOutcome::Separated);
-                if let Some(value) = rows.value(row, output).filter(|_| told) {
+                if let Some(value) = rows.value(row, output).filter(|_| counts) {
                     self.consider(output, value, point);
                 }
             }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::tui::app::find::quantity_called;
 use crate::tui::pages::explore::setup::{self, SetupRow};
 use crate::tui::pages::explore::state::sweep_of;
+use crate::tui::pages::limit;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::search;
 use crate::tui::pages::search::state::{Page, Row};
@@ -14,6 +15,7 @@ use crate::tui::widgets::form::Line;
 /// A row that is gone through has no more values than these.
 const VALUES_MOST: usize = 12;
 
+const LIMIT: &str = "Limit";
 const V50: &str = "Limit: V50";
 const ABSORBER: &str = "Limit: absorber";
 
@@ -62,9 +64,12 @@ impl App {
                 }
             }
         }
-        let limit = &self.pages.limit;
-        kept.insert(V50.to_owned(), limit.sampled.to_string());
-        kept.extend(limit.absorber.clone().map(|name| (ABSORBER.to_owned(), name)));
+        for row in limit::setup::Row::ALL {
+            let line = self.pages.limit.setup.line(row);
+            kept.insert(key(LIMIT, &line), text(&line));
+        }
+        kept.insert(V50.to_owned(), self.pages.limit.sampled.to_string());
+        kept.extend(self.pages.limit.absorber.clone().map(|name| (ABSORBER.to_owned(), name)));
         kept
     }
 
@@ -94,6 +99,11 @@ impl App {
                 |app: &Self| explore_rows(app).find(|(one, _)| *one == row).map(|(_, line)| line);
             let change = |app: &mut Self, input: Input<'_>| setup::change(app, row, input);
             self.restore(wanted, now, change);
+        }
+        for row in limit::setup::Row::ALL {
+            let line = |app: &Self| Some(app.pages.limit.setup.line(row));
+            let wanted = line(self).and_then(|line| kept.get(&key(LIMIT, &line)));
+            self.restore(wanted, line, |app, input| app.pages.limit.setup.change(row, input));
         }
         for page in Page::ALL {
             self.pages.search.page = page;

@@ -1,6 +1,6 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
-use crate::model::run::envelope::{self, Check};
+use crate::model::run::envelope::{self, Breach, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::scene::Mount;
 use crate::model::units::significant;
@@ -413,11 +413,15 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
 }
 
 impl App {
-    /// Which rules of the model's validity the scene does not keep, in full and short: by its run where that is there.
+    /// The rules of the model's validity that the scene does not keep: by its run where that is there, with every plate struck.
+    pub(crate) fn breaches(&self) -> Vec<Breach> {
+        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.shows_old());
+        run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run))
+    }
+
+    /// The same in full and short.
     pub(crate) fn validity_part(&self) -> Option<StatusPart> {
-        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
-        let found =
-            run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
+        let found = self.breaches();
         // The status row of a run has the load of the interface already, with its number.
         let of_run = matches!(self.tab, Tab::Run | Tab::Log);
         let is_shown = |check: &Check| *check == Check::Interface && of_run;

@@ -12,7 +12,7 @@ use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
 use crate::tui::dialogs::export::{self as runs, Choices};
-use crate::tui::dialogs::{Ask, Dialog, Purpose, frame};
+use crate::tui::dialogs::{Ask, Dialog, Purpose, asking, frame};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
 use crate::tui::pages::run::report;
@@ -37,9 +37,18 @@ impl Ask {
         matches!(self.purpose, Purpose::Runs | Purpose::Table(_))
     }
 
+    fn is_of(&self, directory: &Path, path: &Path) -> bool {
+        directory.join(self.text.value().trim()) == path
+    }
+
     /// Whether it asks for an export to this path.
     pub(crate) fn exports_to(&self, directory: &Path, path: &Path) -> bool {
-        self.exports() && directory.join(self.text.value().trim()) == path
+        self.exports() && self.is_of(directory, path)
+    }
+
+    /// Whether it asks to save the scene under this name.
+    pub(crate) fn saves(&self, name: &str) -> bool {
+        self.purpose == Purpose::Preset && self.text.value().trim() == name
     }
 
     /// Another text or choice: what was said about the old one is removed.
@@ -368,16 +377,16 @@ pub(crate) fn read(
         variables::validate(&scene).map_err(|error| error.to_string())?;
         Ok((scene, count))
     });
-    match (taken, &mut app.dialog) {
-        (Ok((scene, count)), dialog) => {
-            let is_curve = |ask: &Ask| matches!(ask.purpose, Purpose::Curve(_));
-            if matches!(dialog, Some(Dialog::Ask(ask)) if is_curve(ask)) {
-                *dialog = None;
+    let is_it = |ask: &Ask| ask.purpose == Purpose::Curve(which) && ask.is_of(&app.directory, path);
+    match (taken, asking(&mut app.dialog, is_it)) {
+        (Ok((scene, count)), asked) => {
+            if asked.is_some() {
+                app.dialog = None;
             }
             app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
             edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
         }
-        (Err(text), Some(Dialog::Ask(state))) => state.text.error = Some(text),
-        (Err(text), _) => app.refuse(text),
+        (Err(text), Some(ask)) => ask.text.error = Some(text),
+        (Err(text), None) => app.refuse(text),
     }
 }

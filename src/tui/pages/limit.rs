@@ -1,10 +1,12 @@
 //! The Limit tab: the ballistic limit, the residual velocity, and the comparison at equal areal mass.
 
 pub mod comparison;
+pub mod setup;
 pub mod state;
 
 use crate::report::{compare, limit};
 use crate::study::limit::Limit;
+use crate::tui::app::history::Stepping;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{around, ask, wrap};
@@ -12,19 +14,23 @@ use crate::tui::pages::limit::comparison::EqualMass;
 use crate::tui::pages::limit::state::LimitSearch;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{along, cursor_moved, moved};
+use crate::tui::widgets::form::Form;
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
 /// The comparison at equal areal mass.
 pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
 pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
+/// The uncertainties of V50; in the place of the map, or of the residual velocity, while it has the keys.
+pub const SETUP: Pane = Pane::of(Tab::Limit, 3);
 
 #[rustfmt::skip]
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "V50 and its spread (inputs +-2 %; model error: cmra limit)"),
+        key(A::View, "V50", "V50 and its spread, for the uncertainties in the setup"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },
@@ -37,6 +43,11 @@ const PANES: &[PaneSpec] = &[
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
     ] },
+    PaneSpec { pane: SETUP, label: "Limit setup", has: &[Part::Form], keys: &[
+        key(A::Enter, "type", "type a value in percent"),
+        key(A::Right, "change", "change the value by half a percent"),
+        key(A::Down, "move", "move to another row"),
+    ] },
 ];
 
 #[rustfmt::skip]
@@ -44,6 +55,7 @@ const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
+    Command::new(Call::Show(SETUP, None), "Limit setup", "model bias spread inputs uncertainty monte carlo"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
 
@@ -55,8 +67,7 @@ impl Page for LimitTab {
     }
 
     fn enter(&self, app: &mut App) {
-        let found = app.pages.limit.report.is_there(&app.limit_scene());
-        if !found && !app.jobs.is_coming::<LimitSearch>(&app.scene) {
+        if app.lacks_limit() {
             find(app);
         }
         let kept = &app.pages.limit.comparison;
@@ -69,10 +80,11 @@ impl Page for LimitTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
-            (Action::Run, RESIDUAL) => find(app),
+            (Action::Run, RESIDUAL | SETUP) => find(app),
             (Action::Run, _) => compare(app),
             (_, COMPARISON) => return in_comparison(app, action),
             (_, EFFICIENCY_MAP) => return in_map(app, action),
+            (_, SETUP) => return false,
             _ => return in_curve(app, action),
         }
         true
@@ -84,7 +96,7 @@ impl Page for LimitTab {
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            RESIDUAL => app.limit_readout(),
+            RESIDUAL | SETUP => app.limit_readout(),
             COMPARISON => note(app.comparison_readout()),
             _ => note(app.efficiency_readout()),
         }
@@ -94,7 +106,7 @@ impl Page for LimitTab {
         let tab = &app.pages.limit;
         let done = || Progress::Done("done".to_owned());
         let words = |it: &Running| format!("comparing{}", it.counted("of", ""));
-        if app.pane() != RESIDUAL {
+        if matches!(app.pane(), COMPARISON | EFFICIENCY_MAP) {
             let of_map = app.pane() == EFFICIENCY_MAP;
             let scene = if of_map { app.efficiency_scene() } else { app.compared_scene() };
             let scene = scene.unwrap_or_default();
@@ -105,7 +117,9 @@ impl Page for LimitTab {
         let finding = progress::<LimitSearch, _>(app, &tab.report, &app.limit_scene(), |it| {
             format!("finding the limit{}", it.counted("of about", " shots"))
         });
-        let mut parts = vec![finding.unwrap_or_else(done).part()];
+        let finding = finding
+            .unwrap_or_else(|| if tab.lacks_v50() { Progress::Old("setup") } else { done() });
+        let mut parts = vec![finding.part()];
         if let Some(report) = &tab.report.found {
             let comparing = app.jobs.running::<EqualMass>();
             parts.extend(comparing.map(|it| Progress::Running(words(it)).part()));
@@ -128,7 +142,7 @@ impl Page for LimitTab {
 
     fn table(&self, app: &App) -> Option<PageTable> {
         let stem = ask::base_stem(app);
-        if app.pane() == RESIDUAL {
+        if matches!(app.pane(), RESIDUAL | SETUP) {
             let kept = &app.pages.limit.report;
             let report = kept.found.as_ref().filter(|report| !report.shots.is_empty())?;
             let (report, is_complete) = (Arc::clone(report), kept.is_complete);
@@ -151,6 +165,25 @@ impl Page for LimitTab {
         Some(PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene))
     }
 
+    fn form(&self, app: &App) -> Option<Form> {
+        (app.pane() == SETUP).then(|| app.pages.limit.form())
+    }
+
+    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
+        let (row, before) = (setup::Row::ALL[row], app.snapshot());
+        app.pages.limit.setup.change(row, input)?;
+        if app.pages.limit.setup == before.limit {
+            return Ok(());
+        }
+        let stepping = matches!(input, Input::Step(_)).then_some(Stepping::Limit(row));
+        let first = app.history.extended(stepping).unwrap_or(&before).limit;
+        let [old, new] = [first, app.pages.limit.setup].map(|setup| setup.line(row).value);
+        edit::note(app, before, format!("V50: {} {old} -> {new}", row.label()), stepping);
+        app.pages.limit.sampled = true;
+        find(app);
+        Ok(())
+    }
+
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             RESIDUAL => {
@@ -164,15 +197,16 @@ impl Page for LimitTab {
                 let count = lines.saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
-            _ => None,
+            _ => self.form(app).map(|form| form.rows(app.list_rows())),
         }
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        if app.pane() == RESIDUAL {
-            app.pages.limit.cursor = Some(row);
-        } else {
-            app.pages.limit.scrolled = row;
+        let (pane, tab) = (app.pane(), &mut app.pages.limit);
+        match pane {
+            RESIDUAL => tab.cursor = Some(row),
+            SETUP => tab.row = setup::Row::ALL[row],
+            _ => tab.scrolled = row,
         }
     }
 
@@ -202,6 +236,9 @@ impl Page for LimitTab {
         }
         if let Some(area) = panes.map {
             comparison::map(app, area, canvas);
+        }
+        if let Some(area) = panes.setup {
+            app.pages.limit.form().render(app, SETUP, area, canvas);
         }
     }
 }
@@ -305,6 +342,13 @@ fn turn(app: &mut App, by: isize) {
     app.pages.limit.page = wrap(app.pages.limit.page.min(pages), by, pages + 1);
 }
 
+/// After another setup: V50 on the screen follows at once.
+pub(crate) fn after_edit(app: &mut App) {
+    if app.tab == Tab::Limit && app.lacks_limit() {
+        find(app);
+    }
+}
+
 fn find(app: &mut App) {
     let (effort, scene) = (app.pages.limit.effort(), Arc::clone(&app.scene));
     jobs::study_of(app, Tab::Limit, &scene, LimitSearch(effort));
@@ -316,9 +360,10 @@ pub(crate) struct LimitPanes {
     pub comparison: Option<Rect>,
     pub residual: Option<Rect>,
     pub map: Option<Rect>,
+    pub setup: Option<Rect>,
 }
 
-/// The comparison above the residual velocity and the map; the pane that has the keys alone where there is no room for three.
+/// The comparison above the residual velocity and the map or the setup; the pane that has the keys alone where there is no room for three.
 pub(crate) fn panes(app: &App, body: Rect) -> LimitPanes {
     let focus = app.pane();
     let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
@@ -328,19 +373,26 @@ pub(crate) fn panes(app: &App, body: Rect) -> LimitPanes {
             comparison: of(COMPARISON),
             residual: of(RESIDUAL),
             map: of(EFFICIENCY_MAP),
+            setup: of(SETUP),
         };
     }
     let (comparison, below) = split_bottom(body, body.height - rows);
+    let (map, setup) = (focus == EFFICIENCY_MAP, focus == SETUP);
     if body.width < NARROW {
-        let map = focus == EFFICIENCY_MAP;
         return LimitPanes {
             comparison: Some(comparison),
-            residual: (!map).then_some(below),
+            residual: (!map && !setup).then_some(below),
             map: map.then_some(below),
+            setup: setup.then_some(below),
         };
     }
     let (left, right) = split_left(below, below.width / 2);
-    LimitPanes { comparison: Some(comparison), residual: Some(left), map: Some(right) }
+    LimitPanes {
+        comparison: Some(comparison),
+        residual: Some(left),
+        map: (!setup).then_some(right),
+        setup: setup.then_some(right),
+    }
 }
 
 /// Rows of the comparison, frame included; of the verdict alone where the body is lower than this, so that charts can be read.

@@ -21,7 +21,7 @@ use crate::tui::pages::search::setup::{Bound, Setup, brief, read_bound};
 use crate::tui::pages::search::state::{Answer, Request, Row, completeness};
 use crate::tui::update::act::{along, move_by};
 use crate::tui::widgets::axis::whole;
-use crate::tui::widgets::form::{Form, quantity_after};
+use crate::tui::widgets::form::{Form, percent, quantity_after};
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -478,12 +478,7 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             setup.effort.0 = value;
         }
         Row::Generations => setup.effort.1 = whole(text, &(1..=100_000))?,
-        Row::Percent => {
-            let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
-            setup.percent = value
-                .filter(|value| *value > 0.0 && *value <= 100.0)
-                .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
-        }
+        Row::Percent => setup.percent = percent(text, 1e-3..=100.0)?,
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
         _ => {}
     }

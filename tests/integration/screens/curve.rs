@@ -1,6 +1,5 @@
 //! A spring's measured curve in the workbench: choosing the kind requests the file, which becomes one edit.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use cmra::model::scene::{SpringKind, WhichSpring};
@@ -21,7 +20,7 @@ fn asking() -> Bench {
 
 fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
     let points = points.map(Arc::from).map_err(str::to_owned);
-    let path = PathBuf::from("measured/curve.csv");
+    let path = bench.app.directory.join("measured/curve.csv");
     bench.send(Message::Done(EffectReport::Curve(WhichSpring::First, path, points)));
 }
 

@@ -1,10 +1,12 @@
 //! Findings of a tester, each with the keys that showed it.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::bench::{Bench, Study};
+use super::bench::{Bench, Study, done};
 use super::{accuracy, search, sweep};
-use cmra::model::scene::PlateSize;
+use cmra::model::scene::{PlateSize, Scene};
+use cmra::model::simulate::{Settings, simulate};
 use cmra::study::accuracy::method::Method;
 use cmra::study::quantities::named;
 use cmra::tui::dialogs::Dialog;
@@ -309,4 +311,27 @@ fn a_name_that_ends_as_a_report_writes_the_report() {
         assert!(to.path.starts_with("/home/ada/work") && !has_scene);
         assert!(text.contains(heading) && text.contains("thesis-baseline"), "{text}");
     }
+}
+
+/// With dishing the law holds up to h/D of about 1: the first plate is thin enough, the one behind it, which is struck, is not.
+#[test]
+fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
+    let mut scene = Scene::default();
+    (scene.target.thickness_m, scene.projectile.velocity_m_s) = (0.003, 300.0);
+    scene.stack.base_thickness_m = Some(0.0254);
+    let scene = Arc::new(scene);
+    let mut bench = Bench::ascii(120, 40);
+    bench.app.scene = Arc::clone(&scene);
+    bench.press("zr");
+    bench.send(Message::RunDue(bench.app.jobs.serial));
+    let is_marked = |bench: &Bench| {
+        let screen = bench.screen();
+        let row = screen.lines().find(|line| line.contains(" thickness ")).expect("the row of h");
+        row.contains("0.003!m")
+    };
+    assert!(!is_marked(&bench), "{}", bench.screen());
+    let job = bench.jobs().remove(0);
+    let go_on = &mut |_| ControlFlow::Continue(());
+    bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
+    assert!(is_marked(&bench), "{}", bench.screen());
 }

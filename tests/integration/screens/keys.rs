@@ -458,8 +458,19 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     assert!(saves(&bench).is_empty());
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
-    let report = Ok(("heavy-plate".to_owned(), "/home/ada/heavy-plate.toml".into()));
-    bench.send(Message::Done(EffectReport::Saved(report)));
+    let ended = |outcome| Message::Done(EffectReport::Saved("heavy-plate".to_owned(), outcome));
+    let error = |bench: &Bench| match &bench.app.dialog {
+        Some(Dialog::Ask(ask)) => ask.text.error.clone(),
+        _ => None,
+    };
+    bench.send(ended(Err("the disk is full".to_owned())));
+    assert_eq!(error(&bench).as_deref(), Some("the disk is full"));
+    // A dialog that was opened meanwhile asked for something else.
+    bench.press("<Esc>e");
+    bench.send(ended(Err("the disk is full".to_owned())));
+    assert_eq!((error(&bench), bench.message()), (None, "the disk is full".to_owned()));
+    bench.press("<Esc>s<C-u>heavy-plate<Enter>y");
+    bench.send(ended(Ok("/home/ada/heavy-plate.toml".into())));
     assert!(bench.app.dialog.is_none());
     assert_eq!(bench.app.base.name, "heavy-plate");
     assert!(bench.message().contains("/home/ada/heavy-plate.toml"));

@@ -9,11 +9,10 @@ use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::context::Context;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
-use cmra::study::limit::monte_carlo::SampledLimit;
+use cmra::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::limit::state::LimitSearch;
-use cmra::tui::pages::limit::state::SAMPLING;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
 use insta::assert_snapshot;
@@ -60,6 +59,12 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
 
 fn plain() -> Effort {
     Effort { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
+}
+
+/// V50 for inputs that vary by 2 %, and a model with this error.
+fn sampled(model: ModelError) -> LimitSearch {
+    let sampling = Sampling { deviation: 0.02, samples: 200, seed: 1, model };
+    LimitSearch(Effort { sampling: Some(sampling), ..plain() })
 }
 
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
@@ -177,11 +182,52 @@ fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
-    let sampled = LimitSearch(Effort { sampling: Some(SAMPLING), ..plain() });
-    assert_eq!(asked.of(), Some(&sampled));
+    assert_eq!(asked.of(), Some(&sampled(ModelError::default())));
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
     assert_eq!(asked.of(), Some(&LimitSearch(plain())));
+}
+
+/// Bias and spread of the model are those of `cmra limit --model-bias -4% --model-spread 8%`; an undo asks for the V50 before.
+#[test]
+fn the_error_of_the_model_goes_into_v50() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("<S-Tab>j<Enter>-4<Enter>");
+    let low = ModelError { bias: -0.04, spread: 0.0 };
+    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(low)));
+    bench.keys("j<Enter>8 %<Enter>");
+    let both = ModelError { spread: 0.08, ..low };
+    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(both)));
+    bench.keys("<Enter>80<Enter>");
+    assert!(bench.message().contains("must be from 0 to 50 %"), "{}", bench.message());
+    bench.keys("<Esc>u");
+    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(low)));
+}
+
+#[test]
+fn the_setup_of_v50_stands_beside_the_curve() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.keys("<S-Tab>jl");
+    answer(&mut bench);
+    assert_snapshot!("limit_setup", bench.screen());
+}
+
+/// The limit is that of any shot: another impact velocity starts no second search. V50 is compared with the shot.
+#[test]
+fn a_search_under_way_goes_on_at_another_impact_velocity() {
+    let mut bench = Bench::ascii(80, 24);
+    let asked = |bench: &mut Bench| {
+        let studies = bench.studies().into_iter();
+        studies.filter(|study| study.asked.of::<LimitSearch>().is_some()).count()
+    };
+    bench.keys("3");
+    assert_eq!(asked(&mut bench), 1);
+    bench.keys("1/v_i<Enter><Enter>150<Enter>3");
+    assert_eq!(asked(&mut bench), 0);
+    bench.keys("v");
+    assert_eq!(asked(&mut bench), 1);
+    bench.keys("1<Enter>160<Enter>3");
+    assert_eq!(asked(&mut bench), 1);
 }
 
 #[test]

@@ -33,7 +33,7 @@ pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
         axis,
         cells: values.iter().flat_map(|k| dt_s.iter().map(|dt| cell(*k, *dt))).collect(),
         limit_s: values.iter().map(|k| Some(limit(*k))).collect(),
-        present: (1e5, 1e-6),
+        present: 1e5,
         largest_stable_dt_s: Some(limit(1e5)),
         dt_s,
         values,

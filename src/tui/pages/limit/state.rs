@@ -7,22 +7,16 @@ use crate::model::units::{self, fixed_significant};
 use crate::report::Remark;
 use crate::report::limit::{remarks, residual};
 use crate::study::compare::map::Map;
-use crate::study::limit::monte_carlo::{ModelError, Sampling};
+use crate::study::limit::monte_carlo::ModelError;
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::limit::comparison::Comparison;
+use crate::tui::pages::limit::setup::{Row, Setup};
 use crate::tui::pages::limit::{RESIDUAL, panes};
 use crate::tui::pages::prelude::*;
-
-/// The uncertainty of the inputs that this page samples.
-pub const SAMPLING: Sampling = Sampling {
-    deviation: 0.02,
-    samples: 200,
-    seed: 1,
-    model: ModelError { bias: 0.0, spread: 0.0 },
-};
+use crate::tui::widgets::form::Form;
 
 /// From this width on the facts stand beside the chart.
 pub const BESIDE: u16 = 100;
@@ -47,6 +41,10 @@ pub struct Ballistic {
     pub report: Kept<Report>,
     /// V50 and spread are requested, too.
     pub sampled: bool,
+    /// How uncertain inputs and model are.
+    pub setup: Setup,
+    /// The selected row of that.
+    pub row: Row,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
     /// The part of the impact velocities in view; `None`: all of them.
@@ -83,7 +81,20 @@ impl Ballistic {
     }
 
     pub fn effort(&self) -> Effort {
-        Effort { criterion: Criterion::Passage, sampling: self.sampled.then_some(SAMPLING) }
+        let sampling = self.sampled.then(|| self.setup.sampling());
+        Effort { criterion: Criterion::Passage, sampling }
+    }
+
+    /// Whether V50 is wanted of a limit that was found without it, or with another setup.
+    pub fn lacks_v50(&self) -> bool {
+        let found = self.report.found.as_ref().filter(|report| report.is_complete);
+        let found = found.filter(|report| report.limit.velocity_m_s().is_some());
+        let sampling = found.map(|report| report.sampled.map(|it| it.sampling));
+        self.sampled && sampling.is_some_and(|it| it != Some(self.setup.sampling()))
+    }
+
+    pub(super) fn form(&self) -> Form {
+        Form::new(&Row::ALL, self.row, |row| self.setup.line(row))
     }
 
     pub fn shots(&self) -> &[Shot] {
@@ -112,8 +123,8 @@ impl Ballistic {
         let Some(report) = &self.report.found else { return Vec::new() };
         let mut facts = remarks(report);
         if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
-            let percent = significant(100.0 * SAMPLING.deviation, 2);
-            let text = format!("<view>: V50 and spread for inputs that vary by {percent} %");
+            let percent = self.setup.line(Row::Inputs).value;
+            let text = format!("<view>: V50 and spread for inputs that vary by {percent}");
             facts.push(Remark::new("V50", text));
         }
         facts
@@ -183,13 +194,29 @@ impl App {
         (page > 0).then_some((page, page == pages))
     }
 
-    /// The scene whose limit is wanted: at the impact velocity of the one that was found, on which only the samples depend.
-    pub fn limit_scene(&self) -> Scene {
-        let (mut scene, tab) = ((*self.scene).clone(), &self.pages.limit);
-        if tab.report.found.is_some() && !tab.sampled {
-            scene.projectile.velocity_m_s = tab.report.scene.projectile.velocity_m_s;
+    /// The scene on the screen at the impact velocity of another one: only what the samples are compared with depends on it.
+    fn limit_scene_at(&self, other: &Scene) -> Scene {
+        let mut scene = (*self.scene).clone();
+        if !self.pages.limit.sampled {
+            scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
         }
         scene
+    }
+
+    /// The scene whose limit is wanted, at the impact velocity of the one that was found.
+    pub fn limit_scene(&self) -> Scene {
+        self.limit_scene_at(&self.pages.limit.report.scene)
+    }
+
+    /// Whether what is wanted of the limit is neither there nor under way.
+    pub(super) fn lacks_limit(&self) -> bool {
+        let tab = &self.pages.limit;
+        match self.jobs.study::<LimitSearch>() {
+            Some((running, search)) => {
+                search.0 != tab.effort() || *running.scene != self.limit_scene_at(&running.scene)
+            }
+            None => tab.lacks_v50() || !tab.report.is_there(&self.limit_scene()),
+        }
     }
 
     /// Whether the limit belongs to another scene than the one on the screen.
@@ -248,8 +275,10 @@ impl App {
                 let known = |it: Option<f64>| {
                     it.map_or_else(|| "?".to_owned(), |it| units::velocity(it, 4))
                 };
+                let is_exact = found.sampling.model == ModelError::default();
+                let of = if is_exact { "inputs alone" } else { "inputs and model" };
                 let (v50, spread) = (known(found.v50_m_s), known(found.deviation_m_s));
-                parts.push(format!("V50 {v50}, spread {spread} (inputs alone)"));
+                parts.push(format!("V50 {v50}, spread {spread} ({of})"));
             }
             let crowded = self.limit_pages().is_some();
             parts.extend(crowded.then(|| hint.to_owned()));

@@ -38,7 +38,7 @@ impl Study for StabilityMap {
         map::accepts(scene)?;
         let watch = &mut reporter.watch(Map::clone);
         let context = &mut Context::new(1, watch);
-        Ok(Finding::new(map::map(scene, self.method, self.axis, map::CELLS, context)))
+        Ok(Finding::new(map::map(scene, self.method, self.axis, map::SIZE, context)))
     }
 }
 

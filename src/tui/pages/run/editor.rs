@@ -1,6 +1,5 @@
 //! The list of variables: which rows there are, which is selected, and how a value is shown.
 
-use crate::model::run::envelope;
 use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
@@ -146,7 +145,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         let above = rows[..row].iter().filter(|row| matches!(row, Row::Variable(_)));
         matches!(rows[row], Row::Variable(_)).then(|| Target::Row(run::VARIABLES, above.count()))
     });
-    let breaches = envelope::of_scene(&app.scene);
+    let breaches = app.breaches();
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
     for (line, row) in list.rows().zip(rows.iter().skip(first)) {
         match row {

@@ -225,12 +225,8 @@ impl App {
             Row::Across => Line::word("across", self.axis_title(setup.axes.0)).means(AXIS),
             Row::Up => Line::word("up", self.axis_title(setup.axes.1)).means(AXIS),
             Row::Output => Line::quantity(setup.output),
-            Row::Percent => {
-                let percent = significant(setup.percent, 5);
-                let row = Line::word("std dev", format!("{percent} %"));
-                Line { text: Some(percent), ..row }
-                    .means("standard deviation of every input, lognormal")
-            }
+            Row::Percent => Line::percent("std dev", setup.percent)
+                .means("standard deviation of every input, lognormal"),
             Row::Samples => Line::typed("samples", setup.samples.to_string())
                 .means("number of samples; the confidence interval narrows with its square root"),
         }
