@@ -164,7 +164,7 @@ impl App {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
             (_, None) if action.is_some_and(zoom::is_zoom) => {
-                "only charts and the map of Explore zoom".to_owned()
+                "only charts and maps zoom".to_owned()
             }
             (_, Some(pane)) => {
                 format!(

@@ -9,6 +9,7 @@ mod kept;
 mod keys;
 mod libraries;
 mod limit;
+mod maps;
 mod models;
 mod newcomer;
 mod pointer;

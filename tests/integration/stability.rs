@@ -483,7 +483,8 @@ fn a_map_is_read_back_from_its_table() {
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
-    let map = map::map(&Scene::default(), FixedStep::Rk4, Axis::B, (10, 31), context);
+    let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, cells: (10, 31), ends: None };
+    let map = map::map(&Scene::default(), wanted, context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);
     let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);

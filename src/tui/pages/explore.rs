@@ -21,7 +21,6 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::update::zoom;
 use crate::tui::widgets::form::Form;
 
 /// The curves or the map.
@@ -99,14 +98,6 @@ impl Page for ExploreTab {
                 app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
             }
             Action::LogX => setup::toggle_spacing(app),
-            Action::ZoomIn | Action::ZoomOut if app.picture() == Picture::Surface => {
-                if let Err(why) = setup::zoom(app, action == Action::ZoomIn) {
-                    app.refuse(why);
-                }
-            }
-            _ if zoom::is_zoom(action) && app.picture() == Picture::Surface => {
-                app.tell("a map shows all of its axes: change their ends in the setup, or undo");
-            }
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
                 Some(by) => move_cursor(app, by),
@@ -228,6 +219,14 @@ impl Page for ExploreTab {
         let x = axis_of(&grid.plan().axes()[0]);
         let about = grid.coordinate(app.cursor_point(grid), 0);
         Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
+    }
+
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == RESULTS).then(|| setup::map_axes(app))?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        setup::show_part(app, part)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

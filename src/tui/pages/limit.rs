@@ -32,10 +32,11 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
         key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
+        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
 ];
 
@@ -192,6 +193,19 @@ impl Page for LimitTab {
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))
     }
 
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == EFFICIENCY_MAP).then(|| app.efficiency_axes())?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        if app.comparison_is_old() {
+            return Err(old("scene"));
+        }
+        app.pages.limit.part = Some(part);
+        compare(app);
+        Ok(())
+    }
+
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = panes(app, body);
         if let Some(area) = panes.comparison {
@@ -294,7 +308,14 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 
 fn compare(app: &mut App) {
     match app.compared_scene() {
-        Ok(scene) => jobs::study_of(app, Tab::Limit, &Arc::new(scene), EqualMass),
+        Ok(scene) => {
+            let tab = &mut app.pages.limit;
+            if tab.comparison.is_old(&scene) {
+                tab.part = None;
+            }
+            let study = EqualMass(tab.part);
+            jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
+        }
         Err(why) => app.refuse(why),
     }
 }

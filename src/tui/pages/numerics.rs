@@ -31,10 +31,11 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "columns", "show the next columns of the table"),
         key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
+        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
         key(A::Down, "scene", "select another scene"),
@@ -180,6 +181,14 @@ impl Page for NumericsTab {
         let tab = &mut app.pages.numerics.accuracy;
         let (all, about) = (tab.all_times()?, tab.cursor_s);
         Some(Across::of(&mut tab.view.times, all, tab.view.time_scale, about))
+    }
+
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == STABILITY).then(|| stability::map_axes(app))?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        stability::show_part(app, part)
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {

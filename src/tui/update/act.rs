@@ -29,6 +29,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if page.across(app).is_some_and(|across| across.change(action)) {
         return;
     }
+    if zoom::map(app, action) {
+        return;
+    }
     if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
         return app.tell("nothing to zoom yet");
     }

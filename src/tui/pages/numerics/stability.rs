@@ -4,7 +4,7 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
-use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, nearest};
+use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, Wanted, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Basis, Row};
 use crate::tui::chart::heatmap::role;
@@ -28,17 +28,14 @@ pub(crate) fn stiff_scenes_words() -> String {
 
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
-pub struct StabilityMap {
-    pub method: FixedStep,
-    pub axis: Axis,
-}
+pub struct StabilityMap(pub Wanted);
 
 impl Study for StabilityMap {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         map::accepts(scene)?;
         let watch = &mut reporter.watch(Map::clone);
         let context = &mut Context::new(1, watch);
-        Ok(Finding::new(map::map(scene, self.method, self.axis, map::CELLS, context)))
+        Ok(Finding::new(map::map(scene, self.0, context)))
     }
 }
 
@@ -71,6 +68,10 @@ pub struct Stability {
     /// Which map is wanted: of each variable by one method, then by the other.
     pub view: usize,
     pub map: Kept<Map>,
+    /// The part of the map that was chosen: steps, values; `None`: all of it.
+    pub part: Option<MapPart>,
+    /// The steps and values of all of it.
+    whole: Option<MapPart>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is sorted.
@@ -192,13 +193,53 @@ const FAR: i16 = 10;
 /// Keep what was found; a map of another variable has its cursor elsewhere.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
-    let before = tab.map.found.as_ref().map(|map| map.axis);
+    let before = tab.map.found.clone();
     tab.battery.keep(running, news, |battery| battery.is_complete);
     if tab.map.keep(running, news, Map::is_complete)
-        && before != tab.map.found.as_ref().map(|map| map.axis)
+        && let Some(map) = &tab.map.found
     {
-        tab.cursor = None;
+        // The crosshair stays at its step and value.
+        let same = before.filter(|before| before.axis == map.axis);
+        tab.cursor = same.zip(tab.cursor).and_then(|(before, (row, column))| {
+            let row = nearest(&map.values, before.values[row])?;
+            Some((row, nearest(&map.dt_s, before.dt_s[column])?))
+        });
+        if running.study.of::<StabilityMap>().is_some_and(|asked| asked.0.ends.is_none()) {
+            tab.whole = Some([&map.dt_s, &map.values].map(|values| ends(values)));
+        }
     }
+}
+
+/// The ends of rising values.
+fn ends(values: &[f64]) -> ViewRange {
+    let ends = values.first().zip(values.last());
+    ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high))
+}
+
+/// The steps and the values of the map shown, as they are zoomed about its crosshair.
+pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
+    let tab = &app.pages.numerics.stability;
+    let (map, (row, column)) = tab.map.found.as_ref().zip(tab.cursor())?;
+    let span = |values: &[f64], at: usize, home: ViewRange| Span {
+        view: ends(values),
+        home,
+        bounds: home,
+        scale: Scale::Log10,
+        about: Some(values[at]),
+    };
+    let [steps, values] = tab.whole?;
+    Some([span(&map.dt_s, column, steps), span(&map.values, row, values)])
+}
+
+/// Compute another part of the map.
+pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
+    let tab = &mut app.pages.numerics.stability;
+    if tab.map.is_old(&app.scene) {
+        return Err(old("scene"));
+    }
+    tab.part = Some(part).filter(|_| Some(part) != tab.whole);
+    ask_map(app);
+    Ok(())
 }
 
 /// What is shown is computed, unless it has been or is being.
@@ -230,6 +271,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;
+            tab.part = None;
             ask_map(app);
         }
         Action::Enter => load(app),
@@ -257,9 +299,13 @@ fn load(app: &mut App) {
 }
 
 fn ask_map(app: &mut App) {
-    let tab = &app.pages.numerics.stability;
-    let map = StabilityMap { method: tab.method(), axis: tab.axis() };
-    jobs::study(app, Tab::Numerics, map);
+    let tab = &mut app.pages.numerics.stability;
+    if tab.map.is_old(&app.scene) {
+        tab.part = None;
+    }
+    let ends = tab.part.map(|part| part.map(|range| (range.lo(), range.hi())));
+    let wanted = Wanted { method: tab.method(), axis: tab.axis(), cells: map::CELLS, ends };
+    jobs::study(app, Tab::Numerics, StabilityMap(wanted));
 }
 
 fn ask_battery(app: &mut App) {
