@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 mod curve;
 mod faults;
+mod filters;
 mod findings;
 mod kept;
 mod keys;

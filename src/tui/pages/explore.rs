@@ -9,6 +9,7 @@ use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep;
+use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::layout::{ROOMY, setup_width};
@@ -36,6 +37,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin the design under the cursor"),
         key(A::ZoomIn, "zoom", "zoom about the cursor; of a map its ends (<undo> undoes)"),
         key(A::Down, "curve", "move to another curve, or down the map"),
+        key(A::Find, "", "find a quantity, and show it"),
     ] },
     PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
@@ -200,7 +202,18 @@ impl Page for ExploreTab {
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.pages.explore.row = app.setup_choices()[row];
+        match app.pane() {
+            SETUP => app.pages.explore.row = app.setup_choices()[row],
+            _ => app.pages.explore.output = row,
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        if let Some(form) = self.form(app) {
+            return Some(form.row(row)?.label.clone());
+        }
+        let sweep = sweep_of(&app.scene);
+        named(sweep.outputs.get(row)?).ok().map(Quantity::title)
     }
 
     fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {

@@ -27,10 +27,12 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "V50", "V50 and its spread (inputs +-2 %; model error: cmra limit)"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
+        key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
         key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
         key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
+        key(A::Find, "", "find a line"),
     ] },
     PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
@@ -159,12 +161,18 @@ impl Page for LimitTab {
                 Some(Rows { count, selected, shown: 1 })
             }
             COMPARISON => {
-                let area = panes(app, app.layout().body?).comparison?;
-                let shown = usize::from(area.height.saturating_sub(2));
-                let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2))).len();
-                let count = lines.saturating_sub(shown) + 1;
+                let (lines, shown) = comparison_text(app)?;
+                let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
+            _ => None,
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        match app.pane() {
+            RESIDUAL => app.pages.limit.shots().get(row).map(state::shot_words),
+            COMPARISON => Some(comparison_text(app)?.0.get(row)?.0.clone()),
             _ => None,
         }
     }
@@ -218,6 +226,13 @@ impl Page for LimitTab {
             comparison::map(app, area, canvas);
         }
     }
+}
+
+/// The lines of the comparison, and how many of them are shown at once.
+fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
+    let area = panes(app, app.layout().body?).comparison?;
+    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+    Some((lines, usize::from(area.height.saturating_sub(2))))
 }
 
 /// Far along the curve, in shots, and over the map, in cells.

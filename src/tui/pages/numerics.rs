@@ -5,6 +5,7 @@ pub mod stability;
 
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
+use crate::study::stability::Row;
 use crate::tui::dialogs::ask;
 use crate::tui::pages::prelude::*;
 
@@ -41,6 +42,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Down, "scene", "select another scene"),
         key(A::View, "columns", "show the next columns of the table"),
         key(A::Sort, "sort", "sort the table by the next column"),
+        key(A::Find, "filter", "show only the scenes that match a text"),
     ] },
 ];
 
@@ -118,9 +120,10 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
-                let battery = kept.found.as_ref().filter(|battery| !battery.rows.is_empty())?;
-                let (battery, is_complete) = (Arc::clone(battery), kept.is_complete);
-                let csv = move |_: &str| stability_table::table(&battery.rows).csv();
+                let rows: Vec<Row> =
+                    app.pages.numerics.stability.listed().into_iter().cloned().collect();
+                let is_complete = (!rows.is_empty()).then_some(kept.is_complete)?;
+                let csv = move |_: &str| stability_table::table(&rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
@@ -141,7 +144,7 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let tab = &app.pages.numerics.stability;
-                let (count, selected) = (tab.rows().len(), tab.selected);
+                let (count, selected) = (tab.order().len(), tab.selected_row());
                 Some(Rows { count, selected, shown: app.list_rows() })
             }
             _ => None,
@@ -152,18 +155,18 @@ impl Page for NumericsTab {
         if app.pane() == ACCURACY {
             app.pages.numerics.accuracy.selected = Some(row);
         } else {
-            app.pages.numerics.stability.selected = row;
+            let tab = &mut app.pages.numerics.stability;
+            tab.selected = tab.order().get(row).copied().unwrap_or(tab.selected);
         }
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
-            STIFF_SCENES => {
-                Some(app.pages.numerics.stability.sorted().get(row)?.case.name.to_string())
-            }
-            _ => None,
-        }
+        let method = Method::ALL.get(row).filter(|_| app.pane() == ACCURACY)?;
+        Some(method.name().to_owned())
+    }
+
+    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
+        (app.pane() == STIFF_SCENES).then_some(&mut app.pages.numerics.stability.listing.filter)
     }
 
     fn second_click(&self, app: &App) -> Action {

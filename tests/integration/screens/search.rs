@@ -116,7 +116,7 @@ fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     true
 }
 
-fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("4<Tab>");
     answer(&mut bench);

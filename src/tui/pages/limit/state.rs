@@ -150,15 +150,17 @@ fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
     lines
 }
 
-fn ends(shot: &Shot) -> String {
-    match (shot.outcome, shot.residual_m_s) {
+/// `250.0 m/s: stopped`.
+pub(crate) fn shot_words(shot: &Shot) -> String {
+    let ends = match (shot.outcome, shot.residual_m_s) {
         (Outcome::Perforated, Some(left)) => {
             format!("residual velocity {}", fixed_significant(left, 4))
         }
         (Outcome::Perforated, None) => "through".to_owned(),
         (Outcome::Arrested | Outcome::Separated, _) => "stopped".to_owned(),
         (Outcome::Moving, _) => "still moving at the end of the run".to_owned(),
-    }
+    };
+    format!("{}: {ends}", units::velocity(shot.impact_m_s, 4))
 }
 
 impl App {
@@ -276,7 +278,7 @@ impl App {
             ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
             ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
         ];
-        let mut text = format!("{}: {}", units::velocity(v, 4), ends(shot));
+        let mut text = shot_words(shot);
         for (name, left) in laws {
             if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
                 let _ = write!(text, "; {name} {}", fixed_significant(left, 4));

@@ -11,7 +11,7 @@ use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::widgets::table::{Grid, Sorting};
+use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::NEEDS_SINGLE;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
@@ -74,9 +74,10 @@ pub struct Stability {
     whole: Option<MapPart>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// How the table of stiff scenes is sorted.
-    pub sorting: Sorting,
+    /// How the table of stiff scenes is listed.
+    pub listing: Listing,
     pub battery: Kept<RowsSoFar<Row>>,
+    /// The selected scene, by its place among all.
     pub selected: usize,
     pub table_page: usize,
 }
@@ -111,13 +112,21 @@ impl Stability {
     }
 
     pub fn sort_next(&mut self) {
-        self.sorting = self.sorting.next(&keys());
-        self.selected = 0;
+        self.listing.sorting = self.listing.sorting.next(&keys());
     }
 
-    pub fn sorted(&self) -> Vec<&Row> {
-        let rows = self.rows();
-        self.sorting.order(&table(rows)).into_iter().map(|at| &rows[at]).collect()
+    /// The places of the scenes listed, in the order of the table.
+    pub fn order(&self) -> Vec<usize> {
+        self.listing.order(&table(self.rows()), &keys())
+    }
+
+    /// The row of the selected scene; the first where it is not listed.
+    pub fn selected_row(&self) -> usize {
+        self.order().iter().position(|at| *at == self.selected).unwrap_or(0)
+    }
+
+    pub fn listed(&self) -> Vec<&Row> {
+        self.order().into_iter().map(|at| &self.rows()[at]).collect()
     }
 
     pub fn rows(&self) -> &[Row] {
@@ -145,7 +154,7 @@ impl App {
 
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
         let tab = &self.pages.numerics.stability;
-        let row = *tab.sorted().get(tab.selected)?;
+        let row = *tab.listed().get(tab.selected_row())?;
         let name = &row.case.name;
         if let Some(shortfall) = row.shortfall {
             let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
@@ -363,21 +372,23 @@ fn legend(area: Rect, canvas: &mut Canvas<'_>) {
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
-    let rows = tab.sorted();
+    let rows = tab.listed();
     let table = table(rows.iter().copied());
     let keys = keys();
     let mut cells = table.cells(&keys);
-    tab.sorting.mark(&keys, &mut cells);
+    tab.listing.sorting.mark(&keys, &mut cells);
     let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
-    let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
+    let (count, selected) = (rows.len(), tab.selected_row());
+    let list = RowList { count, selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
+    let title = tab.listing.titled(title);
     let title = if rows.len() > height {
         let last = (first + height).min(rows.len());
         format!("{title} {}-{last}/{}", first + 1, rows.len())
     } else {
-        title.to_owned()
+        title
     };
     let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
     let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
@@ -385,7 +396,8 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
+        let why = (!tab.rows().is_empty()).then_some(NO_MATCH);
+        let text = nothing::<StiffScenes>(app, "running the first scenes", why);
         canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
