@@ -217,7 +217,7 @@ pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.peaks.contact_s,
     );
-    let [steps, range] = ends.unwrap_or([(1e-5 * contact_s, contact_s), axis.range()]);
+    let [steps, range] = ends.unwrap_or_else(|| [(1e-5 * contact_s, contact_s), axis.range()]);
     let (dt_s, values) = (ratios(steps, columns), ratios(range, rows));
     let mut map = Map {
         method,

@@ -146,7 +146,7 @@ impl Page for RunTab {
                 }
             }
             RUNS => {
-                app.selected_run = app.run_order().get(row).copied().unwrap_or(app.selected_run)
+                app.selected_run = app.run_order().get(row).copied().unwrap_or(app.selected_run);
             }
             _ => app.charts.selected = row,
         }

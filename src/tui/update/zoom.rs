@@ -99,7 +99,8 @@ pub(crate) fn map(app: &mut App, action: Action) -> bool {
     if let Err(why) = page.show_part(app, [across, up]) {
         app.refuse(why);
     } else if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
-        app.tell("the map is computed again over these ends (<zoom-fit> shows all of it)");
+        let all = if action == Action::ZoomFit { "" } else { " (<zoom-fit> shows all of it)" };
+        app.tell(format!("computing the map again{all}"));
     } else {
         app.tell("the map has other ends: press <run>");
     }

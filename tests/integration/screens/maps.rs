@@ -32,7 +32,7 @@ fn the_map_of_explore_is_zoomed_by_the_ends_of_its_axes_and_an_undo_takes_it_bac
     let design = bench.app.sweep_design().expect("a design").scene;
     let before = swept(&bench);
     bench.keys("+");
-    assert!(bench.message().contains("computed again"), "{}", bench.message());
+    assert!(bench.message().contains("computing the map again"), "{}", bench.message());
     sweep::answer(&mut bench);
     for ((from, to), (low, high)) in before.iter().zip(swept(&bench)) {
         assert!(((high - low) / (to - from) - 0.5).abs() < 1e-3, "{from} {to}: {low} {high}");
@@ -78,7 +78,7 @@ fn the_map_of_stability_is_computed_again_over_half_its_decades() {
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
     let (whole, cursor) = (bench.app.map_readout(), [1e-6, 1e5]);
     bench.keys("+");
-    assert!(bench.message().contains("computed again over these ends (0 shows"));
+    assert!(bench.message().contains("computing the map again (0 shows"));
     let near = requested(&bench).expect("a part");
     // Of 1e-9 to 1e-4 s and 1e3 to 1e12 N/m; about the crosshair, which keeps its share of them.
     assert!(is_near(decades(near[0]), 2.5) && is_near(decades(near[1]), 4.5), "{near:?}");
@@ -137,7 +137,7 @@ fn the_map_of_mass_efficiency_is_zoomed_panned_and_fitted() {
     let (whole, at) = (ends(&bench), velocity(&bench));
     bench.keys("+");
     assert!(asked(&bench).is_some());
-    assert!(bench.message().contains("computed again"), "{}", bench.message());
+    assert!(bench.message().contains("computing the map again"), "{}", bench.message());
     // Until it is there the whole map is shown.
     assert_eq!(ends(&bench), whole);
     search::answer(&mut bench);

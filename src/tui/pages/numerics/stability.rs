@@ -396,8 +396,10 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let why = (!tab.rows().is_empty()).then_some(NO_MATCH);
-        let text = nothing::<StiffScenes>(app, "running the first scenes", why);
+        let text = match tab.rows() {
+            [] => nothing::<StiffScenes>(app, "running the first scenes", None),
+            _ => app.keymap.shown(NO_MATCH),
+        };
         canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

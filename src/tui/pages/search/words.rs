@@ -54,7 +54,7 @@ impl App {
     /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
     fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
         let tab = &self.pages.search;
-        let order = tab.order();
+        let (order, selected) = (tab.order(), tab.selected());
         let mut columns = design_cells(tab, front, task);
         for column in &mut columns {
             column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
@@ -63,7 +63,7 @@ impl App {
         let grid = Grid::of(columns, room, 0);
         let mut lines = vec![note(format!("  {}", grid.line(None)))];
         for at in 0..order.len() {
-            let mark = if at == tab.selected() { ">" } else { " " };
+            let mark = if at == selected { ">" } else { " " };
             lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
         }
         lines.extend(self.no_match(order.is_empty() && !front.designs.is_empty()));
@@ -200,8 +200,9 @@ pub(crate) fn design_cells(tab: &Searching, front: &Front, task: &Task) -> Vec<C
         objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
     let count = front.designs.len();
     let mut names = vec![String::new(); count];
+    let knee = tab.knee();
     for (number, at) in tab.sorted_places(front, task).into_iter().enumerate() {
-        let is_knee = tab.knee() == Some(at);
+        let is_knee = knee == Some(at);
         names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
     }
     let mut columns = designs(task, front, 0..count).cells(&keys);
