@@ -14,7 +14,7 @@ use crate::model::units::engineering;
 use crate::report::stability as tables;
 use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability;
-use crate::study::stability::map::{self, Axis, FixedStep, Map, Size};
+use crate::study::stability::map::{self, Axis, FixedStep, Map, Size, Wanted};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
@@ -77,9 +77,8 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { QUICK } else { map::SIZE };
-    let map = arguments
-        .study
-        .run("rows", |context| map::map(&preset.scene, arguments.method, axis, size, context));
+    let wanted = Wanted { method: arguments.method, axis, size, ends: None };
+    let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
     let answer = Answer {
         warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),

@@ -33,7 +33,7 @@ use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::prelude::*;
 use crate::tui::theme::{ColourDepth, Theme};
 use crate::tui::widgets::input::{Field, TextField};
-use crate::tui::widgets::table::Sorting;
+use crate::tui::widgets::table::Listing;
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -82,7 +82,8 @@ pub struct App {
     pub pins: Vec<Pin>,
     /// The row selected in the table of runs: 0 is the current run.
     pub selected_run: usize,
-    pub runs_sorted: Sorting,
+    /// How the table of runs is listed.
+    pub runs: Listing,
     pub current_visible: bool,
     pub charts: Charts,
     pub pages: pages::States,

@@ -50,7 +50,7 @@ pub enum Part {
     Form,
     /// A chart that can be zoomed.
     Chart,
-    /// A table that can be sorted.
+    /// A table that can be sorted and filtered.
     Table,
 }
 
@@ -445,7 +445,7 @@ pub static LINES: &[Line] = &[
     everywhere(&[(A::PageUp, "page-up", &[special(C::PageUp)]), (A::PageDown, "page-down", &[special(C::PageDown)])], "a page up, a page down"),
     everywhere(&[(A::Enter, "enter", &[special(C::Enter)])], "edit, open, or load what is under the cursor into the scene"),
     everywhere(&[(A::Back, "back", &[special(C::Esc)])], "close, or stop the job of this tab"),
-    everywhere(&[(A::Find, "find", &[plain('/')])], "find in this pane"),
+    everywhere(&[(A::Find, "find", &[plain('/')])], "find in this pane; of a table show the rows that match"),
     everywhere(&[(A::Palette, "palette", &[plain(':')])], "find an action, preset, variable or page by name"),
     everywhere(&[(A::Help, "help", &[plain('?')])], "keys of this pane, and what the selected row means"),
     everywhere(&[(A::Undo, "undo", &[plain('u')]), (A::Redo, "redo", &[ctrl('r')])], "undo, redo: scene, setups, pins"),

@@ -26,7 +26,7 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::keymap::{Action as A, Call, Command, PaneSpec, Part, key};
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
-    pub(crate) use crate::tui::update::zoom::Across;
+    pub(crate) use crate::tui::update::zoom::{Across, MapPart, Span};
     pub(crate) use crate::tui::update::{edit, jobs};
     pub(crate) use crate::tui::widgets::RowList;
     pub(crate) use crate::tui::widgets::text::{TextLine, columns};
@@ -42,7 +42,7 @@ use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
 use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
-use crate::tui::update::zoom::Across;
+use crate::tui::update::zoom::{Across, MapPart, Span};
 use crate::tui::widgets::form::Form;
 use crate::worker::ReportBody;
 use crate::worker::study::Study;
@@ -256,6 +256,16 @@ pub(crate) trait Page: Sync {
     /// The axis across of the chart in the pane, where a part of it can be chosen.
     fn across<'a>(&self, _app: &'a mut App) -> Option<Across<'a>> {
         None
+    }
+
+    /// The axes across and up of the map in the pane, where a part of it can be computed.
+    fn map_axes(&self, _app: &App) -> Option<[Span; 2]> {
+        None
+    }
+
+    /// Compute another part of the map in the pane.
+    fn show_part(&self, _app: &mut App, _part: MapPart) -> Result<(), String> {
+        Ok(())
     }
 
     /// Put the crosshair of a chart of the pane on a value of its axis across.

@@ -32,6 +32,7 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     take(app, message);
+    keep_listed(app);
     std::mem::take(&mut app.effects)
 }
 
@@ -164,7 +165,7 @@ impl App {
                 format!("no tab has the number {c}: <enter> opens the value to type it")
             }
             (_, None) if action.is_some_and(zoom::is_zoom) => {
-                "only charts and the map of Explore zoom".to_owned()
+                "only charts and maps zoom".to_owned()
             }
             (_, Some(pane)) => {
                 format!(
@@ -228,7 +229,7 @@ pub(crate) fn open_find(app: &mut App) {
     let filter = page.filter(app).map(|filter| filter.clone());
     let names = page.row_name(app, 0).map(|_| String::new());
     let Some(text) = filter.or(names) else {
-        return app.tell("nothing to find in this pane: <find> works in its lists and forms");
+        return app.tell("nothing to find in this pane: <find> works in lists, tables and forms");
     };
     // A new text replaces the old one.
     app.find = Some(TextField::selected(text));
@@ -264,11 +265,33 @@ pub(crate) fn follow(app: &mut App) {
         }
         return;
     }
-    let count = page.rows(app).map_or(0, |rows| rows.count);
-    let names = (0..count).filter_map(|row| Some((row, page.row_name(app, row)?)));
+    let names = (0..).map_while(|row| Some((row, page.row_name(app, row)?)));
     let found = ranked(names, |(_, name)| rank(&text, &[name], ""));
     if let Some((row, _)) = found.first().filter(|_| !text.is_empty()) {
         page.select(app, *row);
+    }
+}
+
+/// Whether the rows of the pane that has the keys are filtered.
+fn is_filtered(app: &mut App) -> bool {
+    let filter = pages::of(app.tab).filter(app);
+    filter.is_some_and(|filter| !filter.is_empty())
+}
+
+/// Whether no row of the table that has the keys matches its filter.
+pub(crate) fn matches_nothing(app: &mut App) -> bool {
+    let is_table = pages::spec(app.pane()).has.contains(&Part::Table);
+    is_table && is_filtered(app) && pages::of(app.tab).rows(app).is_some_and(|it| it.count == 0)
+}
+
+/// The selection is on a row that the filter shows, also where the rows have changed.
+fn keep_listed(app: &mut App) {
+    let page = pages::of(app.tab);
+    if is_filtered(app)
+        && let Some(rows) = page.rows(app)
+        && let Some(last) = rows.count.checked_sub(1)
+    {
+        page.select(app, rows.selected.min(last));
     }
 }
 

@@ -485,7 +485,8 @@ fn a_map_is_read_back_from_its_table() {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     let size = Size { rows: 10, columns: 31 };
-    let map = map::map(&Scene::default(), FixedStep::Rk4, Axis::B, size, context);
+    let wanted = map::Wanted { method: FixedStep::Rk4, axis: Axis::B, size, ends: None };
+    let map = map::map(&Scene::default(), wanted, context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);
     let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);

@@ -52,7 +52,8 @@ enumeration! {
 }
 
 impl Kind {
-    fn is_solution(self) -> bool {
+    /// Whether it gives the wanted result.
+    pub fn is_solution(self) -> bool {
         matches!(self, Self::Solution | Self::Touch | Self::Plateau)
     }
 }

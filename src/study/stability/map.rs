@@ -140,6 +140,20 @@ pub struct Size {
     pub columns: usize,
 }
 
+/// Which map is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wanted {
+    /// The method.
+    pub method: FixedStep,
+    /// The variable of the rows.
+    pub axis: Axis,
+    /// Its cells.
+    pub size: Size,
+    /// The ends of the steps, s, and of the values; `None`: from a hundred-thousandth of the present contact to all of it, and all
+    /// values.
+    pub ends: Option<[(f64, f64); 2]>,
+}
+
 /// A map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
@@ -205,21 +219,15 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 }
 
 /// Compute the map of a valid scene, and show it as it grows. Where it is stopped, the rest is waiting.
-pub fn map(
-    scene: &Scene,
-    method: FixedStep,
-    axis: Axis,
-    Size { rows, columns }: Size,
-    context: &mut Context<'_, Map>,
-) -> Map {
+pub fn map(scene: &Scene, wanted: Wanted, context: &mut Context<'_, Map>) -> Map {
+    let Wanted { method, axis, size: Size { rows, columns }, ends } = wanted;
     let present = Target::of(scene);
-    // Around the present contact: from a hundred-thousandth of it to all of it.
     let contact_s = present.map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.peaks.contact_s,
     );
-    let dt_s = ratios((1e-5 * contact_s, contact_s), columns);
-    let values = ratios(axis.range(), rows);
+    let [steps, range] = ends.unwrap_or_else(|| [(1e-5 * contact_s, contact_s), axis.range()]);
+    let (dt_s, values) = (ratios(steps, columns), ratios(range, rows));
     let mut map = Map {
         method,
         axis,
@@ -371,6 +379,10 @@ mod tests {
     use super::*;
     use crate::study::context::{Progress, to_its_end};
 
+    fn wanted(size: Size) -> Wanted {
+        Wanted { method: FixedStep::Rk4, axis: Axis::B, size, ends: None }
+    }
+
     #[test]
     fn valid_limits_of_runge_kutta_on_the_axes() {
         // Hairer and Wanner II, section IV.2: 2.785 on the real axis, 2 sqrt(2) on the imaginary one.
@@ -400,8 +412,8 @@ mod tests {
     fn a_map_has_a_cell_for_every_row_and_column() {
         let mut watch = to_its_end;
         let context = &mut Context::new(1, &mut watch);
-        let map =
-            map(&Scene::default(), FixedStep::Rk4, Axis::B, Size { rows: 4, columns: 5 }, context);
+        let size = Size { rows: 4, columns: 5 };
+        let map = map(&Scene::default(), wanted(size), context);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -428,8 +440,8 @@ mod tests {
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let context = &mut Context::new(1, stop);
-        let map =
-            map(&Scene::default(), FixedStep::Rk4, Axis::B, Size { rows: 40, columns: 5 }, context);
+        let size = Size { rows: 40, columns: 5 };
+        let map = map(&Scene::default(), wanted(size), context);
         assert_eq!(map.cells.len(), 200);
         assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
         assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));

@@ -184,16 +184,21 @@ pub(crate) fn open(app: &mut App) {
     };
     let line = |part, value| Line { part, value };
     let text = |text: String| Value::Text(TextField::new(text));
-    let tick = |name: String, about| Value::Tick { name, about, on: true };
+    let tick = |name: String, about, on| Value::Tick { name, about, on };
+    let listed: Vec<String> = app.run_order().into_iter().map(|run| app.run_label(run)).collect();
     let mut lines = vec![
         line(FILE, Value::Path),
         line(WHAT, Value::Choice(SERIES, KINDS.map(|kind| kind.words).to_vec())),
         line(ROWS, text(GRID_ROWS.to_string())),
     ];
     let runs = runs.into_iter().map(|(name, _)| (about(&name), name));
-    lines.extend(runs.map(|(about, name)| line(RUNS, tick(name, about))));
+    // Of the runs those that the table lists.
+    lines.extend(runs.map(|(about, name)| {
+        let on = listed.contains(&name);
+        line(RUNS, tick(name, about, on))
+    }));
     let names = run::columns(Rows::Series, false).into_iter();
-    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new()))));
+    lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
     lines.push(line(STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
     lines.push(line(SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     let path = TextField::new(format!("{}.csv", ask::base_stem(app)));

@@ -9,6 +9,7 @@ use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep;
+use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::layout::{ROOMY, setup_width};
@@ -21,7 +22,6 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::update::zoom;
 use crate::tui::widgets::form::Form;
 
 /// The curves or the map.
@@ -37,6 +37,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin the design under the cursor"),
         key(A::ZoomIn, "zoom", "zoom about the cursor; of a map its ends (<undo> undoes)"),
         key(A::Down, "curve", "move to another curve, or down the map"),
+        key(A::Find, "", "find a quantity, and show it"),
     ] },
     PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count or a quantity"),
@@ -99,14 +100,6 @@ impl Page for ExploreTab {
                 app.pages.explore.value_scale = app.pages.explore.value_scale.toggled();
             }
             Action::LogX => setup::toggle_spacing(app),
-            Action::ZoomIn | Action::ZoomOut if app.picture() == Picture::Surface => {
-                if let Err(why) = setup::zoom(app, action == Action::ZoomIn) {
-                    app.refuse(why);
-                }
-            }
-            _ if zoom::is_zoom(action) && app.picture() == Picture::Surface => {
-                app.tell("a map shows all of its axes: change their ends in the setup, or undo");
-            }
             Action::Enter => edit::load_design(app, app.sweep_design()),
             _ => match cursor_moved(action, FAR) {
                 Some(by) => move_cursor(app, by),
@@ -209,7 +202,18 @@ impl Page for ExploreTab {
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        app.pages.explore.row = app.setup_choices()[row];
+        match app.pane() {
+            SETUP => app.pages.explore.row = app.setup_choices()[row],
+            _ => app.pages.explore.output = row,
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        if let Some(form) = self.form(app) {
+            return Some(form.row(row)?.label.clone());
+        }
+        let sweep = sweep_of(&app.scene);
+        named(sweep.outputs.get(row)?).ok().map(Quantity::title)
     }
 
     fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
@@ -228,6 +232,14 @@ impl Page for ExploreTab {
         let x = axis_of(&grid.plan().axes()[0]);
         let about = grid.coordinate(app.cursor_point(grid), 0);
         Some(Across::of(&mut app.pages.explore.zoomed, x.view, x.scale, Some(about)))
+    }
+
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == RESULTS).then(|| setup::map_axes(app))?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        setup::show_part(app, part)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

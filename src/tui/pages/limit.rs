@@ -33,15 +33,18 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "V50", "V50 and its spread, for the uncertainties in the setup"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
+        key(A::Find, "", "find a shot by velocity or outcome"),
     ] },
     PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
         key(A::View, "absorber", "compare with the next absorber, or with the scene's own"),
         key(A::Enter, "load", "load the scene with this absorber (<undo> undoes)"),
+        key(A::Find, "", "find a line"),
     ] },
-    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
         key(A::Mark, "pin", "pin the design under the cursor"),
+        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
     PaneSpec { pane: SETUP, label: "Limit setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a value in percent"),
@@ -191,13 +194,19 @@ impl Page for LimitTab {
                 Some(Rows { count, selected, shown: 1 })
             }
             COMPARISON => {
-                let area = panes(app, app.layout().body?).comparison?;
-                let shown = usize::from(area.height.saturating_sub(2));
-                let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2))).len();
-                let count = lines.saturating_sub(shown) + 1;
+                let (lines, shown) = comparison_text(app)?;
+                let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
             _ => self.form(app).map(|form| form.rows(app.list_rows())),
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        match app.pane() {
+            RESIDUAL => app.pages.limit.shots().get(row).map(state::shot_words),
+            COMPARISON => Some(comparison_text(app)?.0.get(row)?.0.clone()),
+            _ => None,
         }
     }
 
@@ -226,6 +235,19 @@ impl Page for LimitTab {
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))
     }
 
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == EFFICIENCY_MAP).then(|| app.efficiency_axes())?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        if app.comparison_is_old() {
+            return Err(old("scene"));
+        }
+        app.pages.limit.part = Some(part);
+        compare(app);
+        Ok(())
+    }
+
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         let panes = panes(app, body);
         if let Some(area) = panes.comparison {
@@ -241,6 +263,13 @@ impl Page for LimitTab {
             app.pages.limit.form().render(app, SETUP, area, canvas);
         }
     }
+}
+
+/// The lines of the comparison, and how many of them are shown at once.
+fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
+    let area = panes(app, app.layout().body?).comparison?;
+    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+    Some((lines, usize::from(area.height.saturating_sub(2))))
 }
 
 /// Far along the curve, in shots, and over the map, in cells.
@@ -331,7 +360,14 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 
 fn compare(app: &mut App) {
     match app.compared_scene() {
-        Ok(scene) => jobs::study_of(app, Tab::Limit, &Arc::new(scene), EqualMass),
+        Ok(scene) => {
+            let tab = &mut app.pages.limit;
+            if tab.comparison.is_old(&scene) {
+                tab.part = None;
+            }
+            let study = EqualMass(tab.part);
+            jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
+        }
         Err(why) => app.refuse(why),
     }
 }

@@ -5,6 +5,7 @@ use crate::report::run::page::{computation, energy, events, results, sentence};
 use crate::tui::app::notice::Notice;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
+use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, text_role};
 
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
@@ -69,9 +70,8 @@ impl Page for LogTab {
         } else {
             String::new()
         };
-        let pane = PaneFrame::new("Log of this run and this session")
-            .right(counter)
-            .focused(app.dialog.is_none());
+        let title = filtered("Log of this run and this session", &app.pages.log.find);
+        let pane = PaneFrame::new(title).right(counter).focused(app.dialog.is_none());
         let inner = pane.draw(area, canvas);
         for (row, (text, role)) in inner.rows().zip(lines.iter().skip(first)) {
             let column = if *role == Role::Title { 1 } else { 3 };

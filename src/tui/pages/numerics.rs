@@ -5,6 +5,7 @@ pub mod stability;
 
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
+use crate::study::stability::Row;
 use crate::tui::dialogs::ask;
 use crate::tui::pages::prelude::*;
 
@@ -31,15 +32,17 @@ const PANES: &[PaneSpec] = &[
         key(A::View, "columns", "show the next columns of the table"),
         key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
     ] },
-    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
+    PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
         key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
         key(A::Enter, "load", "load the value under the cursor into the scene (<undo> undoes)"),
+        key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
     PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
         key(A::Down, "scene", "select another scene"),
         key(A::View, "columns", "show the next columns of the table"),
         key(A::Sort, "sort", "sort the table by the next column"),
+        key(A::Find, "filter", "show only the scenes that match a text"),
     ] },
 ];
 
@@ -117,9 +120,10 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
-                let battery = kept.found.as_ref().filter(|battery| !battery.rows.is_empty())?;
-                let (battery, is_complete) = (Arc::clone(battery), kept.is_complete);
-                let csv = move |_: &str| stability_table::table(&battery.rows).csv();
+                let rows: Vec<Row> =
+                    app.pages.numerics.stability.listed().into_iter().cloned().collect();
+                let is_complete = (!rows.is_empty()).then_some(kept.is_complete)?;
+                let csv = move |_: &str| stability_table::table(&rows).csv();
                 PageTable::new("Export the stiff scenes to CSV", "battery.csv", is_complete, csv)
             }
             _ => {
@@ -140,7 +144,7 @@ impl Page for NumericsTab {
             }
             STIFF_SCENES => {
                 let tab = &app.pages.numerics.stability;
-                let (count, selected) = (tab.rows().len(), tab.selected);
+                let (count, selected) = (tab.order().len(), tab.selected_row());
                 Some(Rows { count, selected, shown: app.list_rows() })
             }
             _ => None,
@@ -151,18 +155,18 @@ impl Page for NumericsTab {
         if app.pane() == ACCURACY {
             app.pages.numerics.accuracy.selected = Some(row);
         } else {
-            app.pages.numerics.stability.selected = row;
+            let tab = &mut app.pages.numerics.stability;
+            tab.selected = tab.order().get(row).copied().unwrap_or(tab.selected);
         }
     }
 
     fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
-            STIFF_SCENES => {
-                Some(app.pages.numerics.stability.sorted().get(row)?.case.name.to_string())
-            }
-            _ => None,
-        }
+        let method = Method::ALL.get(row).filter(|_| app.pane() == ACCURACY)?;
+        Some(method.name().to_owned())
+    }
+
+    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
+        (app.pane() == STIFF_SCENES).then_some(&mut app.pages.numerics.stability.listing.filter)
     }
 
     fn second_click(&self, app: &App) -> Action {
@@ -180,6 +184,14 @@ impl Page for NumericsTab {
         let tab = &mut app.pages.numerics.accuracy;
         let (all, about) = (tab.all_times()?, tab.cursor_s);
         Some(Across::of(&mut tab.view.times, all, tab.view.time_scale, about))
+    }
+
+    fn map_axes(&self, app: &App) -> Option<[Span; 2]> {
+        (app.pane() == STABILITY).then(|| stability::map_axes(app))?
+    }
+
+    fn show_part(&self, app: &mut App, part: MapPart) -> Result<(), String> {
+        stability::show_part(app, part)
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {

@@ -47,6 +47,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Difference, "difference", "show curves as differences to the first pinned run"),
         key(A::Down, "move", "select another run"),
         key(A::Sort, "sort", "sort the table by the next column"),
+        key(A::Find, "filter", "show only the runs that match a text"),
     ] },
 ];
 
@@ -82,8 +83,8 @@ impl Page for RunTab {
             (Action::Enter, RUNS) => runs::load(app),
             (Action::ShowHide, RUNS) => runs::show_or_hide(app),
             (Action::Sort, RUNS) => {
-                let sorted = app.runs_sorted.next(&app.compared_runs().keys());
-                app.runs_sorted = sorted;
+                let sorting = app.runs.sorting.next(&app.compared_runs().keys());
+                app.runs.sorting = sorting;
             }
             (_, VARIABLES) if edits(action) && !app.editor.shows(&app.scene) => {
                 app.tell("no variable is selected: <back> shows all of them");
@@ -144,18 +145,19 @@ impl Page for RunTab {
                     app.editor.selected = *index;
                 }
             }
-            RUNS => app.selected_run = app.run_order().get(row).copied().unwrap_or(0),
+            RUNS => {
+                app.selected_run = app.run_order().get(row).copied().unwrap_or(app.selected_run);
+            }
             _ => app.charts.selected = row,
         }
     }
 
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        let run = app.run_order().get(row).copied();
-        (app.pane() == RUNS).then(|| app.run_name(run.unwrap_or(0)))
-    }
-
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        (app.pane() == VARIABLES).then_some(&mut app.editor.filter)
+        match app.pane() {
+            VARIABLES => Some(&mut app.editor.filter),
+            RUNS => Some(&mut app.runs.filter),
+            _ => None,
+        }
     }
 
     fn takes_unit(&self, _app: &App) -> bool {

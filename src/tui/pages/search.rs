@@ -3,6 +3,7 @@
 pub(crate) mod draw;
 pub mod setup;
 pub mod state;
+pub(crate) mod words;
 
 use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::{Needs, named};
@@ -55,6 +56,7 @@ const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin this design"),
         key(A::Sort, "sort", "sort the table by the next column"),
         key(A::View, "axes", "show the next pair of objectives in the chart"),
+        key(A::Find, "", "show only the rows that match a text"),
     ] },
 ];
 
@@ -138,7 +140,7 @@ impl Page for SearchTab {
         }
         note(match &*tab.shown()?.answer {
             Answer::Seek(report) => {
-                let solution = report.solutions().nth(tab.selected())?;
+                let solution = report.solutions().nth(tab.chosen()?)?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
                 let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
@@ -237,7 +239,8 @@ impl Page for SearchTab {
     fn table(&self, app: &App) -> Option<PageTable> {
         let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
         let (scene, is_complete) = (found.searched(), found.is_complete());
-        let csv = move |name: &str| found.csv(name);
+        let listed = words::listed_rows(&app.pages.search);
+        let csv = move |name: &str| found.csv(name, listed.as_deref());
         Some(PageTable::new("Export the results to CSV", file, is_complete, csv).of(app, &scene))
     }
 
@@ -268,10 +271,16 @@ impl Page for SearchTab {
             return Some(form.rows(shown));
         }
         let (count, selected) = match tab.choices() {
-            0 => (hidden_lines(app) + 1, tab.scrolled()),
+            0 if !tab.lists_some() => (hidden_lines(app) + 1, tab.scrolled()),
             choices => (choices, tab.selected()),
         };
         Some(Rows { count, selected, shown })
+    }
+
+    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
+        let tab = &mut app.pages.search;
+        let is_there = app.focus[Tab::Search.index()] == RESULTS && tab.shown().is_some();
+        is_there.then_some(&mut tab.listing[tab.page as usize].filter)
     }
 
     fn select(&self, app: &mut App, row: usize) {

@@ -7,6 +7,7 @@ use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::run::{runs, step_of};
 use crate::tui::prelude::*;
 use crate::tui::update::{self, edit, zoom};
+use crate::tui::widgets::table::NO_MATCH;
 
 /// Do it, in the pane that has the keys.
 pub(crate) fn act(app: &mut App, action: Action) {
@@ -18,6 +19,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
         app.editor.stepped = None;
     }
     let page = pages::of(app.tab);
+    if acts_on_rows(action) && update::matches_nothing(app) {
+        return app.tell(NO_MATCH);
+    }
     if page.act(app, action) || in_form(app, action) {
         return;
     }
@@ -29,10 +33,19 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if page.across(app).is_some_and(|across| across.change(action)) {
         return;
     }
+    if zoom::map(app, action) {
+        return;
+    }
     if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
         return app.tell("nothing to zoom yet");
     }
     anywhere(app, action);
+}
+
+/// Whether an action acts on rows of a table.
+fn acts_on_rows(action: Action) -> bool {
+    use Action as A;
+    matches!(action, A::Enter | A::Mark | A::ShowHide | A::Export | A::Copy)
 }
 
 /// What an action does to the selected row of a form: it takes the next value, or opens its field.
@@ -203,6 +216,10 @@ fn focus(app: &mut App, by: isize) {
 }
 
 fn leave(app: &mut App, action: Action) {
+    // What is open is closed before a job is stopped.
+    if action == Action::Back && update::clear(app) {
+        return;
+    }
     let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
     let own: Vec<u64> =
         pages::all_jobs(app).filter(|(tab, _)| *tab == app.tab).map(|(_, job)| job).collect();
@@ -246,7 +263,7 @@ fn back(app: &mut App) {
     let at = app.tab.index();
     if app.full_pane[at] {
         app.full_pane[at] = false;
-    } else if !update::clear(app) {
+    } else {
         let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
         let kept = if app.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(

@@ -1,7 +1,8 @@
-//! Zooming and panning the axis across of a chart: one rule for every page.
+//! Zooming and panning the axis across of a chart, and both axes of a map: one rule for every page.
 
 use crate::tui::chart::{Scale, ViewRange};
-use crate::tui::keymap::Action;
+use crate::tui::pages;
+use crate::tui::prelude::*;
 
 const STEP: f64 = 2.0;
 /// One pan step, as a share of the span.
@@ -13,10 +14,9 @@ pub(crate) fn is_zoom(action: Action) -> bool {
     matches!(action, ZoomIn | ZoomOut | ZoomFit | PanLeft | PanRight)
 }
 
-/// The axis across of the chart in the pane.
-pub(crate) struct Across<'a> {
-    /// The part of it that was chosen; `None`: home.
-    pub kept: &'a mut Option<ViewRange>,
+/// An axis, and what can be shown of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
     pub view: ViewRange,
     /// What is in view where nothing was chosen.
     pub home: ViewRange,
@@ -27,27 +27,9 @@ pub(crate) struct Across<'a> {
     pub about: Option<f64>,
 }
 
-impl<'a> Across<'a> {
-    /// An axis that shows all of itself at home.
-    pub(crate) fn of(
-        kept: &'a mut Option<ViewRange>,
-        home: ViewRange,
-        scale: Scale,
-        about: Option<f64>,
-    ) -> Self {
-        let home = home.on(scale);
-        Self {
-            view: kept.map_or(home, |view| view.on(scale)),
-            kept,
-            home,
-            bounds: home,
-            scale,
-            about,
-        }
-    }
-
-    /// Show what an action requests; false where it is not a zoom.
-    pub(crate) fn change(self, action: Action) -> bool {
+impl Span {
+    /// The view that an action requests; `None` where it is not a zoom.
+    pub(crate) fn after(&self, action: Action) -> Option<ViewRange> {
         let (view, scale) = (self.view, self.scale);
         let about = || {
             let middle = scale.back(0.5 * (scale.place(view.lo()) + scale.place(view.hi())));
@@ -59,12 +41,70 @@ impl<'a> Across<'a> {
             Action::ZoomFit => self.home,
             Action::PanLeft => view.panned(scale, -PAN, self.bounds),
             Action::PanRight => view.panned(scale, PAN, self.bounds),
-            _ => return false,
+            _ => return None,
         };
-        let next = next.within(self.bounds);
-        *self.kept = (action != Action::ZoomFit && next != self.home).then_some(next);
+        Some(next.within(self.bounds))
+    }
+}
+
+/// The axis across of the chart in the pane.
+pub(crate) struct Across<'a> {
+    /// The part of it that was chosen; `None`: home.
+    pub kept: &'a mut Option<ViewRange>,
+    pub span: Span,
+}
+
+impl<'a> Across<'a> {
+    /// An axis that shows all of itself at home.
+    pub(crate) fn of(
+        kept: &'a mut Option<ViewRange>,
+        home: ViewRange,
+        scale: Scale,
+        about: Option<f64>,
+    ) -> Self {
+        let home = home.on(scale);
+        let view = kept.map_or(home, |view| view.on(scale));
+        Self { kept, span: Span { view, home, bounds: home, scale, about } }
+    }
+
+    /// Show what an action requests; false where it is not a zoom.
+    pub(crate) fn change(self, action: Action) -> bool {
+        let Some(next) = self.span.after(action) else { return false };
+        let is_home = action == Action::ZoomFit || next == self.span.home;
+        *self.kept = (!is_home).then_some(next);
         true
     }
+}
+
+/// What of the axes across and up of a map is shown; it is computed for just that.
+pub(crate) type MapPart = [ViewRange; 2];
+
+/// Compute another part of the map in the pane; false where it has none, or an action means nothing to one.
+pub(crate) fn map(app: &mut App, action: Action) -> bool {
+    let page = pages::of(app.tab);
+    let Some(axes) = page.map_axes(app) else { return false };
+    if matches!(action, Action::LogX | Action::LogY) {
+        app.tell("both axes of this map are logarithmic");
+        return true;
+    }
+    let is_pan = matches!(action, Action::PanLeft | Action::PanRight);
+    let [across, up] = axes.map(|axis| axis.after(action));
+    let Some((across, up)) = across.zip(if is_pan { Some(axes[1].view) } else { up }) else {
+        return false;
+    };
+    if [across, up] == axes.map(|axis| axis.view) {
+        app.tell("the map ends here");
+        return true;
+    }
+    if let Err(why) = page.show_part(app, [across, up]) {
+        app.refuse(why);
+    } else if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
+        let all = if action == Action::ZoomFit { "" } else { " (<zoom-fit> shows all of it)" };
+        app.tell(format!("computing the map again{all}"));
+    } else {
+        app.tell("the map has other ends: press <run>");
+    }
+    true
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::run::editor::shown_number;
 use crate::tui::pages::run::steps::{self, Input};
+use crate::tui::update::zoom::Span;
 use crate::tui::widgets::form::{Line, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
@@ -137,17 +138,15 @@ const WIDEST: f64 = 10.0;
 /// On a log axis an end is no closer to 0 than this share of the greatest one.
 const LEAST_SHARE: f64 = 1e-6;
 
-/// Zoom an axis about one of its values, to no more than ten times its usual range and to no end that is not allowed.
-pub(crate) fn zoom_axis(
+/// What zooming can show of an axis, about one of its values: no more than ten times its usual range, and no end that is not allowed.
+pub(crate) fn span(
     scene: &Scene,
-    axis: &mut SweepAxis,
+    axis: &SweepAxis,
+    home: Option<ViewRange>,
     about: f64,
-    factor: f64,
-) -> Result<(), String> {
+) -> Result<Span, String> {
     let scale = if axis.log { Scale::Log10 } else { Scale::Linear };
-    let view = ViewRange::new(axis.from, axis.to).zoomed(scale, about, factor);
-    let (low, high) = (view.lo(), view.hi());
-    let ends = if axis.from < axis.to { (low, high) } else { (high, low) };
+    let view = ViewRange::new(axis.from, axis.to).on(scale);
     let variable = find(&axis.name)?;
     let (number, usual) = (number_of(variable)?, over(scene, variable, axis.count)?);
     let most = WIDEST * usual.from.abs().max(usual.to.abs());
@@ -158,12 +157,21 @@ pub(crate) fn zoom_axis(
         Allowed::Between(low, high) => (least.max(low), most.min(high)),
         Allowed::Below(low, _) => (least.max(low), most),
     };
+    let home = home.unwrap_or_else(|| ViewRange::new(usual.from, usual.to)).on(scale);
+    // A range that was wider already stays.
+    let (least, most) = (least.min(view.lo()).min(home.lo()), most.max(view.hi()).max(home.hi()));
+    let bounds = ViewRange::new(least, most);
+    Ok(Span { view, home, bounds, scale, about: Some(about) })
+}
+
+/// Give an axis the ends of a range, in a few digits, which a person reads in the setup; an end that is not allowed stays.
+pub(crate) fn set_ends(axis: &mut SweepAxis, view: ViewRange) -> Result<(), String> {
+    let number = number_of(find(&axis.name)?)?;
+    let (low, high) = (view.lo(), view.hi());
+    let ends = if axis.from < axis.to { (low, high) } else { (high, low) };
     for (end, next) in [(&mut axis.from, ends.0), (&mut axis.to, ends.1)] {
-        // In a few digits, which a person reads in the setup.
-        let next: f64 = significant(next, 4).parse().unwrap_or(next);
-        // A range that was wider already stays.
-        let next = next.max(least.min(*end)).min(most.max(*end));
-        if number.allowed.contains(next) {
+        let rounded: f64 = significant(next, 4).parse().unwrap_or(next);
+        if let Some(next) = [rounded, next].into_iter().find(|it| number.allowed.contains(*it)) {
             *end = next;
         }
     }
@@ -206,17 +214,22 @@ mod tests {
 
     #[test]
     fn zooming_comes_back_to_0_and_ends_at_ten_times_the_usual_range() {
+        use crate::tui::keymap::Action::{ZoomIn, ZoomOut};
         let scene = Scene::default();
         let mut axis = SweepAxis::linear("k", 0.0, 7.5e6, 5);
-        zoom_axis(&scene, &mut axis, 1e6, 2.0).unwrap();
+        let zoom = |axis: &mut SweepAxis, about, action| {
+            let view = span(&scene, axis, None, about).unwrap().after(action).unwrap();
+            set_ends(axis, view).unwrap();
+        };
+        zoom(&mut axis, 1e6, ZoomIn);
         assert_eq!((axis.from, axis.to), (5e5, 4.25e6));
-        zoom_axis(&scene, &mut axis, 1.2e6, 0.5).unwrap();
+        zoom(&mut axis, 1.2e6, ZoomOut);
         assert_eq!((axis.from, axis.to), (0.0, 7.3e6));
         let usual = over(&scene, find("k").unwrap(), 5).unwrap();
         for (log, least) in [(false, 0.0), (true, 1.0)] {
             axis = SweepAxis { log, from: 1e4, ..axis };
             for _ in 0..40 {
-                zoom_axis(&scene, &mut axis, 1e5, 0.5).unwrap();
+                zoom(&mut axis, 1e5, ZoomOut);
             }
             assert!(axis.from >= least && axis.to <= 10.0 * usual.to, "{axis:?}");
         }

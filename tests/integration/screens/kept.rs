@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::bench::{Bench, ended, made};
-use super::{limit, search, stability, sweep};
+use super::{limit, search, stability};
 use cmra::files::library;
 use cmra::model::library::Library;
 use cmra::model::run::EndReason;
@@ -251,29 +251,6 @@ fn a_design_that_is_being_computed_cannot_be_loaded_yet() {
     assert_eq!(bench.message(), "being computed");
 }
 
-#[test]
-fn a_map_is_zoomed_by_the_ends_of_its_axes_and_an_undo_takes_it_back() {
-    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (80, 24));
-    bench.keys("2");
-    sweep::answer(&mut bench);
-    bench.keys("<Right>");
-    let ends = |bench: &Bench| {
-        let axes = &bench.app.scene.sweep.as_ref().expect("a sweep").axes;
-        axes.iter().map(|axis| (axis.from, axis.to)).collect::<Vec<_>>()
-    };
-    let design = bench.app.sweep_design().expect("a design").scene;
-    let before = ends(&bench);
-    bench.keys("+");
-    sweep::answer(&mut bench);
-    for ((from, to), (low, high)) in before.iter().zip(ends(&bench)) {
-        assert!(((high - low) / (to - from) - 0.5).abs() < 1e-3, "{from} {to}: {low} {high}");
-    }
-    let after = bench.app.sweep_design().expect("a design").scene;
-    assert!((after.plate.mass_ratio / design.plate.mass_ratio - 1.0).abs() < 1e-3, "in its place");
-    bench.keys("u");
-    assert_eq!(ends(&bench), before);
-}
-
 /// Help lists what works on the page: of Monte Carlo nothing can be loaded.
 #[test]
 fn help_leaves_out_what_a_page_has_not() {
@@ -296,15 +273,4 @@ fn help_explains_the_words_of_the_comparison_and_of_the_stiff_scenes() {
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>?");
     assert!(bench.screen().contains("s: stored"), "{}", bench.screen());
-}
-
-#[test]
-fn a_map_that_does_not_zoom_says_so() {
-    let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
-    bench.keys("+");
-    assert!(
-        bench.message().contains("only charts and the map of Explore zoom"),
-        "{}",
-        bench.message()
-    );
 }

@@ -11,8 +11,9 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::sensitivity;
-use cmra::study::sweep::PointOutcome;
+use cmra::study::sweep::{Axis, PointOutcome};
 use cmra::study::{monte_carlo, search::seek};
+use cmra::tui::chart::ViewRange;
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
 use cmra::tui::pages::search;
@@ -80,11 +81,14 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     }
 }
 
-fn compared(scene: &Arc<Scene>) -> Comparison {
+fn compared(scene: &Arc<Scene>, part: Option<[ViewRange; 2]>) -> Comparison {
     let mut watch = to_its_end;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
-    let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
+    let mut axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
+    for (axis, part) in axes.iter_mut().zip(part.into_iter().flatten()) {
+        *axis = Axis::new(axis.symbol(), (part.lo(), part.hi()), 21, axis.spacing()).unwrap();
+    }
     let map = Map::compute(scene, &axes, hardware, context).ok();
     Comparison { report, map }
 }
@@ -103,8 +107,8 @@ pub(super) fn answer(bench: &mut Bench) {
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     let found = if let Some(request) = study.asked.of::<Request>() {
         Finding::new(made(&study.scene, request))
-    } else if study.asked.of::<EqualMass>().is_some() {
-        Finding::new(compared(&study.scene))
+    } else if let Some(EqualMass(part)) = study.asked.of() {
+        Finding::new(compared(&study.scene, *part))
     } else {
         return false;
     };
@@ -112,7 +116,7 @@ fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     true
 }
 
-fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("4<Tab>");
     answer(&mut bench);

@@ -6,7 +6,7 @@ use super::bench::{Bench, ended, made};
 use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::stability::cases::CASES;
-use cmra::study::stability::map::{Axis, Cell, FixedStep, Map};
+use cmra::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, Wanted};
 use cmra::study::stability::others::{Fault, Verdict};
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
 use cmra::tui::pages::numerics::stability::{StabilityMap, StiffScenes};
@@ -16,11 +16,16 @@ use cmra::worker::study::RowsSoFar;
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
-    let ratios = |low: f64, high: f64, count: i32| -> Vec<f64> {
+    part(method, axis, [(1e-9, 1e-4), (1e3, 1e12)])
+}
+
+/// A part of it.
+fn part(method: FixedStep, axis: Axis, [steps, range]: [(f64, f64); 2]) -> Map {
+    let ratios = |(low, high): (f64, f64), count: i32| -> Vec<f64> {
         let step = (high / low).ln() / f64::from(count - 1);
         (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
     };
-    let (dt_s, values) = (ratios(1e-9, 1e-4, 61), ratios(1e3, 1e12, 19));
+    let (dt_s, values) = (ratios(steps, 61), ratios(range, 19));
     let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
     let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
         ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
@@ -60,11 +65,17 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
     CASES.iter().take(count).enumerate().map(row).collect()
 }
 
+/// The study of a whole map.
+fn whole(method: FixedStep, axis: Axis) -> StabilityMap {
+    StabilityMap(Wanted { method, axis, size: SIZE, ends: None })
+}
+
 /// Answer what was requested.
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
         let found = if let Some(asked) = study.asked.of::<StabilityMap>() {
-            Finding::new(map(asked.method, asked.axis))
+            let ends = asked.0.ends.unwrap_or([(1e-9, 1e-4), (1e3, 1e12)]);
+            Finding::new(part(asked.0.method, asked.0.axis, ends))
         } else if study.asked.of::<StiffScenes>().is_some() {
             Finding::new(RowsSoFar { rows: rows(12), is_complete: true })
         } else {
@@ -96,24 +107,15 @@ fn the_crosshair_starts_at_the_scene_and_describes_each_cell() {
 fn variable_and_method_are_chosen_and_mapped_again() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
-    assert_eq!(
-        bench.studies()[0].asked.of(),
-        Some(&StabilityMap { method: FixedStep::Thesis, axis: Axis::N })
-    );
+    assert_eq!(bench.studies()[0].asked.of(), Some(&whole(FixedStep::Thesis, Axis::N)));
     bench.keys("vv");
-    assert_eq!(
-        bench.studies()[1].asked.of(),
-        Some(&StabilityMap { method: FixedStep::Rk4, axis: Axis::K })
-    );
+    assert_eq!(bench.studies()[1].asked.of(), Some(&whole(FixedStep::Rk4, Axis::K)));
     // A map that came back belongs to what was requested last.
     bench.app.jobs.studies.clear();
     bench.keys("1");
     bench.effects.clear();
     bench.keys("5");
-    assert_eq!(
-        bench.studies()[0].asked.of(),
-        Some(&StabilityMap { method: FixedStep::Rk4, axis: Axis::K })
-    );
+    assert_eq!(bench.studies()[0].asked.of(), Some(&whole(FixedStep::Rk4, Axis::K)));
 }
 
 #[test]

@@ -9,14 +9,12 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{Axis, Sampling};
 use crate::tui::dialogs::{around, wrap};
-use crate::tui::pages::explore::state::{
-    Picture, Sweeping, completed, has_family, no_sweep, sweep_of,
-};
+use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
-use crate::tui::widgets::axis::{meaning, numeric, over, place, whole, zoom_axis};
+use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
 use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_after};
 
 pub use crate::tui::widgets::axis::Part;
@@ -166,13 +164,28 @@ pub(crate) fn toggle_spacing(app: &mut App) {
     }
 }
 
-/// Half or twice the ranges of a map about its cursor, as the ends of its axes.
-pub(crate) fn zoom(app: &mut App, closer: bool) -> Result<(), String> {
-    let found = app.pages.explore.found(Picture::Surface).ok_or_else(|| no_sweep(app))?;
-    let (grid, mut sweep) = (Arc::clone(&found.grid), sweep_of(&app.scene));
-    let at = app.cursor_point(&grid);
-    for (place, axis) in sweep.axes.iter_mut().enumerate() {
-        zoom_axis(&app.scene, axis, grid.coordinate(at, place), if closer { 2.0 } else { 0.5 })?;
+/// The axes of a map as they are zoomed about its cursor; home are the ends that the preset has, else the usual ones.
+pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
+    let grid = &app.pages.explore.found(Picture::Surface)?.grid;
+    if app.picture() != Picture::Surface {
+        return None;
+    }
+    let (sweep, preset) = (sweep_of(&app.scene), sweep_of(&app.base.scene));
+    let at = app.cursor_point(grid);
+    let of = |place: usize| {
+        let axis = sweep.axes.get(place)?;
+        let home = preset.axes.iter().find(|it| it.name == axis.name);
+        let home = home.map(|it| ViewRange::new(it.from, it.to));
+        span(&app.scene, axis, home, grid.coordinate(at, place)).ok()
+    };
+    Some([of(0)?, of(1)?])
+}
+
+/// A part of a map, as the ends of its axes.
+pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
+    let mut sweep = sweep_of(&app.scene);
+    for (axis, part) in sweep.axes.iter_mut().zip(part) {
+        set_ends(axis, part)?;
     }
     checked(app, sweep, 1)
 }

@@ -2,6 +2,7 @@
 //! mass efficiency and the design under its cursor, in words and drawn.
 
 use crate::model::library::{Entry, Library};
+use crate::model::scene::SweepAxis;
 use crate::report;
 use crate::report::compare::picture;
 use crate::report::figures::column_of;
@@ -9,12 +10,13 @@ use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
-use crate::study::sweep::Axis;
+use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::status::fitting;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::prelude::*;
+use crate::tui::widgets::axis::span;
 use crate::tui::widgets::text::put;
 
 /// Points along each axis of the map of the mass efficiency.
@@ -23,9 +25,20 @@ const MAP_POINTS: u64 = 41;
 /// What the rows of the comparison mean, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is perforated above it. Limit with hardware: the plate is perforated or the spring fails, which is sized for the design velocity and holds no faster shot. Mass efficiency as built: of the plate as thick as it is, at its own limit. *: nothing stops plate and projectile";
 
-/// Compares at equal areal mass, and maps the mass efficiency around the scene.
+/// Compares at equal areal mass, and maps the mass efficiency around the scene, or over a part of its axes.
 #[derive(Debug)]
-pub struct EqualMass;
+pub struct EqualMass(pub Option<MapPart>);
+
+/// The axes of the map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place.
+pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
+    let axis = |name| map::usual_axis(scene, name, MAP_POINTS).ok();
+    Some([axis("v_i")?, axis(scene.plate.size.key())?])
+}
+
+/// An axis over a part of its values.
+fn over_part(axis: &Axis, part: ViewRange) -> Option<Axis> {
+    Axis::new(axis.symbol(), (part.lo(), part.hi()), MAP_POINTS, axis.spacing()).ok()
+}
 
 /// A comparison at equal areal mass with its map, where there is one.
 #[derive(Clone, Debug)]
@@ -47,17 +60,22 @@ impl Study for EqualMass {
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
         let context = &mut Context::new(1, watch);
         let report = compare::compare(scene, Hardware::default(), context)?;
-        // gamma, or the input that gives the plate's size in its place.
-        let axes = [("v_i", MAP_POINTS), (scene.plate.size.key(), MAP_POINTS)]
-            .map(|(name, count)| map::usual_axis(scene, name, count).ok());
-        let [Some(x), Some(y)] = axes.map(|axis| axis.filter(|_| report.is_complete)) else {
+        let axes = usual_axes(scene).and_then(|[x, y]| match self.0 {
+            Some([across, up]) => Some([over_part(&x, across)?, over_part(&y, up)?]),
+            None => Some([x, y]),
+        });
+        let Some(axes) = axes.filter(|_| report.is_complete) else {
             return Ok(Finding::new(Comparison { report, map: None }));
         };
-        let part = || Some(Finding::new(Comparison { report: report.clone(), map: None }));
+        // The map that is zoomed stays until the other one is there.
+        let part = || {
+            let found = || Finding::new(Comparison { report: report.clone(), map: None });
+            self.0.is_none().then(found)
+        };
         let done = whole - points;
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
         let context = &mut Context::new(reporter.threads(), watch);
-        let map = Map::compute(scene, &[x, y], Hardware::default(), context).ok();
+        let map = Map::compute(scene, &axes, Hardware::default(), context).ok();
         Ok(Finding::new(Comparison { report, map }))
     }
 }
@@ -128,6 +146,22 @@ impl App {
         }
         let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
         Ok(placed(self.compared_scene()?, values))
+    }
+
+    /// The axes of the map as they are zoomed about its cursor.
+    pub(crate) fn efficiency_axes(&self) -> Option<[Span; 2]> {
+        let map = self.comparison()?.map.as_ref()?;
+        let (x, y) = self.efficiency_cursor()?;
+        let scene = &self.pages.limit.comparison.scene;
+        let [across, up] = usual_axes(scene)?;
+        let of = |home: &Axis, axis: &Axis, at: usize| {
+            let ((from, to), (low, high)) = (axis.ends(), home.ends());
+            let log = axis.spacing() == Spacing::Log;
+            let name = axis.symbol().to_owned();
+            let axis_now = SweepAxis { log, ..SweepAxis::linear(&name, from, to, 2) };
+            span(scene, &axis_now, Some(ViewRange::new(low, high)), axis.value(at as u64)).ok()
+        };
+        Some([of(&across, map.x(), x)?, of(&up, map.y(), y)?])
     }
 
     /// The scene whose map is wanted: with the values that the axes of the one there have in its scene.

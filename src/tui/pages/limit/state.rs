@@ -9,9 +9,11 @@ use crate::report::limit::{remarks, residual};
 use crate::study::compare::map::Map;
 use crate::study::limit::monte_carlo::ModelError;
 use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
+use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
+use crate::tui::pages::explore::state::nearest;
 use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::setup::{Row, Setup};
 use crate::tui::pages::limit::{RESIDUAL, panes};
@@ -59,6 +61,8 @@ pub struct Ballistic {
     pub scrolled: usize,
     /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
     pub map_cursor: Option<(usize, usize)>,
+    /// The part of the map that was chosen; `None`: all of it.
+    pub part: Option<MapPart>,
     /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
     pub page: usize,
 }
@@ -73,10 +77,17 @@ impl Ballistic {
         {
             (self.cursor, self.zoomed) = (None, None);
         }
+        let map_before = self.comparison.found.as_ref().and_then(|it| it.map.clone());
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
-        if self.comparison.keep(running, news, is_whole) && is_old {
-            self.map_cursor = None;
+        if self.comparison.keep(running, news, is_whole) {
+            // On another part of the map the cursor stays at its values.
+            let map = self.comparison.found.as_ref().and_then(|it| it.map.as_ref());
+            self.map_cursor.take_if(|_| is_old);
+            if let (Some(before), Some(map), Some((x, y))) = (&map_before, map, self.map_cursor) {
+                let at = |old: &Axis, new: &Axis, at| nearest(new, old.value(at as u64));
+                self.map_cursor = at(before.x(), map.x(), x).zip(at(before.y(), map.y(), y));
+            }
         }
     }
 
@@ -150,15 +161,17 @@ fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
     lines
 }
 
-fn ends(shot: &Shot) -> String {
-    match (shot.outcome, shot.residual_m_s) {
+/// `250.0 m/s: stopped`.
+pub(crate) fn shot_words(shot: &Shot) -> String {
+    let ends = match (shot.outcome, shot.residual_m_s) {
         (Outcome::Perforated, Some(left)) => {
             format!("residual velocity {}", fixed_significant(left, 4))
         }
         (Outcome::Perforated, None) => "through".to_owned(),
         (Outcome::Arrested | Outcome::Separated, _) => "stopped".to_owned(),
         (Outcome::Moving, _) => "still moving at the end of the run".to_owned(),
-    }
+    };
+    format!("{}: {ends}", units::velocity(shot.impact_m_s, 4))
 }
 
 impl App {
@@ -294,7 +307,7 @@ impl App {
             ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
             ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
         ];
-        let mut text = format!("{}: {}", units::velocity(v, 4), ends(shot));
+        let mut text = shot_words(shot);
         for (name, left) in laws {
             if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
                 let _ = write!(text, "; {name} {}", fixed_significant(left, 4));

@@ -4,14 +4,14 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
-use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, nearest};
+use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, Wanted, nearest};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Basis, Row};
 use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
-use crate::tui::widgets::table::{Grid, Sorting};
+use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::NEEDS_SINGLE;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
@@ -28,17 +28,14 @@ pub(crate) fn stiff_scenes_words() -> String {
 
 /// Computes where a fixed-step method is stable.
 #[derive(Debug, PartialEq)]
-pub struct StabilityMap {
-    pub method: FixedStep,
-    pub axis: Axis,
-}
+pub struct StabilityMap(pub Wanted);
 
 impl Study for StabilityMap {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         map::accepts(scene)?;
         let watch = &mut reporter.watch(Map::clone);
         let context = &mut Context::new(1, watch);
-        Ok(Finding::new(map::map(scene, self.method, self.axis, map::SIZE, context)))
+        Ok(Finding::new(map::map(scene, self.0, context)))
     }
 }
 
@@ -71,11 +68,16 @@ pub struct Stability {
     /// Which map is wanted: of each variable by one method, then by the other.
     pub view: usize,
     pub map: Kept<Map>,
+    /// The part of the map that was chosen: steps, values; `None`: all of it.
+    pub part: Option<MapPart>,
+    /// The steps and values of all of it.
+    whole: Option<MapPart>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// How the table of stiff scenes is sorted.
-    pub sorting: Sorting,
+    /// How the table of stiff scenes is listed.
+    pub listing: Listing,
     pub battery: Kept<RowsSoFar<Row>>,
+    /// The selected scene, by its place among all.
     pub selected: usize,
     pub table_page: usize,
 }
@@ -110,13 +112,21 @@ impl Stability {
     }
 
     pub fn sort_next(&mut self) {
-        self.sorting = self.sorting.next(&keys());
-        self.selected = 0;
+        self.listing.sorting = self.listing.sorting.next(&keys());
     }
 
-    pub fn sorted(&self) -> Vec<&Row> {
-        let rows = self.rows();
-        self.sorting.order(&table(rows)).into_iter().map(|at| &rows[at]).collect()
+    /// The places of the scenes listed, in the order of the table.
+    pub fn order(&self) -> Vec<usize> {
+        self.listing.order(&table(self.rows()), &keys())
+    }
+
+    /// The row of the selected scene; the first where it is not listed.
+    pub fn selected_row(&self) -> usize {
+        self.order().iter().position(|at| *at == self.selected).unwrap_or(0)
+    }
+
+    pub fn listed(&self) -> Vec<&Row> {
+        self.order().into_iter().map(|at| &self.rows()[at]).collect()
     }
 
     pub fn rows(&self) -> &[Row] {
@@ -144,7 +154,7 @@ impl App {
 
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
         let tab = &self.pages.numerics.stability;
-        let row = *tab.sorted().get(tab.selected)?;
+        let row = *tab.listed().get(tab.selected_row())?;
         let name = &row.case.name;
         if let Some(shortfall) = row.shortfall {
             let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
@@ -192,13 +202,53 @@ const FAR: i16 = 10;
 /// Keep what was found; a map of another variable has its cursor elsewhere.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
-    let before = tab.map.found.as_ref().map(|map| map.axis);
+    let before = tab.map.found.clone();
     tab.battery.keep(running, news, |battery| battery.is_complete);
     if tab.map.keep(running, news, Map::is_complete)
-        && before != tab.map.found.as_ref().map(|map| map.axis)
+        && let Some(map) = &tab.map.found
     {
-        tab.cursor = None;
+        // The crosshair stays at its step and value.
+        let same = before.filter(|before| before.axis == map.axis);
+        tab.cursor = same.zip(tab.cursor).and_then(|(before, (row, column))| {
+            let row = nearest(&map.values, before.values[row])?;
+            Some((row, nearest(&map.dt_s, before.dt_s[column])?))
+        });
+        if running.study.of::<StabilityMap>().is_some_and(|asked| asked.0.ends.is_none()) {
+            tab.whole = Some([&map.dt_s, &map.values].map(|values| ends(values)));
+        }
     }
+}
+
+/// The ends of rising values.
+fn ends(values: &[f64]) -> ViewRange {
+    let ends = values.first().zip(values.last());
+    ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high))
+}
+
+/// The steps and the values of the map shown, as they are zoomed about its crosshair.
+pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
+    let tab = &app.pages.numerics.stability;
+    let (map, (row, column)) = tab.map.found.as_ref().zip(tab.cursor())?;
+    let span = |values: &[f64], at: usize, home: ViewRange| Span {
+        view: ends(values),
+        home,
+        bounds: home,
+        scale: Scale::Log10,
+        about: Some(values[at]),
+    };
+    let [steps, values] = tab.whole?;
+    Some([span(&map.dt_s, column, steps), span(&map.values, row, values)])
+}
+
+/// Compute another part of the map.
+pub(crate) fn show_part(app: &mut App, part: MapPart) -> Result<(), String> {
+    let tab = &mut app.pages.numerics.stability;
+    if tab.map.is_old(&app.scene) {
+        return Err(old("scene"));
+    }
+    tab.part = Some(part).filter(|_| Some(part) != tab.whole);
+    ask_map(app);
+    Ok(())
 }
 
 /// What is shown is computed, unless it has been or is being.
@@ -230,6 +280,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
         Action::Run => ask_map(app),
         Action::View => {
             tab.view += 1;
+            tab.part = None;
             ask_map(app);
         }
         Action::Enter => load(app),
@@ -257,9 +308,13 @@ fn load(app: &mut App) {
 }
 
 fn ask_map(app: &mut App) {
-    let tab = &app.pages.numerics.stability;
-    let map = StabilityMap { method: tab.method(), axis: tab.axis() };
-    jobs::study(app, Tab::Numerics, map);
+    let tab = &mut app.pages.numerics.stability;
+    if tab.map.is_old(&app.scene) {
+        tab.part = None;
+    }
+    let ends = tab.part.map(|part| part.map(|range| (range.lo(), range.hi())));
+    let wanted = Wanted { method: tab.method(), axis: tab.axis(), size: map::SIZE, ends };
+    jobs::study(app, Tab::Numerics, StabilityMap(wanted));
 }
 
 fn ask_battery(app: &mut App) {
@@ -317,21 +372,23 @@ fn legend(area: Rect, canvas: &mut Canvas<'_>) {
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.stability;
-    let rows = tab.sorted();
+    let rows = tab.listed();
     let table = table(rows.iter().copied());
     let keys = keys();
     let mut cells = table.cells(&keys);
-    tab.sorting.mark(&keys, &mut cells);
+    tab.listing.sorting.mark(&keys, &mut cells);
     let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
-    let list = RowList { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
+    let (count, selected) = (rows.len(), tab.selected_row());
+    let list = RowList { count, selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Stiff and extreme scenes" };
+    let title = tab.listing.titled(title);
     let title = if rows.len() > height {
         let last = (first + height).min(rows.len());
         format!("{title} {}-{last}/{}", first + 1, rows.len())
     } else {
-        title.to_owned()
+        title
     };
     let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
     let hint = app.keymap.shown(&(hint + "<next-pane>: map"));
@@ -339,7 +396,10 @@ pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = pane.draw(area, canvas);
     canvas.put(inner, (0, 0), &grid.line(None), Role::Dim);
     if rows.is_empty() {
-        let text = nothing::<StiffScenes>(app, "running the first scenes", None);
+        let text = match tab.rows() {
+            [] => nothing::<StiffScenes>(app, "running the first scenes", None),
+            _ => app.keymap.shown(NO_MATCH),
+        };
         canvas.put(inner, (1, 2), &text, Role::Dim);
     }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };

@@ -264,7 +264,9 @@ impl App {
         let home = range(self.on_time_axis(self.window_s()));
         let bounds = range(self.whole_s());
         let (scale, about) = (self.charts.time_scale, self.charts.cursor_s);
-        Across { view, bounds, ..Across::of(&mut self.charts.zoom_s, home, scale, about) }
+        let mut across = Across::of(&mut self.charts.zoom_s, home, scale, about);
+        (across.span.view, across.span.bounds) = (view, bounds);
+        across
     }
 
     /// From first contact to the end of the longest visible run (or of the window, where that is later), s.

@@ -8,6 +8,7 @@ use crate::tui::dialogs::ask::extent;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::widgets::input::Field;
+use crate::tui::widgets::table::filtered;
 
 #[derive(Clone, Debug, Default)]
 pub struct Editor {
@@ -133,8 +134,9 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let rows = app.editor.rows(&app.scene);
     let height = usize::from(area.height.saturating_sub(3));
     let first = app.editor.first_row(&app.scene, height);
-    let pane =
-        PaneFrame::new(title(app)).right(counter(app, &rows, first, height)).focused(focused);
+    let pane = PaneFrame::new(filtered("Variables", &app.editor.filter))
+        .right(counter(app, &rows, first, height))
+        .focused(focused);
     let inner = pane.draw(area, canvas);
     if inner.height < 2 {
         return;
@@ -163,14 +165,6 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     }
     let foot = app.editor.shows(&app.scene).then(|| foot(app, usize::from(inner.width)));
     canvas.put(inner, (0, inner.height - 1), &foot.unwrap_or_default(), Role::Dim);
-}
-
-fn title(app: &App) -> String {
-    if app.editor.filter.is_empty() {
-        "Variables".to_owned()
-    } else {
-        format!("Variables /{}", app.editor.filter)
-    }
 }
 
 /// Which of the variables are in sight, where not all are.

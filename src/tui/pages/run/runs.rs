@@ -8,14 +8,14 @@ use crate::model::units;
 use crate::model::variables::{self, VARIABLES};
 use crate::report::run::page::{self, LABEL};
 use crate::report::run::{Compared, comparison, no_depth};
-use crate::report::table::Table;
+use crate::report::table::{Cells, Table};
 use crate::study::models::by_every_model;
 use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::editor::{WIDE, shown_value};
-use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::table::{Grid, NO_MATCH};
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
@@ -61,9 +61,20 @@ impl App {
         comparison(std::iter::once(now).chain(pins))
     }
 
-    /// The runs in the order of their table: 0 the current one, then the pins.
+    /// The runs listed in their table, in its order: 0 the current one, then the pins.
     pub fn run_order(&self) -> Vec<usize> {
-        self.runs_sorted.order(&self.compared_runs())
+        let table = self.compared_runs();
+        self.runs.matching(self.runs.sorting.order(&table), || {
+            let labels = (0..table.rows.len()).map(|run| self.run_label(run)).collect();
+            let labels = Cells { head: String::new(), is_text: true, cells: labels };
+            table.cells(&table.keys()).into_iter().chain([labels]).collect()
+        })
+    }
+
+    /// `now`, or the letter of a pin.
+    pub(crate) fn run_label(&self, run: usize) -> String {
+        let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
+        pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string())
     }
 
     /// The pin selected in the table of runs; `None`: the current run is.
@@ -135,22 +146,34 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         (false, true) => "<enter> load  <mark> unpin",
         (false, false) => "",
     };
-    let inner =
-        PaneFrame::new("Runs").right(app.keymap.shown(right)).focused(focused).draw(area, canvas);
+    let inner = PaneFrame::new(app.runs.titled("Runs"))
+        .right(app.keymap.shown(right))
+        .focused(focused)
+        .draw(area, canvas);
     let table = app.compared_runs();
     let mut cells = table.cells(&table.keys());
-    app.runs_sorted.mark(&table.keys(), &mut cells);
+    app.runs.sorting.mark(&table.keys(), &mut cells);
     let grid = Grid::shortened(cells, inner.width.saturating_sub(LEAD));
     canvas.put(inner, (LEAD, 0), &grid.line(None), Role::Dim);
     let mut row = 1;
-    for index in app.runs_sorted.order(&table) {
+    let order = app.run_order();
+    if order.is_empty() {
+        canvas.put(inner, (LEAD, row), &app.keymap.shown(NO_MATCH), Role::Dim);
+        row += 1;
+    }
+    for index in &order {
+        let index = *index;
         let compared = &table.rows[index];
         let pin = index.checked_sub(1).map(|at| &app.pins[at]);
         let visible = pin.map_or(app.current_visible, |pin| pin.visible);
-        let letter = pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string());
         let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
         let role = |role| if visible { role } else { Role::Dim };
-        canvas.put(inner, (0, row), &format!("{marker}{letter}"), role(Role::Curve(index)));
+        canvas.put(
+            inner,
+            (0, row),
+            &format!("{marker}{}", app.run_label(index)),
+            role(Role::Curve(index)),
+        );
         let line = grid.line(Some(index));
         canvas.put(inner, (LEAD, row), &line, role(Role::Text));
         let words = compared.run.and_then(no_depth);
@@ -164,9 +187,8 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         row += 1;
     }
     below(app, inner, row, canvas);
-    let count = app.pins.len() + 1;
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
-    canvas.rows(area, (0, count), |run| Some(Target::Row(RUNS, run)));
+    canvas.rows(area, (0, order.len()), |run| Some(Target::Row(RUNS, run)));
 }
 
 /// Free lines below the runs from which on results are listed there.

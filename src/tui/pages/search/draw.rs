@@ -1,22 +1,15 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
 use crate::report::figures::axis_of;
-use crate::report::front::{designs, standing};
-use crate::report::monte_carlo::{perforation, table};
-use crate::report::sensitivity::{indices, tornado};
-use crate::report::table::Cells;
-use crate::report::{self, Remark};
-use crate::study::search::front::{Design, Front, Task};
+use crate::study::search::front::Design;
 use crate::study::search::seek;
-use crate::study::sweep::{self, PointOutcome};
-use crate::study::{monte_carlo, sensitivity};
+use crate::study::sweep::PointOutcome;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Unit};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
-use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{broken, first_row};
+use crate::tui::widgets::text::first_row;
 
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
@@ -74,6 +67,7 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup" } else { "" };
     let title = format!("{}{old}", app.pages.search.page.title());
+    let title = app.pages.search.listing().titled(&title);
     let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
@@ -127,7 +121,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
-    let selected = report.solutions().nth(app.pages.search.selected());
+    let selected = app.pages.search.chosen().and_then(|at| report.solutions().nth(at));
     let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
     let chart = Chart {
         focused,
@@ -157,16 +151,17 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
 pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
     match &*tab.shown()?.answer {
         Answer::Seek(report) => {
-            let about = report.solutions().nth(tab.selected()).map(|it| it.place.at);
+            let about = tab.chosen().and_then(|at| report.solutions().nth(at));
+            let about = about.map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
         }
-        Answer::Front(_, task) => {
-            let (at, designs) = (tab.across(task).0, tab.designs());
-            let value = |design: &&Design| design.measures.get(at).copied().flatten();
+        Answer::Front(front, task) => {
+            let at = tab.across(task).0;
+            let value = |design: &Design| design.measures.get(at).copied().flatten();
             let measure = task.measures()[at];
-            let values: Vec<f64> = designs.iter().filter_map(value).collect();
+            let values: Vec<f64> = front.designs.iter().filter_map(value).collect();
             let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
-            Some((x, designs.get(tab.selected()).and_then(value)))
+            Some((x, tab.chosen().and_then(|at| value(&front.designs[at]))))
         }
         _ => None,
     }
@@ -181,7 +176,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
     let designs = tab.designs();
     let x = self::across(tab).map(|(x, _)| x);
-    let ups: Vec<f64> = designs.iter().filter_map(|it| value(&it.measures, up)).collect();
+    let ups: Vec<f64> = found.designs.iter().filter_map(|it| value(&it.measures, up)).collect();
     let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
     let Some((x, y)) = x.zip(y) else {
         let text = "no design satisfies every constraint".to_owned();
@@ -267,185 +262,3 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
 
 /// Letters of the scene and the designs of the thesis on a front.
 pub(crate) const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
-
-fn note(text: String) -> TextLine {
-    (text, Role::Text)
-}
-
-impl App {
-    /// What the page shown says in words, without what its chart draws.
-    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
-        let Some(found) = self.pages.search.shown() else { return Vec::new() };
-        match &*found.answer {
-            Answer::Seek(report) => {
-                broken(sought_lines(report, self.pages.search.selected()), width)
-            }
-            Answer::Front(front, task) => {
-                let mut lines = self.designs_table(front, task, width);
-                lines.extend(broken(self.candidates(front, task, width), width));
-                lines
-            }
-            Answer::Sensitivity(report) if is_empty(report) => {
-                broken(matters(report, width), width)
-            }
-            Answer::Sensitivity(report) => matters(report, width),
-            Answer::MonteCarlo(report) => sampled(report, self.pages.search.setup.output, width),
-        }
-    }
-
-    /// The measure that the Monte Carlo page draws, with its values.
-    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
-        let found = self.pages.search.found[Page::MonteCarlo as usize].as_ref();
-        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
-            return None;
-        };
-        let name = self.pages.search.setup.output;
-        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
-        Some((report, summary))
-    }
-}
-
-impl App {
-    /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
-    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
-        let tab = &self.pages.search;
-        let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
-        let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
-        let axes = task.axes.iter().map(sweep::Axis::symbol);
-        let keys: Vec<&str> =
-            objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
-        let order = tab.order();
-        let knee = tab.knee();
-        let name =
-            |at: usize| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
-        let names = (0..order.len()).map(name).collect();
-        let mut columns = designs(task, front, order.into_iter()).cells(&keys);
-        if let Some(sorted) =
-            keys.iter().position(|key| Some(key) == measures.get(tab.sorted(task)))
-        {
-            columns[sorted].head.insert(0, '*');
-        }
-        columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
-        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-        let rows = columns[0].cells.len();
-        let grid = Grid::of(columns, room, 0);
-        let mut lines = vec![note(format!("  {}", grid.line(None)))];
-        for at in 0..rows {
-            let mark = if at == tab.selected() { ">" } else { " " };
-            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
-        }
-        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
-        lines
-    }
-
-    /// What the first letter of a front stands for: the scene, until another design of the front is loaded.
-    fn start_word(&self) -> &'static str {
-        let here = self.pages.search.front().is_none_or(|(front, task)| {
-            task.axes.iter().all(|axis| axis.get(&front.base) == axis.get(&self.scene))
-        });
-        if here { "scene" } else { "start of search" }
-    }
-
-    fn candidates(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
-        if front.candidates.is_empty() {
-            return vec![note(format!("generation {}: the front so far", front.generations))];
-        }
-        let mut lines = Vec::new();
-        for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
-            let (words, role) = line(standing(candidate, task));
-            let is_start = *letter == LETTERS[0];
-            let name = if is_start { self.start_word() } else { candidate.name };
-            let name = format!("{letter} {name:18}");
-            let measures = task.measures();
-            let value = |at: usize| {
-                let found = candidate.measures.get(at).copied().flatten();
-                format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
-            };
-            let found: Vec<String> = task.shown().into_iter().map(value).collect();
-            let values = found.join(", ");
-            let long = format!("{name} {words}; {values}");
-            let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
-            lines.push((text, role));
-        }
-        lines
-    }
-}
-
-fn sought_lines(report: &seek::Report, selected: usize) -> Vec<TextLine> {
-    let all = report.solutions().zip(&report.warnings).enumerate();
-    let solutions = all.flat_map(|(index, (found, warnings))| {
-        let mark = if index == selected { ">" } else { " " };
-        let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
-        let warnings = warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
-        // There is room for the warnings of one solution.
-        let warnings = warnings.filter(move |_| index == selected);
-        std::iter::once(solution).chain(warnings)
-    });
-    solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
-}
-
-/// Words about a result as a line.
-fn line(remark: Remark) -> TextLine {
-    (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
-}
-
-/// Whether neither the scene nor any end of a variable has the result.
-fn is_empty(report: &sensitivity::Report) -> bool {
-    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
-}
-
-fn matters(report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
-    let output = report.output;
-    let own = output.show_any(report.own, 3);
-    let mut lines =
-        vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
-    lines.push(note("one variable at a time, from low to high end".to_owned()));
-    if is_empty(report) {
-        let text = "nothing to compare: no run has this result; Tab, then Of: choose another one";
-        return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
-    }
-    let keys = ["variable", "output_at_low", "output_at_high", "bar"];
-    let bar = width.saturating_sub(36).clamp(4, 40);
-    lines.extend(table_lines(tornado(report, bar).cells(&keys), width));
-    lines.push(note(String::new()));
-    let keys = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
-    lines.extend(table_lines(indices(report).cells(&keys), width));
-    if let Some(sobol) = &report.sobol {
-        let left = sobol.rows - sobol.used;
-        if left > 0 {
-            let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
-            lines.push((text, Role::Warning));
-        }
-    }
-    lines
-}
-
-fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<TextLine> {
-    let mut lines = Vec::new();
-    lines.extend(perforation(report).map(note));
-    let again: usize = report.redrawn.iter().sum();
-    let again =
-        if again > 0 { format!("; {again} impossible samples drawn again") } else { String::new() };
-    lines.push(note(format!("{}{again}", report.outcomes)));
-    let mut lines = broken(lines, width);
-    let mut table = table("", report);
-    table.rows.retain(|summary| summary.deviation.is_some());
-    let selected = table.rows.iter().position(|summary| summary.measure.name == output);
-    let cells = table.cells(&["output", "q05", "q50", "q95", "nominal"]);
-    let mut rows: Vec<TextLine> = table_lines(cells, width).collect();
-    if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
-        row.replace_range(..1, ">");
-    }
-    lines.extend(rows);
-    lines
-}
-
-/// A table in a given number of columns: its headings, and its rows.
-fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = TextLine> {
-    let rows = cells.first().map_or(0, |column| column.cells.len());
-    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-    let grid = Grid::shortened(cells, room);
-    std::iter::once(None)
-        .chain((0..rows).map(Some))
-        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
-}

@@ -3,6 +3,7 @@
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::statistics::ascending;
 use crate::report;
+use crate::report::table::{Cells, Table};
 use crate::study::monte_carlo::{self, Summary};
 use crate::study::search::front::{self, Design, Front, Task};
 use crate::study::search::seek::{self, Goal};
@@ -12,6 +13,8 @@ use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
+use crate::tui::pages::search::words::design_cells;
+use crate::tui::widgets::table::{Listing, Sorting};
 
 pub use crate::tui::pages::search::setup::Bound;
 pub use crate::tui::pages::search::setup::{Row, Setup};
@@ -62,14 +65,14 @@ pub struct Searching {
     pub found: [Option<Found>; 4],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; 4],
-    /// The selected design or solution, page by page.
+    /// The selected design or solution by its place among all, or the first line shown, page by page.
     pub cursor: [Option<usize>; 4],
     /// How values are spread across and up.
     pub scales: (Scale, Scale),
     /// The part of the axis across that is in view, page by page; `None`: all of it.
     pub zoomed: [Option<ViewRange>; 4],
-    /// The column of the front that its table is sorted by: an objective by its place; `None`: the one across.
-    pub sorted_by: Option<usize>,
+    /// How the results are listed, page by page; designs that no column was chosen for are sorted by the objective across.
+    pub listing: [Listing; 4],
 }
 
 impl Searching {
@@ -96,16 +99,50 @@ impl Searching {
 
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, task: &Task) -> usize {
-        self.sorted_by.unwrap_or_else(|| self.across(task).0)
+        let by = self.listing[Page::Front as usize].sorting.0;
+        let chosen = task.measures().iter().position(|measure| Some(measure.name) == by);
+        chosen.unwrap_or_else(|| self.across(task).0)
     }
 
-    /// The places of the designs of the front in the order of the table.
-    pub fn order(&self) -> Vec<usize> {
-        let Some((front, task)) = self.front() else { return Vec::new() };
+    /// How the results of the page shown are listed.
+    pub fn listing(&self) -> &Listing {
+        &self.listing[self.page as usize]
+    }
+
+    /// The places of all designs of a front in the order of the table.
+    pub fn sorted_places(&self, front: &Front, task: &Task) -> Vec<usize> {
         let sorted = self.sorted(task);
         let value =
             |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
         ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
+    }
+
+    /// The places of the designs or solutions that are listed, in the order of the table.
+    pub fn order(&self) -> Vec<usize> {
+        match self.shown().map(|found| &*found.answer) {
+            Some(Answer::Seek(report)) => {
+                let texts = report.solutions().map(|it| report::seek::solution(report, it));
+                let cells: Vec<String> = texts.collect();
+                let places = (0..cells.len()).collect();
+                let column = Cells { head: String::new(), is_text: true, cells };
+                self.listing().matching(places, || vec![column])
+            }
+            Some(Answer::Front(front, task)) => {
+                let sorted = self.sorted_places(front, task);
+                self.listing().matching(sorted, || design_cells(self, front, task))
+            }
+            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => Vec::new(),
+        }
+    }
+
+    /// Whether only some designs or solutions are listed.
+    pub fn lists_some(&self) -> bool {
+        matches!(self.page, Page::Seek | Page::Front) && !self.listing().filter.is_empty()
+    }
+
+    /// The selected design or solution, by its place among all.
+    pub fn chosen(&self) -> Option<usize> {
+        self.order().get(self.selected()).copied()
     }
 
     /// The designs of the front in that order.
@@ -123,11 +160,7 @@ impl Searching {
 
     /// How many things the cursor can stand on.
     pub fn choices(&self) -> usize {
-        match self.shown().map(|found| &*found.answer) {
-            Some(Answer::Seek(report)) => report.solutions().count(),
-            Some(Answer::Front(front, _)) => front.designs.len(),
-            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => 0,
-        }
+        self.order().len()
     }
 
     /// Whether there is something to draw on the page shown.
@@ -152,6 +185,9 @@ impl Searching {
     /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
     /// stands alone.
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
+        if !self.listing().filter.is_empty() && self.is_crowded(height, lines) {
+            return height;
+        }
         match (self.draws(), self.is_crowded(height, lines)) {
             (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
             (true, true) => 0,
@@ -164,28 +200,32 @@ impl Searching {
         self.cursor[self.page as usize].unwrap_or(0)
     }
 
-    pub fn select(&mut self, at: usize) {
-        self.cursor[self.page as usize] = Some(at);
+    /// Select a row of the table; where there is none, the first line shown.
+    pub fn select(&mut self, row: usize) {
+        let order = self.order();
+        let is_list = !order.is_empty() || self.lists_some();
+        let at = if is_list { order.get(row).copied() } else { Some(row) };
+        self.cursor[self.page as usize] = at.or(self.cursor[self.page as usize]);
     }
 
-    /// The selected one of them: of a front its knee, until another one is selected.
+    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where it is not listed.
     pub fn selected(&self) -> usize {
-        let chosen = self.cursor[self.page as usize];
-        let first = || if self.page == Page::Front { self.knee().unwrap_or(0) } else { 0 };
-        chosen.unwrap_or_else(first).min(self.choices().saturating_sub(1))
+        let knee = || self.knee().filter(|_| self.page == Page::Front);
+        let chosen = self.cursor[self.page as usize].or_else(knee);
+        self.order().iter().position(|at| Some(*at) == chosen).unwrap_or(0)
     }
 
-    /// The knee of the front: the design farthest from the line between the ends of the two axes shown, each axis by its
+    /// The knee of the front, by its place: the design farthest from the line between the ends of the two axes shown, each axis by its
     /// range on the front; `None` where there is no such line.
     pub fn knee(&self) -> Option<usize> {
-        let (_, task) = self.front()?;
+        let (front, task) = self.front()?;
         let (across, up) = self.across(task);
-        let designs = self.designs();
+        let designs = &front.designs;
         let place = |design: &Design| {
             let value = |at: usize| design.measures.get(at).copied().flatten();
             value(across).zip(value(up))
         };
-        let places: Vec<Option<(f64, f64)>> = designs.iter().map(|design| place(design)).collect();
+        let places: Vec<Option<(f64, f64)>> = designs.iter().map(place).collect();
         let shown = || places.iter().flatten();
         let range = |of: fn(&(f64, f64)) -> f64| {
             let least = shown().map(of).min_by(f64::total_cmp)?;
@@ -199,16 +239,12 @@ impl Searching {
         known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
     }
 
-    /// Sort the table of the front by its next objective; the selection stays on its design.
+    /// Sort the table of the front by its next objective.
     pub fn sort_next(&mut self) {
         let Some((_, task)) = self.front() else { return };
-        let (count, now) = (task.measures().len(), self.sorted(task));
-        let kept = self.designs().get(self.selected()).map(|design| design.values.clone());
-        self.sorted_by = Some((now + 1) % count.max(1));
-        let at = self.designs().iter().position(|design| Some(&design.values) == kept.as_ref());
-        if let Some(at) = at {
-            self.select(at);
-        }
+        let measures = task.measures();
+        let next = measures.get((self.sorted(task) + 1) % measures.len().max(1));
+        self.listing[Page::Front as usize].sorting = Sorting(next.map(|measure| measure.name));
     }
 }
 
@@ -252,7 +288,7 @@ impl App {
         let mut scene = (*self.scene).clone();
         match &*found.answer {
             Answer::Seek(report) => {
-                let Some(solution) = report.solutions().nth(tab.selected()) else {
+                let Some(solution) = tab.chosen().and_then(|at| report.solutions().nth(at)) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
                 if let Request::Seek(_, law) = found.request {
@@ -272,7 +308,9 @@ impl App {
                 };
                 scene.interface.law = front.law;
                 let values = task.axes.iter().zip(design.values.iter().copied());
-                let label = format!("design {} of the front", tab.selected() + 1);
+                let sorted = tab.sorted_places(front, task);
+                let number = sorted.iter().position(|at| Some(*at) == tab.chosen());
+                let label = format!("design {} of the front", number.unwrap_or(0) + 1);
                 Ok(LabelledScene { label, ..placed(scene, values) })
             }
             Answer::Sensitivity(_) | Answer::MonteCarlo(_) => {
@@ -294,21 +332,28 @@ impl Found {
         scene
     }
 
-    /// The results as a table; the scene has this name.
-    pub fn csv(&self, name: &str) -> String {
+    /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
+    pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
         match &*self.answer {
-            Answer::Seek(it) => report::seek::table(name, it).csv(),
+            Answer::Seek(it) => only(report::seek::table(name, it), listed),
             Answer::Front(front, task) => {
-                report::front::table(name, task, std::slice::from_ref(front)).csv()
+                only(report::front::table(name, task, std::slice::from_ref(front)), listed)
             }
-            Answer::Sensitivity(it) => report::sensitivity::table(name, it).csv(),
-            Answer::MonteCarlo(it) => report::monte_carlo::table(name, it).csv(),
+            Answer::Sensitivity(it) => only(report::sensitivity::table(name, it), listed),
+            Answer::MonteCarlo(it) => only(report::monte_carlo::table(name, it), listed),
         }
     }
 
     pub fn is_complete(&self) -> bool {
         completeness(&self.answer).0
     }
+}
+
+/// A table with the rows at some places, as CSV; with all of them where none are named.
+fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>) -> String {
+    let mut at = 0..;
+    table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
+    table.csv()
 }
 
 /// Whether an answer is whole, and how much went into it.

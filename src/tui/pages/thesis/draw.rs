@@ -5,6 +5,7 @@ use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
+use crate::tui::widgets::table::{NO_MATCH, filtered};
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
@@ -46,11 +47,13 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         Some(verdict) => format!("Claims: {}", verdict.words()),
     };
     let count = format!("{} of {}", shown.len(), tab.rows().len());
-    let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
+    let pane =
+        PaneFrame::new(filtered(&title, &tab.find)).right(count).focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
         let text = match tab.rows() {
             [] => nothing::<Claims>(app, "checking the first claims", None),
+            _ if !tab.find.is_empty() => app.keymap.shown(NO_MATCH),
             _ => app.keymap.shown("no row has this verdict: <view> for the next"),
         };
         canvas.put(inner, (1, 1), &text, Role::Dim);

@@ -1,0 +1,266 @@
+//! The Search tab in words: its results as lines and tables, of which the rows are listed that match a text.
+
+use crate::report::front::{designs, standing};
+use crate::report::monte_carlo::{perforation, table};
+use crate::report::sensitivity::{indices, tornado};
+use crate::report::table::{Cells, Table};
+use crate::report::{self, Remark};
+use crate::study::search::front::{Front, Task};
+use crate::study::search::seek;
+use crate::study::{monte_carlo, sensitivity, sweep};
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::draw::LETTERS;
+use crate::tui::pages::search::setup::brief;
+use crate::tui::pages::search::state::{Answer, Page, Searching};
+use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+use crate::tui::widgets::text::broken;
+
+fn note(text: String) -> TextLine {
+    (text, Role::Text)
+}
+
+impl App {
+    /// What the page shown says in words, without what its chart draws.
+    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
+        let Some(found) = self.pages.search.shown() else { return Vec::new() };
+        match &*found.answer {
+            Answer::Seek(report) => broken(self.sought_lines(report), width),
+            Answer::Front(front, task) => {
+                let mut lines = self.designs_table(front, task, width);
+                lines.extend(broken(self.candidates(front, task, width), width));
+                lines
+            }
+            Answer::Sensitivity(report) if is_empty(report) => {
+                broken(self.matters(report, width), width)
+            }
+            Answer::Sensitivity(report) => self.matters(report, width),
+            Answer::MonteCarlo(report) => self.samples(report, width),
+        }
+    }
+
+    /// The measure that the Monte Carlo page draws, with its values.
+    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
+        let found = self.pages.search.found[Page::MonteCarlo as usize].as_ref();
+        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
+            return None;
+        };
+        let name = self.pages.search.setup.output;
+        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
+        Some((report, summary))
+    }
+}
+
+impl App {
+    /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
+    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
+        let tab = &self.pages.search;
+        let (order, selected) = (tab.order(), tab.selected());
+        let mut columns = design_cells(tab, front, task);
+        for column in &mut columns {
+            column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
+        }
+        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+        let grid = Grid::of(columns, room, 0);
+        let mut lines = vec![note(format!("  {}", grid.line(None)))];
+        for at in 0..order.len() {
+            let mark = if at == selected { ">" } else { " " };
+            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
+        }
+        lines.extend(self.no_match(order.is_empty() && !front.designs.is_empty()));
+        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
+        lines
+    }
+
+    /// A line that says that no row matches, where that is so.
+    fn no_match(&self, is_so: bool) -> Option<TextLine> {
+        is_so.then(|| (self.keymap.shown(NO_MATCH), Role::Dim))
+    }
+
+    /// What the first letter of a front stands for: the scene, until another design of the front is loaded.
+    pub(crate) fn start_word(&self) -> &'static str {
+        let here = self.pages.search.front().is_none_or(|(front, task)| {
+            task.axes.iter().all(|axis| axis.get(&front.base) == axis.get(&self.scene))
+        });
+        if here { "scene" } else { "start of search" }
+    }
+
+    fn candidates(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
+        if front.candidates.is_empty() {
+            return vec![note(format!("generation {}: the front so far", front.generations))];
+        }
+        let mut lines = Vec::new();
+        for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
+            let (words, role) = line(standing(candidate, task));
+            let is_start = *letter == LETTERS[0];
+            let name = if is_start { self.start_word() } else { candidate.name };
+            let name = format!("{letter} {name:18}");
+            let measures = task.measures();
+            let value = |at: usize| {
+                let found = candidate.measures.get(at).copied().flatten();
+                format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
+            };
+            let found: Vec<String> = task.shown().into_iter().map(value).collect();
+            let values = found.join(", ");
+            let long = format!("{name} {words}; {values}");
+            let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
+            lines.push((text, role));
+        }
+        lines
+    }
+}
+
+impl App {
+    fn sought_lines(&self, report: &seek::Report) -> Vec<TextLine> {
+        let tab = &self.pages.search;
+        let (order, selected) = (tab.order(), tab.selected());
+        let all: Vec<_> = report.solutions().zip(&report.warnings).collect();
+        let is_empty = order.is_empty() && !all.is_empty();
+        let listed = order.iter().map(|at| all[*at]).enumerate();
+        let solutions = listed.flat_map(|(index, (found, warnings))| {
+            let mark = if index == selected { ">" } else { " " };
+            let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
+            let warnings = warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
+            // There is room for the warnings of one solution.
+            let warnings = warnings.filter(move |_| index == selected);
+            std::iter::once(solution).chain(warnings)
+        });
+        let solutions = solutions.chain(self.no_match(is_empty));
+        solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
+    }
+
+    fn matters(&self, report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
+        let output = report.output;
+        let own = output.show_any(report.own, 3);
+        let mut lines =
+            vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
+        lines.push(note("one variable at a time, from low to high end".to_owned()));
+        if is_empty(report) {
+            let text =
+                "nothing to compare: no run has this result; Tab, then Of: choose another one";
+            return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
+        }
+        let listing = self.pages.search.listing();
+        let bar = width.saturating_sub(36).clamp(4, 40);
+        lines.extend(table_lines(&tornado(report, bar), &TORNADO, listing, width));
+        lines.push(note(String::new()));
+        lines.extend(table_lines(&indices(report), &INDICES, listing, width));
+        if let Some(sobol) = &report.sobol {
+            let left = sobol.rows - sobol.used;
+            if left > 0 {
+                let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
+                lines.push((text, Role::Warning));
+            }
+        }
+        lines
+    }
+
+    fn samples(&self, report: &monte_carlo::Report, width: usize) -> Vec<TextLine> {
+        let mut lines = Vec::new();
+        lines.extend(perforation(report).map(note));
+        let again: usize = report.redrawn.iter().sum();
+        let again = if again > 0 {
+            format!("; {again} impossible samples drawn again")
+        } else {
+            String::new()
+        };
+        lines.push(note(format!("{}{again}", report.outcomes)));
+        let mut lines = broken(lines, width);
+        let mut table = table("", report);
+        table.rows.retain(|summary| summary.deviation.is_some());
+        let listing = self.pages.search.listing();
+        let listed = listing.order(&table, &QUANTILES);
+        let output = self.pages.search.setup.output;
+        let selected = listed.iter().position(|at| table.rows[*at].measure.name == output);
+        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, listing, width).collect();
+        if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
+            row.replace_range(..1, ">");
+        }
+        rows.extend(self.no_match(listed.is_empty() && !table.rows.is_empty()));
+        lines.extend(rows);
+        lines
+    }
+}
+
+/// Words about a result as a line.
+fn line(remark: Remark) -> TextLine {
+    (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
+}
+
+/// Whether neither the scene nor any end of a variable has the result.
+fn is_empty(report: &sensitivity::Report) -> bool {
+    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
+}
+
+/// The columns of the table of designs, by their places; `*` marks the one it is sorted by.
+pub(crate) fn design_cells(tab: &Searching, front: &Front, task: &Task) -> Vec<Cells> {
+    let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
+    let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
+    let axes = task.axes.iter().map(sweep::Axis::symbol);
+    let keys: Vec<&str> =
+        objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
+    let count = front.designs.len();
+    let mut names = vec![String::new(); count];
+    let knee = tab.knee();
+    for (number, at) in tab.sorted_places(front, task).into_iter().enumerate() {
+        let is_knee = knee == Some(at);
+        names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
+    }
+    let mut columns = designs(task, front, 0..count).cells(&keys);
+    if let Some(sorted) = keys.iter().position(|key| Some(key) == measures.get(tab.sorted(task))) {
+        columns[sorted].head.insert(0, '*');
+    }
+    columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
+    columns
+}
+
+/// The columns shown of a sensitivity study, and of a Monte Carlo one.
+const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
+const INDICES: [&str; 4] = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
+const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
+
+/// The places in the exported table of the rows that are listed; `None` where all are.
+pub(super) fn listed_rows(tab: &Searching) -> Option<Vec<usize>> {
+    let listing = tab.listing();
+    if listing.filter.is_empty() {
+        return None;
+    }
+    Some(match &*tab.shown()?.answer {
+        Answer::Front(..) => tab.order(),
+        Answer::Seek(report) => {
+            let lines = report.lines.iter().enumerate().filter(|(_, it)| it.kind.is_solution());
+            let solutions: Vec<usize> = lines.map(|(at, _)| at).collect();
+            tab.order().into_iter().map(|at| solutions[at]).collect()
+        }
+        Answer::Sensitivity(report) => {
+            let (bars, indices) = (tornado(report, 0), indices(report));
+            let listed = |rows: &[usize], places: Vec<usize>| {
+                places.into_iter().map(|at| rows[at]).collect::<Vec<usize>>()
+            };
+            let mut axes = listed(&bars.rows, listing.order(&bars, &TORNADO));
+            axes.extend(listed(&indices.rows, listing.order(&indices, &INDICES)));
+            let order = report.order().into_iter().enumerate();
+            order.filter(|(_, axis)| axes.contains(axis)).map(|(at, _)| at).collect()
+        }
+        Answer::MonteCarlo(report) => {
+            let table = table("", report);
+            let mut listed = listing.order(&table, &QUANTILES);
+            listed.retain(|at| table.rows[*at].deviation.is_some());
+            listed
+        }
+    })
+}
+
+/// The rows of a table that are listed, in a given number of columns, below their headings.
+fn table_lines<R>(
+    table: &Table<'_, R>,
+    keys: &[&str],
+    listing: &Listing,
+    width: usize,
+) -> impl Iterator<Item = TextLine> {
+    let rows = listing.order(table, keys);
+    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+    let grid = Grid::shortened(table.cells(keys), room);
+    std::iter::once(None)
+        .chain(rows.into_iter().map(Some))
+        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
+}
