@@ -50,7 +50,7 @@ impl Reference {
     /// The stored digits; else closed form; else closed form of a plate that provably cannot move; else DOP853 at 1e-14.
     pub(crate) fn of(name: &str, scene: &Scene) -> Self {
         let stored =
-            include_str!("../../tests/cases/reference.csv").lines().skip(1).find_map(|line| {
+            include_str!("../../presets/tables/reference.csv").lines().skip(1).find_map(|line| {
                 let field: Vec<&str> = line.split(',').collect();
                 let number = |i: usize| field[i].parse::<f64>().expect("a number");
                 let ending = if field[2] == "perf" { Ending::Perforation } else { Ending::Arrest };

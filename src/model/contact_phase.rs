@@ -56,6 +56,17 @@ pub struct Answer {
     pub evaluations: usize,
 }
 
+impl Answer {
+    /// The quantity that tells how accurate it is: the depth, m; of a perforation, whose depth is a matter of definition, the
+    /// time, s.
+    pub fn measure(&self) -> f64 {
+        match self.ending {
+            Ending::Arrest => self.depth_m,
+            Ending::Perforation => self.t_s,
+        }
+    }
+}
+
 worded! {
     /// Why a method gives no answer.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -243,7 +254,7 @@ pub(in crate::model) mod tests {
     }
 
     pub(in crate::model) fn stored() -> Vec<Stored> {
-        let rows = include_str!("../../tests/cases/reference.csv").lines().skip(1);
+        let rows = include_str!("../../presets/tables/reference.csv").lines().skip(1);
         let row = |line: &'static str| {
             let fields: Vec<&str> = line.split(',').collect();
             Stored {

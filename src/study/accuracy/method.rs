@@ -158,6 +158,14 @@ enumeration! {
 }
 
 impl Method {
+    /// The contact phase of a valid scene, of which is not known when it ends.
+    ///
+    /// # Errors
+    /// A [`Refusal`] when the method gives no answer.
+    pub fn solve(self, knob: Knob, scene: &Scene, steps_max: usize) -> Result<Answer, Refusal> {
+        Job::new(self, knob, scene, f64::INFINITY, steps_max).run()
+    }
+
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
         match self.ranges()[ladder as usize] {
@@ -256,7 +264,8 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     })
 }
 
-fn answer_of(run: &Run) -> Result<Answer, Refusal> {
+/// The contact phase of a run, if it came to its end.
+pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
     {
         (Some(arrest), _, _) => (Ending::Arrest, arrest.t_s, arrest.penetration_m),
