@@ -37,18 +37,17 @@ impl<const N: usize> Ends<'_, N> {
         anew: impl FnOnce(f64) -> [f64; N],
     ) -> Option<SignChange> {
         let at = |part: f64| boundary.at(&self.cubic(part));
-        if !boundary.is_armed(self.y0) {
+        let at_end = boundary.at(self.y1);
+        let falls = at_end <= 0.0;
+        let may_dip = || boundary.along(self.f0) < 0.0 && boundary.along(self.f1) > 0.0;
+        if !(falls || may_dip()) || !boundary.is_armed(self.y0) {
             return None;
         }
-        let at_end = boundary.at(self.y1);
-        if at_end <= 0.0 {
+        if falls {
             return first_sign_change([(1.0, at_end)], at);
         }
-        if boundary.along(self.f0) < 0.0 && boundary.along(self.f1) > 0.0 {
-            let lowest = minimum::in_bracket(0.0, 1.0, at);
-            return first_sign_change([(lowest, boundary.at(&anew(lowest)))], at);
-        }
-        None
+        let lowest = minimum::in_bracket(0.0, 1.0, at);
+        first_sign_change([(lowest, boundary.at(&anew(lowest)))], at)
     }
 
     /// The boundary that the cubic crosses first.
@@ -87,7 +86,12 @@ impl<const N: usize> Boundary<N> {
     ) -> Option<(f64, [f64; N])> {
         let near = larger(NEAR * self.at(start), self.noise(start));
         let anew = |part: f64| anew(part).map(|end| (end, end));
-        land(sign_change, dense, anew, |y| self.at(y), |_| near)
+        // Nearer than rounding there is no coming.
+        let value = |y: &[f64; N]| {
+            let distance = self.at(y);
+            if distance.abs() <= self.noise(y) { 0.0 } else { distance }
+        };
+        land(sign_change, dense, anew, value, |_| near)
     }
 }
 
