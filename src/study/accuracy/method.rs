@@ -254,14 +254,9 @@ fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
-    Ok(Answer {
-        ending: if end.arrested { Ending::Arrest } else { Ending::Perforation },
-        t_s: end.t_s,
-        depth_m: end.penetration_m,
-        steps: end.steps,
-        rejected: 0,
-        evaluations: end.steps,
-    })
+    let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
+    let free = Answer::free(ending, end.t_s, end.penetration_m);
+    Ok(Answer { steps: end.steps, evaluations: end.steps, ..free })
 }
 
 /// The contact phase of a run, if it came to its end.

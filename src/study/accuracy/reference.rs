@@ -5,20 +5,16 @@
 
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Answer, Ending, fine};
-use crate::model::scene::{Mechanism, Mount, Scene};
+use crate::model::contact_phase::stored::Stored;
+use crate::model::contact_phase::{Answer, Ending, Phase, fine};
+use crate::model::scene::Scene;
 use crate::numerics::larger;
 use crate::study::accuracy::method::{Knob, Method};
-use crate::study::changed_free_plate;
 
 const STEPS_MAX: usize = 400_000;
 const TIGHT: f64 = 1e-14;
 /// That of the implicit one, whose order is lower.
 const TIGHT_IMPLICIT: f64 = 1e-13;
-
-/// Ten scenes: a name, changes to Table 9.1 with gamma = 1 and neither spring nor damper, how the contact ends, time, s, depth, m,
-/// and the digits that can be trusted.
-const STORED: &str = include_str!("../../../presets/tables/reference.csv");
 
 /// Where a reference comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,26 +101,11 @@ impl Reference {
 
 /// The stored digits of a scene, if there are any.
 pub(in crate::study) fn stored(scene: &Scene) -> Option<Reference> {
-    STORED.lines().skip(1).find_map(|line| {
-        let fields: Vec<&'static str> = line.split(',').collect();
-        let [name, changes, end, t_s, depth_m, _, _, digits] = fields[..] else { return None };
-        let changes = changes.replace("base", "").replace("vi=", "v_i=");
-        changed_free_plate(&changes).ok().filter(|own| has_contact_of(scene, own))?;
-        let trusted =
-            digits.split([':', ' ']).filter_map(|part| part.parse::<i32>().ok()).next()?;
-        Some(Reference {
-            basis: Basis::Stored(name),
-            answer: Answer {
-                ending: if end == "perf" { Ending::Perforation } else { Ending::Arrest },
-                t_s: t_s.parse().ok()?,
-                depth_m: depth_m.parse().ok()?,
-                steps: 0,
-                rejected: 0,
-                evaluations: 0,
-            },
-            uncertainty: Some(larger(10f64.powi(-trusted), f64::EPSILON)),
-        })
-    })
+    let phase = Phase::of(scene);
+    let is_same = |row: &Stored| row.scene().is_ok_and(|own| Phase::of(&own) == phase);
+    let row = Stored::rows().find(is_same)?;
+    let uncertainty = Some(larger(10f64.powi(-row.trusted), f64::EPSILON));
+    Some(Reference { basis: Basis::Stored(row.name), answer: row.answer(), uncertainty })
 }
 
 /// All references of a scene, the most trustworthy first.
@@ -162,30 +143,4 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
         list[index].uncertainty = own.uncertainty.or(found);
     }
     list
-}
-
-/// Whether the first contact of a scene is that of another one.
-fn has_contact_of(scene: &Scene, own: &Scene) -> bool {
-    let mechanism = normal(scene);
-    scene.mechanism.is_plain()
-        && scene.projectile == own.projectile
-        && scene.target == own.target
-        && scene.plate == own.plate
-        && scene.plate.mount == Mount::Sprung
-        && scene.contact == own.contact
-        && mechanism.stop.position_m.is_none()
-        && mechanism.spring == normal(own).spring
-        && mechanism.damper == normal(own).damper
-}
-
-/// The mechanism with the exponents of absent laws set to one.
-fn normal(scene: &Scene) -> Mechanism {
-    let mut mechanism = scene.mechanism.clone();
-    if mechanism.spring.coefficient == 0.0 {
-        mechanism.spring.exponent = 1.0;
-    }
-    if mechanism.damper.coefficient == 0.0 {
-        mechanism.damper.exponent = 1.0;
-    }
-    mechanism
 }

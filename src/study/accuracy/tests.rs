@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::reference::Basis;
 use super::*;
+use crate::model::contact_phase::stored::Stored;
 use crate::study::changed_free_plate;
 use crate::study::context::{to_its_end, until};
 
@@ -155,14 +156,11 @@ fn of_points_that_cost_the_same_the_coarsest_answers() {
 
 #[test]
 fn every_row_of_the_stored_digits_is_found_by_its_scene() {
-    let file = include_str!("../../../presets/tables/reference.csv");
-    let rows = file.lines().skip(1).map(|line| {
-        let fields: Vec<&str> = line.split(',').collect();
-        let pairs = fields[1].replace("vi=", "v_i=").replace("base", "");
-        let found = references(&scene(&pairs))[0];
-        assert!(matches!(found.basis, Basis::Stored(name) if name == fields[0]), "{line}");
-        let uncertainty = if fields[0] == "S13" { 1e-14 } else { f64::EPSILON };
-        assert!((found.uncertainty.unwrap() / uncertainty - 1.0).abs() < 1e-12, "{line}");
-    });
-    assert_eq!(rows.count(), 10);
+    for row in Stored::rows() {
+        let found = references(&scene(&row.changes))[0];
+        assert_eq!((found.basis, found.answer), (Basis::Stored(row.name), row.answer()));
+        let uncertainty = if row.name == "S13" { 1e-14 } else { f64::EPSILON };
+        assert!((found.uncertainty.unwrap() / uncertainty - 1.0).abs() < 1e-12, "{}", row.name);
+    }
+    assert_eq!(Stored::rows().count(), 10);
 }
