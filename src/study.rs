@@ -34,17 +34,7 @@ use serde::Deserialize;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
-use crate::model::units::Bare;
-use crate::model::variables::{self, Value, VariableError};
-
-/// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
-fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
-    for change in changes.split_whitespace() {
-        let (name, value) = change.split_once('=').unwrap_or((change, ""));
-        variables::set_by_name(&mut scene, name, value, Bare::Si)?;
-    }
-    Ok(scene)
-}
+use crate::model::variables::{self, Value, VariableError, changed, changed_free_plate};
 
 /// A scene with numbers changed, by symbol and in the stored units.
 fn with_numbers(mut scene: Scene, changes: &[(&str, f64)]) -> Result<Scene, VariableError> {
@@ -52,13 +42,6 @@ fn with_numbers(mut scene: Scene, changes: &[(&str, f64)]) -> Result<Scene, Vari
         variables::find(name)?.set(&mut scene, Value::Number(*value))?;
     }
     Ok(scene)
-}
-
-/// As [`changed`], of Table 9.1 with gamma = 1 and neither spring nor damper.
-fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    changed(scene, changes)
 }
 
 /// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.

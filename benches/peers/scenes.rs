@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use cmra::model::contact_phase::{Ending, Phase, exact};
+use cmra::model::contact_phase::stored::Stored;
+use cmra::model::contact_phase::{Answer, Ending, Phase, exact};
 use cmra::model::scene::{Mount, Scene};
-use cmra::model::units::Bare;
-use cmra::model::variables::set_by_name;
+use cmra::model::variables::changed_free_plate;
 use cmra::numerics::stepper::dop853::Dop853;
 
 /// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. A prime marks a scene that replaces one of an earlier
@@ -49,15 +49,9 @@ pub(crate) struct Reference {
 impl Reference {
     /// The stored digits; else closed form; else closed form of a plate that provably cannot move; else DOP853 at 1e-14.
     pub(crate) fn of(name: &str, scene: &Scene) -> Self {
-        let stored =
-            include_str!("../../tests/cases/reference.csv").lines().skip(1).find_map(|line| {
-                let field: Vec<&str> = line.split(',').collect();
-                let number = |i: usize| field[i].parse::<f64>().expect("a number");
-                let ending = if field[2] == "perf" { Ending::Perforation } else { Ending::Arrest };
-                (field[0] == name).then(|| (ending, (number(3), number(4))))
-            });
-        if let Some((ending, end)) = stored {
-            return Self { ending, end, source: "stored digits" };
+        if let Some(row) = Stored::rows().find(|row| row.name == name) {
+            let Answer { ending, t_s, depth_m, .. } = row.answer();
+            return Self { ending, end: (t_s, depth_m), source: "stored digits" };
         }
         let rigid = Scene {
             plate: cmra::model::scene::Plate { mount: Mount::Rigid, ..scene.plate },
@@ -102,12 +96,7 @@ fn greatest_give(scene: &Scene) -> f64 {
 
 /// The scene of a row at a tolerance.
 pub(crate) fn scene(pairs: &str, tolerance: f64) -> Arc<Scene> {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
+    let mut scene = changed_free_plate(pairs).expect("legal values");
     scene.run.tolerance = tolerance;
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').expect("name=value");
-        set_by_name(&mut scene, name, value, Bare::Si).expect("a legal value");
-    }
     Arc::new(scene)
 }

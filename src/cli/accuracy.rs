@@ -189,8 +189,8 @@ fn references(page: &mut String, report: &Report) {
             .filter(|method| method.reference.is_some_and(|own| own.basis == reference.basis))
             .map(|method| method.method.letter())
             .collect();
-        let depth = match reference.ending {
-            Ending::Arrest => engineering(reference.depth_m, "m", 6),
+        let depth = match reference.answer.ending {
+            Ending::Arrest => engineering(reference.answer.depth_m, "m", 6),
             Ending::Perforation => "perforated".to_owned(),
         };
         let sure = reference
@@ -200,7 +200,7 @@ fn references(page: &mut String, report: &Report) {
             page,
             "  {:<23}{depth}, {}, to {sure}{}",
             reference.basis.words(),
-            engineering(reference.t_s, "s", 6),
+            engineering(reference.answer.t_s, "s", 6),
             if letters.is_empty() { String::new() } else { format!(": {letters}") }
         );
     }

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! Shared with the engine are the force laws of springs and damper, the rule of a rigid stop (`stop::rebound`), the Newton step
-//! of the implicit method (`numerics::implicit::step`, in `radau`), and in `exact` the geometry and the closed form
-//! (`contact::Geometry`, `closed_form::Passage`). `fine` and `section` share none of them.
+//! of the implicit method (`numerics::implicit::step`, in `radau`), the rule by which new steps come down on an event
+//! (`numerics::event`), and in `exact` the geometry and the closed form (`contact::Geometry`, `closed_form::Passage`). `fine` and
+//! `section` share none of them.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::mechanism::{self, Mechanism, PowerLaw, moving_plate_kg};
@@ -24,6 +25,7 @@ pub mod exact;
 pub mod fine;
 pub mod radau;
 pub mod section;
+pub mod stored;
 mod stretch;
 
 /// Stretches between boundaries after which a phase is given up: a plate that rattles about a singular zero.
@@ -54,6 +56,22 @@ pub struct Answer {
     pub rejected: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub evaluations: usize,
+}
+
+impl Answer {
+    /// One that has cost nothing.
+    pub fn free(ending: Ending, t_s: f64, depth_m: f64) -> Self {
+        Self { ending, t_s, depth_m, steps: 0, rejected: 0, evaluations: 0 }
+    }
+
+    /// The quantity that tells how accurate it is: the depth, m; of a perforation, whose depth is a matter of definition, the
+    /// time, s.
+    pub fn measure(&self) -> f64 {
+        match self.ending {
+            Ending::Arrest => self.depth_m,
+            Ending::Perforation => self.t_s,
+        }
+    }
 }
 
 worded! {
@@ -88,7 +106,7 @@ worded! {
 pub type Method = dyn for<'a> Stepper<4, Stretch<'a>>;
 
 /// The spring in scaled units: a power law whose coefficient is scaled, or a curve in m and N.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 struct Spring {
     law: mechanism::Spring,
     /// What a scaled displacement is in the law's own, and what one of its own forces is in scaled ones: 1 for a power law.
@@ -97,19 +115,6 @@ struct Spring {
 }
 
 impl Spring {
-    fn of(mechanism: &Mechanism, r: f64, unit_n: f64) -> Self {
-        match &mechanism.spring {
-            mechanism::Spring::Power(law) => {
-                let coefficient = law.coefficient * r.powf(law.exponent) / unit_n;
-                let law = mechanism::Spring::Power(PowerLaw { coefficient, ..*law });
-                Self { law, length: 1.0, per_force: 1.0 }
-            }
-            law @ mechanism::Spring::Curve(_) => {
-                Self { law: law.clone(), length: r, per_force: 1.0 / unit_n }
-            }
-        }
-    }
-
     /// Scaled force at x and its slope; of a curve by the piece that is given, wherever x is, or by the one x lies in.
     fn force_and_slope(&self, x: f64, region: Option<usize>) -> (f64, f64) {
         let own = x * self.length;
@@ -124,8 +129,16 @@ impl Spring {
     }
 }
 
-/// The scaled problem of one scene.
-#[derive(Clone, Debug)]
+/// A law of what is measured in this unit, with its force in another; one that is absent has no exponent of its own.
+fn scaled(law: PowerLaw, unit: f64, unit_n: f64) -> PowerLaw {
+    if law.is_absent() {
+        return PowerLaw::NONE;
+    }
+    PowerLaw { coefficient: law.coefficient * unit.powf(law.exponent) / unit_n, ..law }
+}
+
+/// The scaled problem of one scene; that of another is equal where its first contact is the same.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
     faces: Faces,
     radius_m: f64,
@@ -151,7 +164,7 @@ impl Phase {
         let rigid = scene.is_rigid();
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let damper = scene.mechanism.damper.law();
+        let Mechanism { spring, damper, .. } = Mechanism::of(scene);
         Self {
             faces: Faces::of(scene),
             radius_m: r,
@@ -160,11 +173,14 @@ impl Phase {
             rigid,
             sigma: scene.flow_strength_pa() * r * r / unit_n,
             kappa: scene.drag_kg_m3() * r * r * r / m_p,
-            spring: Spring::of(&Mechanism::of(scene), r, unit_n),
-            damper: PowerLaw {
-                coefficient: damper.coefficient * v.powf(damper.exponent) / unit_n,
-                exponent: damper.exponent,
+            spring: match spring.power() {
+                Some(law) => {
+                    let law = mechanism::Spring::Power(scaled(law, r, unit_n));
+                    Spring { law, length: 1.0, per_force: 1.0 }
+                }
+                None => Spring { law: spring, length: r, per_force: 1.0 / unit_n },
             },
+            damper: scaled(damper, v, unit_n),
             start_x: scene.start_m() / r,
             wall: Wall::of(&scene.mechanism.stop, r, v, unit_n).filter(|_| !rigid),
         }
@@ -207,6 +223,7 @@ impl Phase {
 
 #[cfg(test)]
 pub(in crate::model) mod tests {
+    use super::stored::Stored;
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
     use crate::numerics::stepper::dop853::Dop853;
@@ -215,74 +232,41 @@ pub(in crate::model) mod tests {
     /// The row that no explicit method follows.
     pub(in crate::model) const STIFFEST: &str = "S13";
 
-    /// A row of the stored reference (80-bit Taylor series and 30-digit arithmetic): its name, the changes to the scene, how the
-    /// contact ends, and time, s, and depth, m, in all their digits.
-    pub(in crate::model) struct Stored {
-        pub(in crate::model) name: &'static str,
-        pub(in crate::model) pairs: String,
-        pub(in crate::model) ending: Ending,
-        pub(in crate::model) digits: [&'static str; 3],
-    }
-
     impl Stored {
-        pub(in crate::model) fn scene(&self) -> Scene {
-            scene(&self.pairs)
-        }
-
         /// The relative errors of a time, s, and a depth, m.
         pub(in crate::model) fn errors(&self, t_s: f64, depth_m: f64) -> [f64; 2] {
-            let digits = |at: usize| self.digits[at].parse::<f64>().unwrap();
-            [(t_s / digits(0) - 1.0).abs(), (depth_m / digits(1) - 1.0).abs()]
+            let exact = self.answer();
+            [(t_s / exact.t_s - 1.0).abs(), (depth_m / exact.depth_m - 1.0).abs()]
         }
 
         pub(in crate::model) fn errors_by(&self, method: &Method) -> [f64; 2] {
-            let answer = Phase::of(&self.scene()).solve(method, 1_000_000).unwrap();
-            assert_eq!(answer.ending, self.ending, "{}", self.pairs);
+            let answer = Phase::of(&self.scene().unwrap()).solve(method, 1_000_000).unwrap();
+            assert_eq!(answer.ending, self.ending, "{}", self.changes);
             self.errors(answer.t_s, answer.depth_m)
         }
     }
 
-    pub(in crate::model) fn stored() -> Vec<Stored> {
-        let rows = include_str!("../../tests/cases/reference.csv").lines().skip(1);
-        let row = |line: &'static str| {
-            let fields: Vec<&str> = line.split(',').collect();
-            Stored {
-                name: fields[0],
-                pairs: fields[1].replace("base", "").replace("vi=", "v_i="),
-                ending: match fields[2] {
-                    "perf" => Ending::Perforation,
-                    "stick" => Ending::Arrest,
-                    other => panic!("{other} is no ending"),
-                },
-                digits: [fields[3], fields[4], fields[5]],
-            }
-        };
-        let rows: Vec<Stored> = rows.map(row).collect();
-        assert_eq!(rows.len(), 10);
-        rows
-    }
-
     pub(in crate::model) fn stored_row(name: &str) -> Stored {
-        stored().into_iter().find(|row| row.name == name).unwrap()
+        Stored::rows().find(|row| row.name == name).unwrap()
     }
 
     #[test]
     fn valid_every_stored_scene_but_the_stiffest_by_dop853() {
-        for row in stored().iter().filter(|row| row.name != STIFFEST) {
+        for row in Stored::rows().filter(|row| row.name != STIFFEST) {
             // A thin plate is perforated in few steps, to a depth that geometry gives.
             let [time_max, depth_max] = match row.ending {
                 Ending::Arrest => [2e-12, 2e-12],
                 Ending::Perforation => [1e-13, 1e-14],
             };
             let [time, depth] = row.errors_by(&Dop853 { tolerance: 1e-13 });
-            assert!(time < time_max && depth < depth_max, "{}: {time:e} {depth:e}", row.pairs);
+            assert!(time < time_max && depth < depth_max, "{}: {time:e} {depth:e}", row.changes);
         }
     }
 
     #[test]
     fn located_events_keep_the_order_that_unlocated_ones_lose() {
         let row = stored_row("S8");
-        let phase = Phase::of(&row.scene());
+        let phase = Phase::of(&row.scene().unwrap());
         let error = |dt_s: f64, crossing| {
             row.errors_by(&Rk4 { step: phase.scaled_time(dt_s), crossing })[0]
         };

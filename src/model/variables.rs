@@ -412,6 +412,28 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     rules::check(scene)
 }
 
+/// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
+///
+/// # Errors
+/// A [`VariableError`] when a change is not understood.
+pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
+    for change in changes.split_whitespace() {
+        let (name, value) = change.split_once('=').unwrap_or((change, ""));
+        set_by_name(&mut scene, name, value, Bare::Si)?;
+    }
+    Ok(scene)
+}
+
+/// As [`changed`], of Table 9.1 with gamma = 1 and neither spring nor damper.
+///
+/// # Errors
+/// A [`VariableError`] when a change is not understood.
+pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    changed(scene, changes)
+}
+
 /// Every value that is legal yet outside the range the thesis searched.
 pub fn range_warnings(scene: &Scene) -> Vec<String> {
     VARIABLES
@@ -424,16 +446,11 @@ pub fn range_warnings(scene: &Scene) -> Vec<String> {
 /// The default scene with changes like `k=1e6 n=0.5`, in SI units.
 #[cfg(test)]
 pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').expect("name=value");
-        set_by_name(&mut scene, name, value, Bare::Si).expect("a value the variable takes");
-    }
-    scene
+    changed(Scene::default(), pairs).expect("values the variables take")
 }
 
 /// The same without a spring unless one is given.
 #[cfg(test)]
 pub(in crate::model) fn scene_without_spring(pairs: &str) -> Scene {
-    scene_with(&format!("k=0 {pairs}"))
+    changed_free_plate(pairs).expect("values the variables take")
 }

@@ -138,9 +138,9 @@ fn scene(named: &Named) -> Value {
     let references = report.references.iter().map(|reference| {
         json!({
             "basis": reference.basis.words(),
-            "ending": reference.ending.word(),
-            "penetration_m": reference.depth_m,
-            "end_time_s": reference.t_s,
+            "ending": reference.answer.ending.word(),
+            "penetration_m": reference.answer.depth_m,
+            "end_time_s": reference.answer.t_s,
             "uncertainty": reference.uncertainty,
         })
     });

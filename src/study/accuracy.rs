@@ -149,7 +149,7 @@ pub fn compare(
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
     let references = references(scene);
-    let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
+    let end_s = references.first().map_or(f64::NAN, |reference| reference.answer.t_s);
     let plan: Vec<(Method, Vec<Knob>)> =
         Method::ALL.map(|method| (method, method.knobs(end_s, effort.ladder))).into();
     context.expect(plan.iter().map(|(_, knobs)| knobs.len()).sum());
@@ -212,7 +212,7 @@ fn judged(
     clock: Clock<'_>,
 ) -> Result<Measured, Refusal> {
     let answer = job.run()?;
-    if answer.ending != reference.ending {
+    if answer.ending != reference.answer.ending {
         return Err(Refusal::OtherEnding);
     }
     let (depth_error, time_error) = reference.errors(&answer);

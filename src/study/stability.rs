@@ -5,18 +5,18 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::Ending;
+use crate::model::contact_phase::{Answer, Ending};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Outcome, Run, STILL_WITHIN_CONTACT, Sample};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Knob, Method};
+use crate::study::accuracy::method::{Knob, Method, answer_of};
 use crate::study::accuracy::reference::stored;
 use crate::study::context::{Context, Stop};
 use cases::Case;
-use others::{Contact, Fault, Other, Verdict};
+use others::{Fault, Other, Verdict};
 
 pub mod cases;
 pub mod map;
@@ -166,7 +166,7 @@ pub fn examine(case: &'static Case, clock: Clock<'_>) -> Option<Row> {
             return Verdict::None(Fault::CutOff);
         }
         // Those that the reference may come from are compared with the engine, which shares no code with them.
-        let by_engine = Contact::of(&run).filter(|_| basis != Basis::Stored);
+        let by_engine = answer_of(&run).ok().filter(|_| basis != Basis::Stored);
         let judge = match other {
             Other::Explicit | Other::Implicit => by_engine.or(contact),
             Other::ThesisCoarse | Other::ThesisFine => contact,
@@ -197,7 +197,7 @@ fn reference(
     scene: &Arc<Scene>,
     run: &Run,
     clock: Clock<'_>,
-) -> (Option<(f64, Basis)>, Option<Contact>) {
+) -> (Option<(f64, Basis)>, Option<Answer>) {
     let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
         || run.first_arrest.is_some_and(|arrest| {
             run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
@@ -205,13 +205,12 @@ fn reference(
     // The stored digits are those of a fused interface.
     let fused = scene.interface.law == InterfaceLaw::Fused;
     if let Some(stored) = stored(scene).filter(|_| fused) {
-        let contact = Contact::new(stored.ending, stored.depth_m, stored.t_s);
-        return (Some((contact.value, Basis::Stored)), Some(contact));
+        return (Some((stored.answer.measure(), Basis::Stored)), Some(stored.answer));
     }
     let second = second_form(scene);
     if let Some((contact, basis)) = second.filter(|_| contact_decides) {
         let ends_alike = (contact.ending == Ending::Perforation) == run.exit_time_s.is_some();
-        let value = if ends_alike { contact.value } else { f64::NAN };
+        let value = if ends_alike { contact.measure() } else { f64::NAN };
         return (Some((value, basis)), Some(contact));
     }
     let contact = second.map(|(contact, _)| contact);
@@ -220,15 +219,15 @@ fn reference(
         return (None, contact);
     }
     let tighter = tighter(scene, clock);
-    let contact = contact.or_else(|| tighter.as_ref().and_then(Contact::of));
+    let contact = contact.or_else(|| answer_of(tighter.as_ref()?).ok());
     let value = tighter.filter(|tight| tight.outcome == run.outcome);
     (value.and_then(|tight| measure(&tight)).map(|value| (value, Basis::Tighter)), contact)
 }
 
 /// The contact by DOP853 or, where that cannot follow, by Radau IIA at two tolerances that agree.
-fn second_form(scene: &Scene) -> Option<(Contact, Basis)> {
-    let by = |method, tolerance| {
-        Contact::by(method, Knob::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
+fn second_form(scene: &Scene) -> Option<(Answer, Basis)> {
+    let by = |method: Method, tolerance| {
+        method.solve(Knob::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
     };
     if let Some(contact) = by(Method::Dop853, REFERENCE_TOLERANCE) {
         return Some((contact, Basis::Dop853));
@@ -236,8 +235,8 @@ fn second_form(scene: &Scene) -> Option<(Contact, Basis)> {
     let [fine, coarse] =
         [REFERENCE_TOLERANCE, SECOND_LOOK].map(|tolerance| by(Method::Radau, tolerance));
     let (fine, coarse) = fine.zip(coarse)?;
-    let agree =
-        fine.ending == coarse.ending && (coarse.value / fine.value - 1.0).abs() < 0.1 * ERROR_MAX;
+    let agree = fine.ending == coarse.ending
+        && (coarse.measure() / fine.measure() - 1.0).abs() < 0.1 * ERROR_MAX;
     agree.then_some((fine, Basis::Radau))
 }
 

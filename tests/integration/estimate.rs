@@ -47,26 +47,18 @@ const SEED: u64 = 0x5eed_2007_0412;
 
 /// How the contact ends, depth or exit time, and how far that may be off.
 fn truth(scene: &Scene) -> Option<(Ending, f64, f64)> {
-    let measure = |ending, t_s, depth_m| match ending {
-        Ending::Arrest => depth_m,
-        Ending::Perforation => t_s,
-    };
     if let Ok(found) = fine::solve(scene) {
         // Good to 18 digits on every stored scene: what is left is rounding to a double.
         let answer = found.answer();
-        let value = measure(answer.ending, answer.t_s, answer.depth_m);
-        return Some((answer.ending, value, f64::EPSILON));
+        return Some((answer.ending, answer.measure(), f64::EPSILON));
     }
     if let Ok(answer) = exact::solve(scene) {
-        return Some((answer.ending, measure(answer.ending, answer.t_s, answer.depth_m), 1e-13));
+        return Some((answer.ending, answer.measure(), 1e-13));
     }
     let by = |tolerance| Phase::of(scene).solve(&Dop853 { tolerance }, JUDGE_STEPS_MAX);
     let (tight, tighter) = (by(1e-13).ok()?, by(1e-14).ok()?);
-    let of = |answer: &cmra::model::contact_phase::Answer| {
-        measure(answer.ending, answer.t_s, answer.depth_m)
-    };
-    let off = (of(&tight) / of(&tighter) - 1.0).abs() + EXPLICIT_FLOOR;
-    (tight.ending == tighter.ending).then_some((tighter.ending, of(&tighter), off))
+    let off = (tight.measure() / tighter.measure() - 1.0).abs() + EXPLICIT_FLOOR;
+    (tight.ending == tighter.ending).then_some((tighter.ending, tighter.measure(), off))
 }
 
 /// True error and estimate of a run, and how far the truth may be off; nothing where one of them does not exist.

@@ -9,7 +9,6 @@ use cmra::files;
 use cmra::model::run::{EndReason, EventKind, Mode, Outcome, Run, Warning};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
-use cmra::model::units::Bare;
 use cmra::model::variables;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -24,13 +23,7 @@ fn run(pairs: &str) -> Run {
 
 /// A scene from `name=value` pairs; the spring is absent unless named.
 fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    scene.mechanism.spring.coefficient = 0.0;
-    for pair in pairs.split_whitespace().filter(|pair| *pair != "base") {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
+    variables::changed_free_plate(&pairs.replace("base", "")).unwrap()
 }
 
 fn relative(value: f64, exact: f64) -> f64 {
@@ -48,7 +41,7 @@ fn depth(run: &Run) -> f64 {
 
 #[test]
 fn valid_every_row_of_the_reference_to_1e_9_in_depth_and_time() {
-    let mut reader = csv::Reader::from_path("tests/cases/reference.csv").unwrap();
+    let mut reader = csv::Reader::from_path("presets/tables/reference.csv").unwrap();
     let mut rows = 0;
     for row in reader.records() {
         let row = row.unwrap();

@@ -11,17 +11,11 @@ use cmra::files::read::Accepts;
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
-use cmra::model::units::Bare;
 use cmra::model::variables;
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
 pub(crate) fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
+    variables::changed(Scene::default(), pairs).unwrap()
 }
 
 /// A whole run of a scene.

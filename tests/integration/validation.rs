@@ -3,7 +3,6 @@
 use assert_cmd::Command;
 use cmra::files::validation;
 use cmra::model::scene::{Closure, Scene};
-use cmra::model::units::Bare;
 use cmra::model::variables;
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::validation::{NOT_COUNTED, Row, measurements};
@@ -45,11 +44,7 @@ fn every_case_has_a_value_a_source_and_a_caution() {
             "{}: where it is not to be used",
             row.case.preset
         );
-        for pair in row.case.set.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            let mut scene = preset.scene.clone();
-            variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
+        variables::changed(preset.scene, row.case.set).unwrap();
     }
 }
 

@@ -29,8 +29,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
     if !t_s.is_finite() {
         return Err(Refusal::NonFinite);
     }
-    let depth_m = geometry.depth_m(travel_m);
-    Ok(Answer { ending, t_s, depth_m, steps: 0, rejected: 0, evaluations: 0 })
+    Ok(Answer::free(ending, t_s, geometry.depth_m(travel_m)))
 }
 
 #[cfg(test)]

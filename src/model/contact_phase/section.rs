@@ -22,7 +22,7 @@ enum Section {
 }
 
 /// Both faces of the plate, as the nose passes them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Faces {
     /// cos(theta).
     pub cos: f64,

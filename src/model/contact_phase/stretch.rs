@@ -29,7 +29,7 @@ const ROUNDINGS: f64 = 4.0;
 const PLACE_ROUNDING: f64 = ROUNDINGS * stop::HEIGHT_ROUNDING;
 
 /// A stop, with stiffness and damping in scaled units, and its place.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wall {
     x: f64,
     stop: StopOfScene,

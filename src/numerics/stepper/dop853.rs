@@ -1,11 +1,11 @@
-//! DOP853: order eight with twelve stages, error estimates of order five and three, dense output of order seven.
+//! DOP853: order eight with twelve stages, error estimates of order five and three.
 //!
 //! J. R. Dormand and P. J. Prince's pair in the form of E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential
 //! Equations I*, 2nd ed. (1993), section II.10, with its error measure (10.21), the starting step of section II.4 and a
 //! proportional-integral controller (volume II, section IV.2).
 
 use super::landing::Ends;
-use super::tableau::{DENSE, ERRORS, STAGES};
+use super::tableau::{ERRORS, STAGES};
 use super::{Count, Point, Reached, Start, Stepper, Stop, System, is_finite};
 
 /// Stages of a step.
@@ -64,15 +64,10 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Dop853 {
                 continue;
             }
             count.steps += 1;
-            let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
-            if ends.may_cross(system.boundaries()) {
-                let dense = Dense::of(system, h, &ends, &trial, count);
-                let anew = |s: f64| step(system, from, s * h, count).y;
-                if let Some((index, part, y)) =
-                    ends.land(system.boundaries(), |s| dense.at(s), anew)
-                {
-                    return Reached { t: t + part * h, y, stop: Stop::Boundary(index), step: h };
-                }
+            let ends = Ends { h, y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
+            let anew = |s: f64| step(system, from, s * h, count).y;
+            if let Some((index, part, y)) = ends.land(system.boundaries(), anew) {
+                return Reached { t: t + part * h, y, stop: Stop::Boundary(index), step: h };
             }
             t += h;
             let least = if error > 1e-10 { error } else { 1e-10 };
@@ -167,52 +162,6 @@ fn first_step<const N: usize>(
     if step.is_finite() { step } else { euler }
 }
 
-struct Dense<const N: usize> {
-    y: [f64; N],
-    c: [[f64; N]; 7],
-}
-
-impl<const N: usize> Dense<N> {
-    /// Costs three evaluations.
-    fn of(
-        system: &impl System<N>,
-        h: f64,
-        ends: &Ends<'_, N>,
-        trial: &Trial<N>,
-        count: &mut Count,
-    ) -> Self {
-        let mut k = [[0.0; N]; 16];
-        k[..S].copy_from_slice(&trial.k);
-        k[12] = *ends.f1;
-        k[13] = system.rate(&stage::<13, N>(ends.y0, h, &k));
-        k[14] = system.rate(&stage::<14, N>(ends.y0, h, &k));
-        k[15] = system.rate(&stage::<15, N>(ends.y0, h, &k));
-        count.evaluations += 3;
-        let mut c = [[0.0; N]; 7];
-        for i in 0..N {
-            let rise = ends.y1[i] - ends.y0[i];
-            c[0][i] = rise;
-            c[1][i] = h * ends.f0[i] - rise;
-            c[2][i] = 2.0 * rise - h * (ends.f1[i] + ends.f0[i]);
-            for (row, weights) in DENSE.iter().enumerate() {
-                c[3 + row][i] = h * weights.iter().zip(&k).map(|(d, k)| d * k[i]).sum::<f64>();
-            }
-        }
-        Self { y: *ends.y0, c }
-    }
-
-    /// The state at fraction `s` of the step.
-    fn at(&self, s: f64) -> [f64; N] {
-        std::array::from_fn(|i| {
-            let mut sum = 0.0;
-            for (power, c) in self.c.iter().enumerate().rev() {
-                sum = (sum + c[i]) * if power % 2 == 0 { s } else { 1.0 - s };
-            }
-            self.y[i] + sum
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::tests::{BELL, Bell};
@@ -236,24 +185,9 @@ mod tests {
         1.0 / (1.0 + t * t)
     }
 
-    /// Error of dense output within one step.
-    fn one_step(h: f64) -> f64 {
-        let mut count = Count::up_to(1);
-        let (t, y, system) = (0.3, [bell(0.3), 0.3], Bell::up_to(9.0));
-        let f = system.rate(&y);
-        let trial = step(&system, Point { y: &y, f: &f }, h, &mut count);
-        let f1 = system.rate(&trial.y);
-        let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f1 };
-        let dense = Dense::of(&system, h, &ends, &trial, &mut count);
-        let inside = (dense.at(0.37)[0] - bell(t + 0.37 * h)).abs();
-        assert!((dense.at(1.0)[0] - trial.y[0]).abs() < 1e-15);
-        assert!((dense.at(0.0)[0] - y[0]).abs() < f64::MIN_POSITIVE);
-        inside
-    }
-
     #[test]
     fn tableau_satisfies_the_quadrature_conditions() {
-        for i in 1..16 {
+        for i in 1..=S {
             for later in &STAGES[i - 1][i..] {
                 assert!(later.abs() < f64::MIN_POSITIVE, "{i}");
             }
@@ -288,9 +222,9 @@ mod tests {
         }
     }
 
-    /// Slope of log error over log step by two step sizes, of local errors: one order more.
+    /// Slope of log error over log step by two step sizes.
     #[test]
-    fn observed_orders_are_eight_for_the_step_and_seven_for_dense_output() {
+    fn the_observed_order_is_eight() {
         let fixed = |steps: usize| {
             let h = 6.0 / steps as f64;
             let mut y = [1.0];
@@ -302,8 +236,6 @@ mod tests {
         };
         let order = (fixed(12) / fixed(24)).log2();
         assert!((order - 8.0).abs() < 0.3, "{order}");
-        let dense = (one_step(0.3) / one_step(0.1)).log(3.0) - 1.0;
-        assert!((dense - 7.0).abs() < 0.7, "{dense}");
     }
 
     #[test]

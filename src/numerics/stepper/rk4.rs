@@ -50,17 +50,16 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Rk4 {
             if !(is_finite(&y_next) && is_finite(&f_next)) {
                 return ended(t, y, Stop::NonFinite);
             }
-            let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
-            let dense = |s: f64| hermite(&ends, h, s);
+            let ends = Ends { h, y0: &y, f0: &f, y1: &y_next, f1: &f_next };
             match crossing {
                 Crossing::Notice => {
-                    if let Some((index, _)) = ends.first(system.boundaries(), &dense) {
+                    if let Some(index) = ends.first(system.boundaries()) {
                         return ended(t_next, y_next, Stop::Boundary(index));
                     }
                 }
                 Crossing::Locate => {
                     let anew = |s: f64| step(system, from, s * h, count);
-                    if let Some((index, part, y)) = ends.land(system.boundaries(), dense, anew) {
+                    if let Some((index, part, y)) = ends.land(system.boundaries(), anew) {
                         return ended(t + part * h, y, Stop::Boundary(index));
                     }
                 }
@@ -84,15 +83,6 @@ fn step<const N: usize>(
     std::array::from_fn(|i| y[i] + h / 6.0 * (f[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
 
-/// The cubic through both ends with their slopes, at fraction `s`.
-fn hermite<const N: usize>(ends: &Ends<'_, N>, h: f64, s: f64) -> [f64; N] {
-    std::array::from_fn(|i| {
-        let rise = ends.y1[i] - ends.y0[i];
-        let (a, b) = (h * ends.f0[i] - rise, rise - h * ends.f1[i]);
-        ends.y0[i] + s * (rise + (1.0 - s) * (a * (1.0 - s) + b * s))
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::tests::{BELL, Bell};
@@ -111,14 +101,5 @@ mod tests {
         };
         let order = (error(16) / error(64)).log2() / 2.0;
         assert!((order - 4.0).abs() < 0.3, "{order}");
-    }
-
-    #[test]
-    fn the_interpolant_reproduces_cubics() {
-        let (f, slope) = (|s: f64| 1.0 - s + 2.0 * s * s * s, |s: f64| -1.0 + 6.0 * s * s);
-        let h = 0.7;
-        let (y0, f0, y1, f1) = ([f(0.0)], [slope(0.0)], [f(h)], [slope(h)]);
-        let ends = Ends { y0: &y0, f0: &f0, y1: &y1, f1: &f1 };
-        assert!((hermite(&ends, h, 0.3)[0] - f(0.3 * h)).abs() < 1e-15);
     }
 }

@@ -158,6 +158,14 @@ enumeration! {
 }
 
 impl Method {
+    /// The contact phase of a valid scene, of which is not known when it ends.
+    ///
+    /// # Errors
+    /// A [`Refusal`] when the method gives no answer.
+    pub fn solve(self, knob: Knob, scene: &Scene, steps_max: usize) -> Result<Answer, Refusal> {
+        Job::new(self, knob, scene, f64::INFINITY, steps_max).run()
+    }
+
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
     pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
         match self.ranges()[ladder as usize] {
@@ -246,17 +254,13 @@ fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
 
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
-    Ok(Answer {
-        ending: if end.arrested { Ending::Arrest } else { Ending::Perforation },
-        t_s: end.t_s,
-        depth_m: end.penetration_m,
-        steps: end.steps,
-        rejected: 0,
-        evaluations: end.steps,
-    })
+    let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
+    let free = Answer::free(ending, end.t_s, end.penetration_m);
+    Ok(Answer { steps: end.steps, evaluations: end.steps, ..free })
 }
 
-fn answer_of(run: &Run) -> Result<Answer, Refusal> {
+/// The contact phase of a run, if it came to its end.
+pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
     {
         (Some(arrest), _, _) => (Ending::Arrest, arrest.t_s, arrest.penetration_m),

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::reference::Basis;
 use super::*;
+use crate::model::contact_phase::stored::Stored;
 use crate::study::changed_free_plate;
 use crate::study::context::{to_its_end, until};
 
@@ -154,19 +155,12 @@ fn of_points_that_cost_the_same_the_coarsest_answers() {
 }
 
 #[test]
-fn stored_digits_are_those_of_the_reference_file() {
-    let file = include_str!("../../../tests/cases/reference.csv");
-    let mut rows = 0;
-    for line in file.lines().skip(1) {
-        let fields: Vec<&str> = line.split(',').collect();
-        let pairs = fields[1].replace("vi=", "v_i=").replace("base", "");
-        let references = references(&scene(&pairs));
-        let first = references[0];
-        assert!(matches!(first.basis, Basis::Stored(name) if name == fields[0]), "{line}");
-        let number = |i: usize| fields[i].parse::<f64>().unwrap();
-        assert!((first.t_s / number(3) - 1.0).abs() < 3e-16, "{line}");
-        assert!((first.depth_m / number(4) - 1.0).abs() < 3e-16, "{line}");
-        rows += 1;
+fn every_row_of_the_stored_digits_is_found_by_its_scene() {
+    for row in Stored::rows() {
+        let found = references(&scene(&row.changes))[0];
+        assert_eq!((found.basis, found.answer), (Basis::Stored(row.name), row.answer()));
+        let uncertainty = if row.name == "S13" { 1e-14 } else { f64::EPSILON };
+        assert!((found.uncertainty.unwrap() / uncertainty - 1.0).abs() < 1e-12, "{}", row.name);
     }
-    assert_eq!(rows, 10);
+    assert_eq!(Stored::rows().count(), 10);
 }

@@ -11,14 +11,14 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::Scheme;
-use crate::model::contact_phase::Ending;
 use crate::model::contact_phase::section::Faces;
+use crate::model::contact_phase::{Answer, Ending};
 use crate::model::scene::{Listing, Reading, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
+use crate::study::accuracy::method::answer_of;
 use crate::study::context::Context;
 use crate::study::stability::Peaks;
-use crate::study::stability::others::Contact;
 
 /// Relative error up to which a cell is accurate.
 pub const ACCURATE: f64 = 1e-2;
@@ -263,7 +263,7 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
 #[derive(Clone, Copy)]
 struct Target {
     peaks: Peaks,
-    contact: Contact,
+    contact: Answer,
 }
 
 impl Target {
@@ -271,7 +271,7 @@ impl Target {
         let scene = Arc::new(scene.clone());
         let run = super::bare(&scene, false, &mut |_| ControlFlow::Continue(())).ok()?;
         let peaks = Peaks::of(&scene, &run).ok()?;
-        Some(Self { peaks, contact: Contact::of(&run)? })
+        Some(Self { peaks, contact: answer_of(&run).ok()? })
     }
 }
 
@@ -351,27 +351,22 @@ fn cell(scene: &Scene, method: FixedStep, dt_s: f64, target: Option<&Target>) ->
         }
         let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
             || reversals > 2 * target.peaks.reversals + 4;
-        let found = match refused {
-            Some(_) => Contact { ending: Ending::Arrest, value: f64::NAN },
-            None if perforated => {
-                Contact { ending: Ending::Perforation, value: step as f64 * dt_s }
-            }
-            None => Contact { ending: Ending::Arrest, value: state.depth_m },
+        let (ending, value) = if perforated {
+            (Ending::Perforation, step as f64 * dt_s)
+        } else {
+            (Ending::Arrest, state.depth_m)
         };
-        return rate_cell(found, target, swings);
+        let error = (value / target.contact.measure() - 1.0).abs();
+        let ends_alike = refused.is_none() && ending == target.contact.ending;
+        return if ends_alike && error <= ACCURATE {
+            Cell::Accurate
+        } else if swings {
+            Cell::Oscillating
+        } else {
+            Cell::Inaccurate
+        };
     }
     Cell::TooManySteps
-}
-
-fn rate_cell(found: Contact, target: &Target, swings: bool) -> Cell {
-    let error = (found.value / target.contact.value - 1.0).abs();
-    if found.ending == target.contact.ending && error <= ACCURATE {
-        Cell::Accurate
-    } else if swings {
-        Cell::Oscillating
-    } else {
-        Cell::Inaccurate
-    }
 }
 
 #[cfg(test)]

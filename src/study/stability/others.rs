@@ -1,9 +1,8 @@
 //! Whether other methods can compute a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use crate::model::contact_phase::{Ending, Refusal};
-use crate::model::run::Run;
+use crate::model::contact_phase::{Answer, Refusal};
 use crate::model::scene::Scene;
-use crate::study::accuracy::method::{Job, Knob, Method};
+use crate::study::accuracy::method::{Knob, Method};
 
 /// Tolerance requested from the adaptive methods.
 pub const TOLERANCE: f64 = 1e-9;
@@ -127,59 +126,18 @@ impl Verdict {
     }
 }
 
-/// The contact to compare with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
-    /// How it ends.
-    pub ending: Ending,
-    /// Depth then, m; of a perforation the time, s.
-    pub value: f64,
-}
-
-impl Contact {
-    /// The contact phase of a run, if it came to its end.
-    pub fn of(run: &Run) -> Option<Self> {
-        let arrest = run.first_arrest;
-        let arrested =
-            arrest.map(|arrest| Self { ending: Ending::Arrest, value: arrest.penetration_m });
-        let exit = run.exit_time_s;
-        arrested.or_else(|| exit.map(|t_s| Self { ending: Ending::Perforation, value: t_s }))
-    }
-
-    /// The contact phase by a method.
-    ///
-    /// # Errors
-    /// A [`Refusal`] when it cannot be followed.
-    pub fn by(
-        method: Method,
-        knob: Knob,
-        scene: &Scene,
-        steps_max: usize,
-    ) -> Result<Self, Refusal> {
-        let answer = Job::new(method, knob, scene, f64::INFINITY, steps_max).run()?;
-        Ok(Self::new(answer.ending, answer.depth_m, answer.t_s))
-    }
-
-    /// The contact that ends like this at a depth and a time.
-    pub(super) fn new(ending: Ending, depth_m: f64, t_s: f64) -> Self {
-        let value = match ending {
-            Ending::Arrest => depth_m,
-            Ending::Perforation => t_s,
-        };
-        Self { ending, value }
-    }
-}
-
 /// How a method fares on the contact of a scene that should end like `reference`.
-pub fn judge(other: Other, scene: &Scene, reference: Option<Contact>) -> Verdict {
+pub fn judge(other: Other, scene: &Scene, reference: Option<Answer>) -> Verdict {
     let (accurate, steps_max) = match other.knob() {
         Knob::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
         Knob::None | Knob::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
     };
     let error = reference.ok_or(Fault::NoReference).and_then(|reference| {
-        let contact = Contact::by(other.method(), other.knob(), scene, steps_max).map_err(fault)?;
+        let contact = other.method().solve(other.knob(), scene, steps_max).map_err(fault)?;
         let alike = contact.ending == reference.ending;
-        alike.then_some((contact.value / reference.value - 1.0).abs()).ok_or(Fault::WrongEnding)
+        alike
+            .then_some((contact.measure() / reference.measure() - 1.0).abs())
+            .ok_or(Fault::WrongEnding)
     });
     match error {
         Ok(error) if error <= accurate => Verdict::Accurate(error),

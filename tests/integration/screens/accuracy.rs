@@ -77,9 +77,7 @@ fn point(method: Method, knob: Knob) -> Point {
 fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     let reference = Reference {
         basis: Basis::Stored("S2"),
-        ending: Ending::Arrest,
-        t_s: END.0,
-        depth_m: END.1,
+        answer: Answer::free(Ending::Arrest, END.0, END.1),
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {

@@ -252,8 +252,8 @@ impl App {
             let words = first.basis.words();
             let long = format!("reference {words}, uncertainty {sure}");
             parts.push((Severity::Note, long, format!("ref. {words}")));
-            let depth = engineering(first.depth_m, "m", 7);
-            let ending = match first.ending {
+            let depth = engineering(first.answer.depth_m, "m", 7);
+            let ending = match first.answer.ending {
                 Ending::Arrest => format!("{depth} deep"),
                 Ending::Perforation => "perforated".to_owned(),
             };
