@@ -258,9 +258,6 @@ impl Report {
 }
 
 /// Compare.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,

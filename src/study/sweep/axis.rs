@@ -70,9 +70,6 @@ impl Axis {
     }
 
     /// The same where an axis may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn within(
         name: &str,
         (from, to): (f64, f64),
@@ -141,9 +138,6 @@ impl Axis {
     }
 
     /// The axis a scene requests, where it may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
         if !asked.values.is_empty() {
             return Self::listed(&asked.name, &asked.values, counts);
@@ -154,9 +148,6 @@ impl Axis {
     }
 
     /// The axes of a sweep as a scene keeps it.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
     }
