@@ -9,7 +9,7 @@ use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::compare::Load;
-use crate::study::limit::fit::{LambertJonas, RechtIpson};
+use crate::study::limit::fit::Law;
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
 use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 
@@ -178,11 +178,11 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("limit_below_m_s", "limit below", "m/s", move |_| below)
 }
 
-fn recht_ipson(law: RechtIpson) -> Value {
+fn recht_ipson(law: Law) -> Value {
     json!({ "a": law.a, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
-fn lambert_jonas(law: LambertJonas) -> Value {
+fn lambert_jonas(law: Law) -> Value {
     json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
@@ -271,25 +271,22 @@ fn dots(shots: &[Shot], wanted: impl Fn(&Shot) -> Option<f64>) -> Vec<(f64, f64)
 }
 
 /// A law over the view; before its limit it is nothing.
-fn law(view: ViewRange, limit_m_s: f64, residual: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+fn law(view: ViewRange, law: Law) -> Vec<(f64, f64)> {
     let step = view.span() / LAW_POINTS as f64;
     let at = |i: usize| view.lo() + step * i as f64;
-    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > limit_m_s);
-    std::iter::once(limit_m_s).chain(beyond).map(|v| (v, residual(v))).collect()
+    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > law.limit_m_s);
+    std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
 }
 
 /// The chart of the impact velocities in view, or of all, with a mark at a scene's own; `None` where nothing goes through.
 pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
     let x = Axis { view: view.unwrap_or(x.view), ..x };
-    let recht_ipson =
-        report.recht_ipson.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
-    let lambert_jonas =
-        report.lambert_jonas.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
+    let law = |law: Option<Law>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
     let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
     let curves = [
-        Curve::new('+', "Recht-Ipson", recht_ipson.unwrap_or_default()).colour(1),
-        Curve::new('x', "Lambert-Jonas", lambert_jonas.unwrap_or_default()).colour(2),
+        Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
+        Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
         Curve::new('o', "through", dots(&report.shots, |shot| shot.residual_m_s)).colour(3),
         Curve::new('s', "stopped", dots(&report.shots, stopped)).colour(4),
     ];

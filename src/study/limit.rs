@@ -15,7 +15,7 @@ use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
-use fit::{LambertJonas, RechtIpson};
+use fit::Law;
 use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
 
@@ -193,9 +193,9 @@ pub struct Report {
     /// The curve, in order of velocity.
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
-    pub recht_ipson: Option<RechtIpson>,
+    pub recht_ipson: Option<Law>,
     /// Lambert and Jonas's law through the curve.
-    pub lambert_jonas: Option<LambertJonas>,
+    pub lambert_jonas: Option<Law>,
     /// The limit under scatter of the inputs.
     pub sampled: Option<SampledLimit>,
     /// Whether it was done to its end.
@@ -246,8 +246,8 @@ pub fn find(
             .iter()
             .filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)))
             .collect();
-        report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
-        report.lambert_jonas = LambertJonas::through(&perforated);
+        report.recht_ipson = Law::recht_ipson(&perforated, velocity_m_s);
+        report.lambert_jonas = Law::lambert_jonas(&perforated);
         if let Some(sampling) = effort.sampling {
             let criterion = effort.criterion;
             report.sampled = monte_carlo::sample(scene, sampling, velocity_m_s, criterion, context);
