@@ -12,6 +12,7 @@ pub use scale::{Mapping, Scale, ViewRange};
 use ticks::{Along, Ticks};
 
 /// An axis.
+#[must_use]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis<'a> {
     /// What it measures: `t`. In a terminal the chart's title says it of the left axis.
@@ -65,28 +66,22 @@ impl<'a> Axis<'a> {
     }
 
     /// With numbers in this unit.
-    #[must_use]
-    pub fn unit(mut self, unit: Unit<'a>) -> Self {
-        self.unit = unit;
-        self
+    pub fn unit(self, unit: Unit<'a>) -> Self {
+        Self { unit, ..self }
     }
 
     /// With this scale.
-    #[must_use]
-    pub fn scale(mut self, scale: Scale) -> Self {
-        self.scale = scale;
-        self
+    pub fn scale(self, scale: Scale) -> Self {
+        Self { scale, ..self }
     }
 
     /// With zero on it.
-    #[must_use]
     pub fn with_zero(self) -> Self {
         let (lo, hi) = (self.view.lo(), self.view.hi());
         Self { view: ViewRange::new(lo.min(0.0), hi.max(0.0)), ..self }
     }
 
     /// With room at both ends: a part of its length.
-    #[must_use]
     pub fn padded(self, part: f64) -> Self {
         Self { view: self.view.padded(self.scale, part), ..self }
     }
@@ -180,6 +175,7 @@ pub enum Side {
 }
 
 /// A curve.
+#[must_use]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve<'a> {
     /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
@@ -214,24 +210,18 @@ impl<'a> Curve<'a> {
     }
 
     /// In this colour.
-    #[must_use]
-    pub fn colour(mut self, colour: usize) -> Self {
-        self.colour = colour;
-        self
+    pub fn colour(self, colour: usize) -> Self {
+        Self { colour, ..self }
     }
 
     /// With this emphasis.
-    #[must_use]
-    pub fn emphasis(mut self, emphasis: Emphasis) -> Self {
-        self.emphasis = emphasis;
-        self
+    pub fn emphasis(self, emphasis: Emphasis) -> Self {
+        Self { emphasis, ..self }
     }
 
     /// On this axis.
-    #[must_use]
-    pub fn side(mut self, side: Side) -> Self {
-        self.side = side;
-        self
+    pub fn side(self, side: Side) -> Self {
+        Self { side, ..self }
     }
 
     /// Whether it has no line: each point has gaps beside it.
