@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
+use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -73,7 +74,6 @@ pub fn ordinary(path: &Path) -> Result<(), FileError> {
 /// Whether this is a pipe in a folder: opening it waits for another program, which may never come. Those that a shell hands over
 /// (`<(...)`, `/dev/stdout`) have their other end already.
 pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
-    use std::os::unix::fs::FileTypeExt as _;
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
@@ -209,8 +209,8 @@ impl Growing {
             return Err(FileError::target(path, problem));
         }
         let mut builder = tempfile::Builder::new();
-        builder.prefix(PREFIX).suffix(SUFFIX);
-        usual_permissions(&mut builder);
+        // The permissions of any new file: of these the system takes away what the user's mask says.
+        builder.prefix(PREFIX).suffix(SUFFIX).permissions(fs::Permissions::from_mode(0o666));
         let file = builder.tempfile_in(directory_of(&target)).map_err(failed)?;
         // So that no other program takes it for one that was left behind.
         let _ = lock(file.as_file());
@@ -286,16 +286,6 @@ fn directory_of(target: &Path) -> &Path {
         _ => Path::new("."),
     }
 }
-
-/// The permissions of any new file: of these the system takes away what the user's mask says.
-#[cfg(unix)]
-fn usual_permissions(builder: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt as _;
-    builder.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn usual_permissions(_builder: &mut tempfile::Builder<'_, '_>) {}
 
 #[cfg(test)]
 mod tests {

@@ -19,12 +19,6 @@ impl<'a> Unit<'a> {
         Self { factor: 1.0, name: name.into() }
     }
 
-    /// A unit and the factor that leads to it.
-    pub fn scaled(factor: f64, name: impl Into<Cow<'a, str>>) -> Self {
-        let usable = factor.is_finite() && factor > 0.0;
-        Self { factor: if usable { factor } else { 1.0 }, name: name.into() }
-    }
-
     /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take
     /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
     pub fn with_prefix(size: f64, unit: &'a str) -> Self {
