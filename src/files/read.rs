@@ -318,10 +318,8 @@ impl<'t> Reader<'t> {
                 .unwrap_or(example),
             _ => example,
         };
-        let allowed = match &variable.kind {
-            Kind::Number(number) => number.allowed.describe(number.quantity),
-            Kind::Choice(_) | Kind::Switch { .. } => variable.allowed(),
-        };
+        let rule = variable.number().map(|number| number.allowed.describe(number.quantity));
+        let allowed = rule.unwrap_or_else(|| variable.allowed());
         format!(
             "{} = {} is {}: it must be {allowed}; {cure}",
             variable.key,

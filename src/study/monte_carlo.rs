@@ -6,7 +6,7 @@
 //! clock.
 
 use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
-use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
@@ -123,7 +123,7 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
         .chain(variables::find(STOP).ok())
         .filter(scatters)
         .filter_map(|variable| {
-            let Kind::Number(number) = &variable.kind else { return None };
+            let number = variable.number()?;
             let median = (number.get)(scene).filter(|value| *value > 0.0)?;
             Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
         })

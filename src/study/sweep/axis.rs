@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units;
-use crate::model::variables::{self, Allowed, Kind, Number, Variable};
+use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::study::sweep::SweepError;
 
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
@@ -342,15 +342,13 @@ pub(in crate::study) fn numeric(
     name: &str,
 ) -> Result<(&'static Variable, &'static Number), SweepError> {
     let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
-    match &variable.kind {
-        Kind::Number(number) => Ok((variable, number)),
-        Kind::Choice(_) | Kind::Switch { .. } => {
-            let (axis, choices) = (variable.symbol, variable.allowed());
-            Err(SweepError(format!(
-                "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
-            )))
-        }
-    }
+    let number = variable.number().ok_or_else(|| {
+        let (axis, choices) = (variable.symbol, variable.allowed());
+        SweepError(format!(
+            "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
+        ))
+    })?;
+    Ok((variable, number))
 }
 
 /// The shortest decimal within rounding of an exponential, so that decades are decades.
