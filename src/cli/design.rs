@@ -1,7 +1,6 @@
 //! `cmra design`: what a designer works with that needs no simulation: a shot's formulas, the screening matrix, the principles.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
@@ -59,13 +58,12 @@ struct PrinciplesArguments {
     table: TableArguments,
 }
 
-pub(super) fn run(arguments: &DesignArguments) -> Result<ExitCode, CliError> {
-    let done = match &arguments.what {
+pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
+    match &arguments.what {
         What::Shot(arguments) => shot(arguments),
         What::Screening(arguments) => screening(arguments),
         What::Principles(arguments) => principles(arguments),
-    };
-    done.map(|()| ExitCode::SUCCESS)
+    }
 }
 
 fn shot(arguments: &ShotArguments) -> Result<(), CliError> {

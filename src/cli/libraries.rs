@@ -1,7 +1,6 @@
 //! `cmra libraries`: threats, materials and absorbers, bundled and own.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::Args;
 use serde_json::{Map, Value, json};
@@ -33,7 +32,7 @@ fn about(library: Library) -> &'static str {
     }
 }
 
-pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
     let (entries, problems) = library::list(Paths::of_user().ok().as_ref());
     let of = |library| entries.iter().filter(move |entry| entry.library == library);
     let shown = Library::ALL
@@ -51,7 +50,7 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> 
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }
 
 fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> String {

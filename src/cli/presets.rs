@@ -1,7 +1,6 @@
 //! `cmra presets [show NAME]`: bundled and own presets, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
@@ -31,7 +30,7 @@ enum Action {
     },
 }
 
-pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
     match &arguments.action {
         None | Some(Action::List) => list(&arguments.table),
         Some(Action::Show { .. })
@@ -41,8 +40,7 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
             return Err(CliError::Option(text.to_owned()));
         }
         Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
-    }?;
-    Ok(ExitCode::SUCCESS)
+    }
 }
 
 fn list(table: &TableArguments) -> Result<(), CliError> {
