@@ -13,7 +13,7 @@ use ticks::{Along, Ticks};
 
 /// An axis.
 #[must_use]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis<'a> {
     /// What it measures: `t`. In a terminal the chart's title says it of the left axis.
     pub label: Cow<'a, str>,
@@ -30,13 +30,7 @@ pub struct Axis<'a> {
 impl<'a> Axis<'a> {
     /// A linear axis that shows numbers as they are, without a unit.
     pub fn new(label: impl Into<Cow<'a, str>>, view: ViewRange) -> Self {
-        Self {
-            label: label.into(),
-            unit: Unit::new(""),
-            scale: Scale::Linear,
-            view,
-            labels: Labels::Shown,
-        }
+        Self { label: label.into(), view, ..Self::default() }
     }
 
     /// An axis over all of these values that have a place on it; `None` where there is none.
@@ -176,7 +170,7 @@ pub enum Side {
 
 /// A curve.
 #[must_use]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve<'a> {
     /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
     pub marker: char,
@@ -199,14 +193,7 @@ impl<'a> Curve<'a> {
         label: impl Into<Cow<'a, str>>,
         points: impl Into<Cow<'a, [(f64, f64)]>>,
     ) -> Self {
-        Self {
-            marker,
-            label: label.into(),
-            points: points.into(),
-            colour: 0,
-            emphasis: Emphasis::Normal,
-            side: Side::Left,
-        }
+        Self { marker, label: label.into(), points: points.into(), ..Self::default() }
     }
 
     /// In this colour.
@@ -252,7 +239,7 @@ pub enum Legend {
 }
 
 /// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart<'a> {
     /// What it shows; the unit of the left axis is appended.
     pub title: Cow<'a, str>,
@@ -288,19 +275,6 @@ impl<'a> Chart<'a> {
         y: Axis<'a>,
         curves: Vec<Curve<'a>>,
     ) -> Self {
-        Self {
-            title: title.into(),
-            x,
-            y,
-            right: None,
-            curves,
-            marks: Vec::new(),
-            levels: Vec::new(),
-            crosshair: None,
-            frame: Frame::Boxed,
-            legend: Legend::Shown,
-            gutter: 0,
-            focused: false,
-        }
+        Self { title: title.into(), x, y, curves, ..Self::default() }
     }
 }

@@ -13,6 +13,13 @@ pub struct Unit<'a> {
     pub name: Cow<'a, str>,
 }
 
+impl Default for Unit<'_> {
+    /// That of a pure number.
+    fn default() -> Self {
+        Self::new("")
+    }
+}
+
 impl<'a> Unit<'a> {
     /// A unit as it is.
     pub fn new(name: impl Into<Cow<'a, str>>) -> Self {

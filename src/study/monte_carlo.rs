@@ -66,7 +66,7 @@ pub struct Summary {
 }
 
 /// The result.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// The inputs.
     pub tolerances: Vec<Tolerance>,
@@ -148,17 +148,8 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let space = space(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
-    let mut report = Report {
-        tolerances: task.tolerances.clone(),
-        redrawn: Vec::new(),
-        seed: task.seed,
-        samples: 0,
-        outcomes: OutcomeCounts::default(),
-        nominal: None,
-        perforated: None,
-        summaries: Vec::new(),
-        is_complete: true,
-    };
+    let (tolerances, seed) = (task.tolerances.clone(), task.seed);
+    let mut report = Report { tolerances, seed, ..Report::default() };
     let own = space.design_of(scene);
     context.expect(task.samples);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
