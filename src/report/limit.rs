@@ -9,7 +9,7 @@ use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::compare::Load;
-use crate::study::limit::fit::Law;
+use crate::study::limit::fit::ResidualLaw;
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
 use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 
@@ -178,11 +178,11 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("limit_below_m_s", "limit below", "m/s", move |_| below)
 }
 
-fn recht_ipson(law: Law) -> Value {
+fn recht_ipson(law: ResidualLaw) -> Value {
     json!({ "a": law.a, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
-fn lambert_jonas(law: Law) -> Value {
+fn lambert_jonas(law: ResidualLaw) -> Value {
     json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
@@ -271,7 +271,7 @@ fn dots(shots: &[Shot], wanted: impl Fn(&Shot) -> Option<f64>) -> Vec<(f64, f64)
 }
 
 /// A law over the view; before its limit it is nothing.
-fn law(view: ViewRange, law: Law) -> Vec<(f64, f64)> {
+fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
     let step = view.span() / LAW_POINTS as f64;
     let at = |i: usize| view.lo() + step * i as f64;
     let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > law.limit_m_s);
@@ -282,7 +282,7 @@ fn law(view: ViewRange, law: Law) -> Vec<(f64, f64)> {
 pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
     let x = Axis { view: view.unwrap_or(x.view), ..x };
-    let law = |law: Option<Law>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
+    let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
     let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
     let curves = [
         Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),

@@ -11,7 +11,7 @@ const LEAST_LIMIT: f64 = 0.3;
 
 /// A law for the residual velocity: `v_r = a (v^p - v_bl^p)^(1/p)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Law {
+pub struct ResidualLaw {
     /// Part of the velocity that is left far beyond the limit.
     pub a: f64,
     /// The exponent: 2 in Recht and Ipson's law.
@@ -22,7 +22,7 @@ pub struct Law {
     pub misfit_m_s: f64,
 }
 
-impl Law {
+impl ResidualLaw {
     /// Recht and Ipson's through (impact, residual) velocities, m/s, with this limit; `None` with fewer than two.
     pub fn recht_ipson(shots: &[(f64, f64)], limit_m_s: f64) -> Option<Self> {
         Self::scaled(shots, 2.0, limit_m_s)
@@ -83,20 +83,20 @@ mod tests {
     #[test]
     fn made_up_shots_give_their_own_laws_back() {
         for (a, p, limit) in [(0.95, 2.0, 232.3), (0.7, 3.1, 800.0), (1.0, 1.4, 50.0)] {
-            let found = Law::lambert_jonas(&shots(a, p, limit)).unwrap();
+            let found = ResidualLaw::lambert_jonas(&shots(a, p, limit)).unwrap();
             assert!((found.a / a - 1.0).abs() < 1e-4, "{found:?}");
             assert!((found.p / p - 1.0).abs() < 1e-3, "{found:?}");
             assert!((found.limit_m_s / limit - 1.0).abs() < 1e-5, "{found:?}");
         }
-        let found = Law::recht_ipson(&shots(0.9, 2.0, 232.3), 232.3).unwrap();
+        let found = ResidualLaw::recht_ipson(&shots(0.9, 2.0, 232.3), 232.3).unwrap();
         assert!((found.a - 0.9).abs() < 1e-12 && found.misfit_m_s < 1e-9, "{found:?}");
         assert!((found.residual_m_s(100.0)).abs() < 1e-300);
     }
 
     #[test]
     fn too_few_shots_are_no_law() {
-        assert_eq!(Law::recht_ipson(&[(300.0, 10.0)], 200.0), None);
-        assert_eq!(Law::lambert_jonas(&shots(1.0, 2.0, 100.0)[..3]), None);
-        assert_eq!(Law::lambert_jonas(&[]), None);
+        assert_eq!(ResidualLaw::recht_ipson(&[(300.0, 10.0)], 200.0), None);
+        assert_eq!(ResidualLaw::lambert_jonas(&shots(1.0, 2.0, 100.0)[..3]), None);
+        assert_eq!(ResidualLaw::lambert_jonas(&[]), None);
     }
 }
