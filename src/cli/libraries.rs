@@ -6,7 +6,7 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use crate::cli::table::choice;
-use crate::cli::text::labelled;
+use crate::cli::text::labelled_each;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
@@ -60,10 +60,8 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
         let name = clean::line(&entry.name);
         let _ = writeln!(text, "\n  {name}: {}{own}", clean::line(&entry.title));
         let status = entry.status.word();
-        let rows = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
-        for (label, words) in rows.into_iter().filter(|(_, words)| !words.is_empty()) {
-            labelled(&mut text, label, &clean::line(words));
-        }
+        let lines = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
+        labelled_each(&mut text, &lines.map(|(label, words)| (label, clean::line(words))));
     }
     text
 }

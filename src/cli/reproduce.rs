@@ -91,9 +91,7 @@ fn page(report: &[Row], differences: usize) -> String {
             ("as printed", row.found.printed.as_str()),
             ("cause", claim.cause),
         ];
-        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
-            text::labelled(&mut page, label, said);
-        }
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     page.push_str(&summary(report, differences));

@@ -87,16 +87,13 @@ fn page(report: &[Row]) -> String {
             ("caution", case.caution.to_owned()),
             ("source", case.source.to_owned()),
         ];
-        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
-            text::labelled(&mut page, label, said);
-        }
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     for it in &measurements().not_checked {
         let _ = writeln!(page, "{}  [cannot be checked]", it.id);
-        for (label, said) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
-            text::labelled(&mut page, label, said);
-        }
+        let lines = [("says", it.says), ("why not", it.why), ("source", it.source)];
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     page.push_str(&summary(report));
