@@ -47,11 +47,9 @@ impl PictureArguments {
                     path.with_extension("svg").display()
                 )));
             }
+            atomic::check(path, table.existing())?;
         }
-        match &self.svg {
-            Some(path) if !self.is_stdout() => Ok(atomic::check(path, table.existing())?),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// Writes them; an interrupted result is not drawn.

@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
             if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
         {
             let text = "presets show prints the preset's file: --json and --csv are for the list";
-            return Err(CliError::Option(text.to_owned()));
+            Err(CliError::Option(text.to_owned()))
         }
         Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
     }

@@ -58,19 +58,19 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
     arguments.study.table.alone().deliver_report(&page, &object, &table(&rows))?;
-    let mut good = true;
-    for row in &rows {
-        if let Some(shortfall) = row.shortfall {
-            good = false;
-            output::note(&format!(
-                "{} fails: {} ({})",
-                row.case.name,
-                shortfall.words(),
-                row.run.end.words()
-            ));
-        }
+    let failures: Vec<String> = failures(&rows).collect();
+    for failure in &failures {
+        output::note(failure);
     }
-    Ok(progress::exit_code(good))
+    Ok(progress::exit_code(failures.is_empty()))
+}
+
+/// A sentence for each scene that fails.
+fn failures(rows: &[Row]) -> impl Iterator<Item = String> {
+    rows.iter().filter_map(|row| {
+        let (name, end) = (row.case.name, row.run.end.words());
+        Some(format!("{name} fails: {} ({end})", row.shortfall?.words()))
+    })
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
@@ -97,12 +97,7 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
         keys.extend(["reference", "why_hard"]);
     }
     let mut text = table(rows).page(&keys, if width >= WIDE { usize::MAX } else { width });
-    for row in rows {
-        if let Some(shortfall) = row.shortfall {
-            let end = row.run.end.words();
-            let _ = writeln!(text, "{} fails: {} ({end})", row.case.name, shortfall.words());
-        }
-    }
+    text.extend(failures(rows).map(|failure| failure + "\n"));
     text.push('\n');
     text.push_str(LEGEND);
     summary(&mut text, rows, took_s);

@@ -86,9 +86,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         Target::File(to) => Some(to.begin()?),
         Target::None | Target::Stdout => None,
     };
-    job.announce_if_long();
+    let points = job.points();
+    announce_if_long(&plan, points.end - points.start, "points", threads);
     let start = Instant::now();
-    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
+    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &points);
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
@@ -211,12 +212,6 @@ impl Job<'_> {
             output::note_written(&written?);
         }
         Ok(summary)
-    }
-
-    /// Reports that the points will take long, if so.
-    fn announce_if_long(&self) {
-        let points = self.points();
-        announce_if_long(self.plan, points.end - points.start, "points", self.threads);
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

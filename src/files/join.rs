@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use csv::ReaderBuilder;
 
-use crate::files::error::FileError;
+use crate::files::error::{FileError, shown};
 use crate::files::export::{self, Beside};
 use crate::files::read::{self, Accepts};
 use crate::files::shard::Part;
@@ -107,10 +107,6 @@ impl Whole {
 
 fn refuse(problem: String) -> FileError {
     FileError::Refused(problem)
-}
-
-fn shown(path: &Path) -> String {
-    path.display().to_string()
 }
 
 fn found(path: &Path) -> Result<Found, FileError> {
