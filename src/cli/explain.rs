@@ -74,13 +74,13 @@ fn example(variable: &crate::model::variables::Variable) -> String {
 fn quantity_page(quantity: &Quantity) -> String {
     let mut page = format!("{}: {}\n", quantity.name, quantity.meaning);
     let unit = quantity.unit();
-    let _ = writeln!(page, "  {:<12} {}", "unit", if unit.is_empty() { "none" } else { unit });
-    let _ = writeln!(page, "  {:<12} {}", "needs", quantity.needs().words());
-    let _ = writeln!(
-        page,
-        "  {:<12} sweep --outputs, seek --goal, optimise --minimise, --maximise and --subject-to, montecarlo --outputs, sensitivity --output",
-        "usable in"
-    );
+    let usable = "sweep --outputs, seek --goal, optimise --minimise, --maximise and --subject-to, montecarlo --outputs, sensitivity --output";
+    let unit = if unit.is_empty() { "none" } else { unit };
+    for (label, text) in
+        [("unit", unit), ("needs", quantity.needs().words()), ("usable in", usable)]
+    {
+        let _ = writeln!(page, "  {label:<12} {text}");
+    }
     page
 }
 

@@ -116,12 +116,9 @@ fn summary(report: &[Row], differences: usize) -> String {
             "{differences} verdicts differ from those stored with this program (listed on standard error)."
         )
     };
+    let [computed, read, none] = [Basis::Computed, Basis::Read, Basis::None].map(on);
+    let (rows, verdicts) = (report.len(), verdicts.join(", "));
     format!(
-        "{} rows: {} computed ({runs} runs), {} read from the text, {} not checked.\nVerdicts: {}.\n{stored}\n",
-        report.len(),
-        on(Basis::Computed),
-        on(Basis::Read),
-        on(Basis::None),
-        verdicts.join(", ")
+        "{rows} rows: {computed} computed ({runs} runs), {read} read from the text, {none} not checked.\nVerdicts: {verdicts}.\n{stored}\n"
     )
 }

@@ -121,12 +121,10 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     let short: Vec<&str> =
         rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
     let without = rows.iter().filter(|row| row.basis == Basis::None).count();
+    let (all, passed) = (rows.len(), rows.len() - short.len());
     let _ = writeln!(
         text,
-        "{} of {} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
-        rows.len() - short.len(),
-        rows.len(),
-        took_s
+        "{passed} of {all} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {took_s:.1} s"
     );
     if !short.is_empty() {
         let _ = writeln!(text, "auto fails on: {}", short.join("; "));
@@ -139,9 +137,8 @@ fn map_page(map: &Map, scene: &str) -> String {
         .largest_stable_dt_s
         .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
     let picture = draw::map(&tables::picture(map), draw::MAP);
+    let (method, symbol) = (map.method.name(), map.axis.symbol());
     format!(
-        "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
-        map.method.name(),
-        map.axis.symbol()
+        "{method} on {scene}: time step against {symbol}\n\n{picture}\nlargest stable dt of this scene: {largest}\n"
     )
 }

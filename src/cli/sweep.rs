@@ -123,9 +123,9 @@ impl Job<'_> {
     ) -> ExitCode {
         let (done, all) = (ended.points(), self.points());
         if done < all.end - all.start {
+            let all = all.end - all.start;
             output::note(&format!(
-                "interrupted: {done} of {} points were finished and are kept",
-                all.end - all.start
+                "interrupted: {done} of {all} points were finished and are kept"
             ));
             return ExitCode::FAILURE;
         }
@@ -136,12 +136,8 @@ impl Job<'_> {
             }
         }
         if !matches!(table.target(), Target::None) && !table.json {
-            output::note(&format!(
-                "{} points in {}: {}",
-                ended.points(),
-                page::duration(start.elapsed().as_secs_f64()),
-                ended.outcomes
-            ));
+            let took = page::duration(start.elapsed().as_secs_f64());
+            output::note(&format!("{done} points in {took}: {}", ended.outcomes));
         }
         if ended.failed() > 0 {
             output::note(&format!("{} points failed: see the column `error`", ended.failed()));
