@@ -249,11 +249,8 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
         Err(error) => return (None, vec![error.message().to_owned()]),
     };
     if file.format != read::FORMAT {
-        let problem = format!(
-            "format = {} is not supported: this program reads format {}",
-            file.format,
-            read::FORMAT
-        );
+        let (own, known) = (file.format, read::FORMAT);
+        let problem = format!("format = {own} is not supported: this program reads format {known}");
         return (None, vec![problem]);
     }
     let mut problems = Vec::new();

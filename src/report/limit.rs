@@ -10,7 +10,7 @@ use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::compare::Load;
 use crate::study::limit::fit::ResidualLaw;
-use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
+use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 
 const LAW_POINTS: usize = 400;
@@ -94,10 +94,9 @@ pub fn few_samples(samples: usize) -> Option<String> {
 /// The band between the closures.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
+    let [double_yield, cavity] = [closures.double_yield_m_s, closures.cavity_m_s].map(shown);
     let each = format!(
-        "2 Y with dishing {}, cavity without dishing and with twice the C_d {}",
-        shown(closures.double_yield_m_s),
-        shown(closures.cavity_m_s)
+        "2 Y with dishing {double_yield}, cavity without dishing and with twice the C_d {cavity}"
     );
     closures.band_m_s().map_or_else(
         || each.clone(),
@@ -114,13 +113,9 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
     };
     let ends = |(low, high)| format!("{} to {}", known(low), known(high));
-    let mut v50 = format!(
-        "{} (95 %: {}), spread {}, 90 % in {} m/s",
-        known(found.v50_m_s),
-        ends(found.v50_95_m_s),
-        known(found.deviation_m_s),
-        ends(found.range90_m_s),
-    );
+    let [median, spread] = [found.v50_m_s, found.deviation_m_s].map(known);
+    let [ends_95, ends_90] = [found.v50_95_m_s, found.range90_m_s].map(ends);
+    let mut v50 = format!("{median} (95 %: {ends_95}), spread {spread}, 90 % in {ends_90} m/s");
     let (low, high) = RANGE_M_S;
     for (count, what) in [
         (found.above, format!("have a limit beyond {high} m/s")),
@@ -134,19 +129,13 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     if v50.contains('?') {
         v50.push_str("; ? = not known: the rank falls on samples without a limit in range");
     }
-    let through = format!(
-        "{} % of shots at the scene's {} (95 %: {} to {} %)",
-        percent(found.perforated),
-        velocity(report.scene.projectile.velocity_m_s, 4),
-        percent(found.perforated95.0),
-        percent(found.perforated95.1),
-    );
-    let mut inputs = format!(
-        "inputs +-{} % (standard deviation), {} samples, seed {}",
-        percent(asked.deviation),
-        asked.samples,
-        asked.seed
-    );
+    let (low, high) = found.perforated95;
+    let [part, low, high, deviation] = [found.perforated, low, high, asked.deviation].map(percent);
+    let own = velocity(report.scene.projectile.velocity_m_s, 4);
+    let through = format!("{part} % of shots at the scene's {own} (95 %: {low} to {high} %)");
+    let Sampling { samples, seed, .. } = asked;
+    let mut inputs =
+        format!("inputs +-{deviation} % (standard deviation), {samples} samples, seed {seed}");
     if asked.model == ModelError::default() {
         inputs.push_str("; model error excluded");
     } else {

@@ -373,12 +373,12 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
         || "write a finite number".to_owned(),
         |limit| format!("let the range end at {limit}"),
     );
+    let (symbol, meaning) = (variable.symbol, variable.meaning);
+    let rule = number.allowed.describe(number.quantity);
+    let value = format!("{value} {unit}");
+    let value = value.trim_end();
     SweepError(format!(
-        "axis {}: the range reaches {}, which is impossible: {} must be {}; {cure}",
-        variable.symbol,
-        format!("{value} {unit}").trim_end(),
-        variable.meaning,
-        number.allowed.describe(number.quantity)
+        "axis {symbol}: the range reaches {value}, which is impossible: {meaning} must be {rule}; {cure}"
     ))
 }
 
