@@ -67,8 +67,13 @@ impl ResidualLaw {
 
 /// (v^p - limit^p)^(1/p), 0 up to the limit; written so that large powers do not overflow.
 fn shape(v: f64, p: f64, limit: f64) -> f64 {
-    let ratio = (limit / v).powf(p);
-    if ratio < 1.0 { v * (1.0 - ratio).powf(1.0 / p) } else { 0.0 }
+    // A power of 2 or 1/2 may be off by a digit, a product or a square root is not.
+    let is_square = p - 2.0 == 0.0;
+    let part = limit / v;
+    let ratio = if is_square { part * part } else { part.powf(p) };
+    let left = 1.0 - ratio;
+    let root = if is_square { left.sqrt() } else { left.powf(1.0 / p) };
+    if ratio < 1.0 { v * root } else { 0.0 }
 }
 
 #[cfg(test)]
