@@ -124,12 +124,10 @@ fn counts(page: &mut String, report: &Report) {
     let (answered, asked) = auto.fold((0, 0), |(answered, asked), method| {
         (answered + method.measured().count(), asked + method.points.len())
     });
+    let (methods, lost) = (report.methods.len(), points - measured);
     let _ = writeln!(
         page,
-        "\n{} methods, {points} runs: {measured} compared, {} without result; auto answers {answered} of \
-         {asked}",
-        report.methods.len(),
-        points - measured
+        "\n{methods} methods, {points} runs: {measured} compared, {lost} without result; auto answers {answered} of {asked}"
     );
 }
 
@@ -196,13 +194,9 @@ fn references(page: &mut String, report: &Report) {
         let sure = reference
             .uncertainty
             .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
-        let _ = writeln!(
-            page,
-            "  {:<23}{depth}, {}, to {sure}{}",
-            reference.basis.words(),
-            engineering(reference.answer.t_s, "s", 6),
-            if letters.is_empty() { String::new() } else { format!(": {letters}") }
-        );
+        let (basis, end) = (reference.basis.words(), engineering(reference.answer.t_s, "s", 6));
+        let by = if letters.is_empty() { String::new() } else { format!(": {letters}") };
+        let _ = writeln!(page, "  {basis:<23}{depth}, {end}, to {sure}{by}");
     }
 }
 

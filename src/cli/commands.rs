@@ -1,6 +1,6 @@
 //! The commands of the program, a row each: what it is for, its name, what it does, and the function that carries it out.
 
-use std::process::ExitCode;
+use std::process::{ExitCode, Termination as _};
 
 use clap::{ArgMatches, Args, Command, CommandFactory as _};
 
@@ -32,7 +32,8 @@ macro_rules! commands {
             spelling: [$($or,)?].first().copied(),
             // The descriptions of shared arguments would replace its own.
             arguments: |command| augmented(command, cli::$module::run).about($about).long_about(None::<&str>),
-            run: |matches| cli::$module::run(&read(matches)?),
+            // Nothing to say of the end is success.
+            run: |matches| cli::$module::run(&read(matches)?).map(|end| end.report()),
         }),*];
     };
 }

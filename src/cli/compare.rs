@@ -163,11 +163,9 @@ fn axes(scene: &Scene, option: &str, text: &str) -> Result<[Axis; 2], CliError> 
 
 fn page(name: &str, report: &Report) -> String {
     let projectile = &report.scene.projectile;
-    let mut page = format!(
-        "{name}: does moving armour pay? {} g, design velocity {} m/s\n\n",
-        fixed_significant(1e3 * projectile.mass_kg, 4),
-        fixed_significant(projectile.velocity_m_s, 4)
-    );
+    let [gram, v] = [1e3 * projectile.mass_kg, projectile.velocity_m_s]
+        .map(|value| fixed_significant(value, 4));
+    let mut page = format!("{name}: does moving armour pay? {gram} g, design velocity {v} m/s\n\n");
     let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
     say(&mut page, &summary::verdict(report));
     if let Some(caution) = report.caution() {
@@ -212,30 +210,21 @@ fn masses(page: &mut String, report: &Report) {
         gram(report.hardware.mount_kg)
     );
     for part in &report.uncounted {
-        let _ = writeln!(
-            page,
-            "{part}: takes up energy, and its mass is not known; add it to --mount-mass"
-        );
+        let text = "takes up energy, and its mass is not known; add it to --mount-mass";
+        let _ = writeln!(page, "{part}: {text}");
     }
 }
 
 /// The energy that the springs take up per mass of their own.
 fn per_mass(scene: &Scene) -> String {
     let energy_j_kg = scene.mechanism.specific_energy_j_kg();
-    energy_j_kg.map_or_else(
-        || "unknown J/kg".to_owned(),
-        |energy| format!("{} J/kg", significant(energy, 4)),
-    )
+    let known = energy_j_kg.map(|energy| significant(energy, 4));
+    format!("{} J/kg", known.as_deref().unwrap_or("unknown"))
 }
 
 fn map_page(name: &str, map: &Map) -> String {
-    let (x, y) = (map.x(), map.y());
-    let mut page = format!(
-        "{name}: mass efficiency over {} and {}, springs of {}\n\n",
-        x.symbol(),
-        y.symbol(),
-        per_mass(map.scene())
-    );
+    let (x, y, energy) = (map.x().symbol(), map.y().symbol(), per_mass(map.scene()));
+    let mut page = format!("{name}: mass efficiency over {x} and {y}, springs of {energy}\n\n");
     let Some(drawn) = tables::picture(map).filter(|drawn| drawn.values().next().is_some()) else {
         page.push_str("no point has a mass efficiency\n");
         return page;

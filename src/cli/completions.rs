@@ -1,8 +1,6 @@
 //! `cmra completions SHELL`: a completion script, made from the arguments themselves, with the names of presets, variables and
 //! quantities.
 
-use std::process::ExitCode;
-
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command};
 use clap_complete::Shell;
@@ -21,9 +19,8 @@ pub(super) struct CompletionsArguments {
     shell: Shell,
 }
 
-pub(super) fn run(arguments: &CompletionsArguments) -> Result<ExitCode, CliError> {
-    output::print(&String::from_utf8_lossy(&script(arguments.shell)))?;
-    Ok(ExitCode::SUCCESS)
+pub(super) fn run(arguments: &CompletionsArguments) -> Result<(), CliError> {
+    output::print(&String::from_utf8_lossy(&script(arguments.shell)))
 }
 
 pub(super) fn script(shell: Shell) -> Vec<u8> {

@@ -1,7 +1,6 @@
 //! `cmra design`: what a designer works with that needs no simulation: a shot's formulas, the screening matrix, the principles.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
@@ -59,13 +58,12 @@ struct PrinciplesArguments {
     table: TableArguments,
 }
 
-pub(super) fn run(arguments: &DesignArguments) -> Result<ExitCode, CliError> {
-    let done = match &arguments.what {
+pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
+    match &arguments.what {
         What::Shot(arguments) => shot(arguments),
         What::Screening(arguments) => screening(arguments),
         What::Principles(arguments) => principles(arguments),
-    };
-    done.map(|()| ExitCode::SUCCESS)
+    }
 }
 
 fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
@@ -159,12 +157,8 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
     let sum: f64 = weights.iter().sum();
     let mut page = String::from("criterion                weight  printed\n");
     for (at, criterion) in CRITERIA.iter().enumerate() {
-        let _ = writeln!(
-            page,
-            "{criterion:<24}{:>5} %  {:>5} %",
-            significant(weights[at], 3),
-            significant(WEIGHTS_PERCENT[at], 3)
-        );
+        let [own, printed] = [weights[at], WEIGHTS_PERCENT[at]].map(|it| significant(it, 3));
+        let _ = writeln!(page, "{criterion:<24}{own:>5} %  {printed:>5} %");
     }
     let _ = writeln!(page, "{:<24}{:>5} %\n", "sum", significant(sum, 4));
     let _ = writeln!(page, "rank  concept                   total  printed       preset");

@@ -1,7 +1,6 @@
 //! `cmra explain NAME`: one variable or quantity, or all quantities, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -23,12 +22,7 @@ pub(super) struct ExplainArguments {
     table: TableArguments,
 }
 
-pub(super) fn run(arguments: &ExplainArguments) -> Result<ExitCode, CliError> {
-    explain(arguments)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
+pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let table = &arguments.table;
     table.check()?;
     let name = arguments.name.trim();
@@ -60,7 +54,7 @@ fn explain(arguments: &ExplainArguments) -> Result<(), CliError> {
     }
     line("default", &variables::default_of(variable));
     line("allowed", &variable.allowed());
-    if let Some((low, high)) = variables::thesis_range(variable) {
+    if let Some((low, high)) = variable.thesis_range() {
         let unit = variable.unit();
         line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
     }
@@ -80,13 +74,13 @@ fn example(variable: &crate::model::variables::Variable) -> String {
 fn quantity_page(quantity: &Quantity) -> String {
     let mut page = format!("{}: {}\n", quantity.name, quantity.meaning);
     let unit = quantity.unit();
-    let _ = writeln!(page, "  {:<12} {}", "unit", if unit.is_empty() { "none" } else { unit });
-    let _ = writeln!(page, "  {:<12} {}", "needs", quantity.needs().words());
-    let _ = writeln!(
-        page,
-        "  {:<12} sweep --outputs, seek --goal, optimise --minimise, --maximise and --subject-to, montecarlo --outputs, sensitivity --output",
-        "usable in"
-    );
+    let usable = "sweep --outputs, seek --goal, optimise --minimise, --maximise and --subject-to, montecarlo --outputs, sensitivity --output";
+    let unit = if unit.is_empty() { "none" } else { unit };
+    for (label, text) in
+        [("unit", unit), ("needs", quantity.needs().words()), ("usable in", usable)]
+    {
+        let _ = writeln!(page, "  {label:<12} {text}");
+    }
     page
 }
 

@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::text::{labelled, width};
+use crate::cli::text::{labelled_each, width};
 use crate::cli::{CliError, output, progress};
 use crate::files::{clean, shots};
 use crate::model::units::{engineering, fixed_significant, velocity};
@@ -72,33 +72,18 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
 fn page(file: &str, report: &Report, calibration: Option<(&str, &Calibration)>) -> String {
     let mut page = format!("{}: ballistic limit from shots\n\n", clean::line(file));
     let (all, through) = (report.shots.len(), report.perforated());
-    labelled(
-        &mut page,
-        "shots",
-        &format!("{all}: {} stopped, {through} perforated", all - through),
-    );
-    labelled(&mut page, "results", &results(report));
-    let fit = &report.logistic;
-    labelled(
-        &mut page,
-        "V50",
-        &format!(
-            "{}, 95 % confidence {}",
-            velocity(fit.v50_m_s, 5),
-            range(fit.range_m_s, |it| velocity(it, 5))
-        ),
-    );
-    labelled(
-        &mut page,
-        "curve",
-        &format!(
-            "10 % perforate at {}, 90 % at {} (logistic, {})",
-            velocity(fit.quantile_m_s(0.1), 5),
-            velocity(fit.quantile_m_s(0.9), 5),
-            fit.method.words()
-        ),
-    );
-    labelled(&mut page, "residual", &residual(report));
+    let (stopped, fit) = (all - through, &report.logistic);
+    let (v50, ends) = (velocity(fit.v50_m_s, 5), range(fit.range_m_s, |it| velocity(it, 5)));
+    let [low, high] = [0.1, 0.9].map(|fraction| velocity(fit.quantile_m_s(fraction), 5));
+    let method = fit.method.words();
+    let lines = [
+        ("shots", format!("{all}: {stopped} stopped, {through} perforated")),
+        ("results", results(report)),
+        ("V50", format!("{v50}, 95 % confidence {ends}")),
+        ("curve", format!("10 % perforate at {low}, 90 % at {high} (logistic, {method})")),
+        ("residual", residual(report)),
+    ];
+    labelled_each(&mut page, &lines);
     if let Some((scene, calibration)) = calibration {
         page.push('\n');
         calibrated(&mut page, scene, calibration);
@@ -136,12 +121,10 @@ fn residual(report: &Report) -> String {
             )
         },
         |law| {
+            let [a, p] = [law.a, law.p].map(|it| fixed_significant(it, 4));
+            let [limit, error] = [law.limit_m_s, law.misfit_m_s].map(|it| velocity(it, 5));
             format!(
-                "v_r = a (v^p - v_l^p)^(1/p): a = {}, p = {}, v_l = {}; RMS error {} over {count} shots",
-                fixed_significant(law.a, 4),
-                fixed_significant(law.p, 4),
-                velocity(law.limit_m_s, 5),
-                velocity(law.misfit_m_s, 5)
+                "v_r = a (v^p - v_l^p)^(1/p): a = {a}, p = {p}, v_l = {limit}; RMS error {error} over {count} shots"
             )
         },
     )
@@ -152,30 +135,18 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
         || "has no limit".to_owned(),
         |v| format!("has a limit of {}", velocity(v, 5)),
     );
-    labelled(
-        page,
-        "scene",
-        &format!(
-            "{}: with {} = {} it {own}",
-            clean::line(scene),
-            found.symbol,
-            strength(found.own_pa)
-        ),
-    );
+    let (scene, own_strength) = (clean::line(scene), strength(found.own_pa));
+    let (symbol, ends) = (found.symbol, range(found.range_pa, strength));
     let fitted = found.from_limit_pa.map_or_else(
-        || format!("no {} gives the scene this V50", found.symbol),
+        || format!("no {symbol} gives the scene this V50"),
         |value| {
+            let shown = strength(value);
             format!(
-                "{} = {} gives it this V50; confidence {}; try --set {}={value:.0}",
-                found.symbol,
-                strength(value),
-                range(found.range_pa, strength),
-                found.symbol
+                "{symbol} = {shown} gives it this V50; confidence {ends}; try --set {symbol}={value:.0}"
             )
         },
     );
-    labelled(page, "calibrated", &fitted);
-    if let Some(depths) = found.from_depths {
+    let from_depths = found.from_depths.map_or_else(String::new, |depths| {
         let scatter = depths
             .deviation_pa
             .map_or_else(String::new, |it| format!(", standard deviation {}", strength(it)));
@@ -183,17 +154,15 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
             0 => String::new(),
             count => format!("; no strength gives the depth of {count} more"),
         };
-        labelled(
-            page,
-            "from depths",
-            &format!(
-                "{} = {}{scatter}, mean over {} stopped shots{left_out}",
-                found.symbol,
-                strength(depths.mean_pa),
-                depths.shots
-            ),
-        );
-    }
+        let (mean, shots) = (strength(depths.mean_pa), depths.shots);
+        format!("{symbol} = {mean}{scatter}, mean over {shots} stopped shots{left_out}")
+    });
+    let lines = [
+        ("scene", format!("{scene}: with {symbol} = {own_strength} it {own}")),
+        ("calibrated", fitted),
+        ("from depths", from_depths),
+    ];
+    labelled_each(page, &lines);
 }
 
 fn strength(value: f64) -> String {

@@ -1,7 +1,6 @@
 //! `cmra help [TOPIC]`, and the commands in groups at the top of `cmra --help`.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::{Args, Command};
 
@@ -59,10 +58,9 @@ fn grouped() -> String {
 }
 
 /// Print a topic, the help of a command, or the list of topics.
-pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &HelpArguments) -> Result<(), CliError> {
     let Some(name) = arguments.topic.as_deref() else {
-        output::print(&list())?;
-        return Ok(ExitCode::SUCCESS);
+        return output::print(&list());
     };
     let mut command = command();
     command.build();
@@ -75,8 +73,7 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
     } else {
         return Err(unknown(name));
     };
-    output::print(&text)?;
-    Ok(ExitCode::SUCCESS)
+    output::print(&text)
 }
 
 fn unknown(name: &str) -> CliError {

@@ -1,7 +1,6 @@
 //! `cmra install`: manual pages and completion scripts, where `man` and the shells look for them.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 use clap_complete::Shell;
@@ -24,7 +23,7 @@ const SCRIPTS: [(Shell, &str); 3] = [
     (Shell::Fish, "fish/vendor_completions.d/cmra.fish"),
 ];
 
-pub(super) fn run(arguments: &InstallArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &InstallArguments) -> Result<(), CliError> {
     let share = match &arguments.prefix {
         Some(prefix) => prefix.join("share"),
         None => paths::share_of_user()?,
@@ -48,5 +47,5 @@ pub(super) fn run(arguments: &InstallArguments) -> Result<ExitCode, CliError> {
     }
     let zsh = share.join("zsh/site-functions");
     output::note(&format!("zsh needs `fpath+=({})` before `compinit` in ~/.zshrc", zsh.display()));
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }

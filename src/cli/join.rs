@@ -1,7 +1,6 @@
 //! `cmra join PART...`: the parts of a sweep as the one file that a single run would have written.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -29,7 +28,7 @@ pub(super) struct JoinArguments {
     force: bool,
 }
 
-pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &JoinArguments) -> Result<(), CliError> {
     let existing = Existing::replaced(arguments.force);
     let path = arguments.csv.clone().filter(|path| path.as_os_str() != "-");
     let to = path.map(|path| Destination { path, existing, meta: Meta::Beside });
@@ -40,11 +39,10 @@ pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
         None => output::print_bytes(piece),
     })?;
     let (Some(to), Some(file)) = (to, file) else {
-        output::print("")?;
-        return Ok(ExitCode::SUCCESS);
+        return output::print("");
     };
     let written = to.finish(file, &[whole.beside()])?;
     output::note(&format!("joined {} parts", whole.count()));
     output::note_written(&written);
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }

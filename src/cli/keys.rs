@@ -1,7 +1,6 @@
 //! `cmra keys`: every key of the workbench.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use crate::cli::commands::NoArguments;
 use crate::cli::{CliError, output};
@@ -12,9 +11,8 @@ use crate::tui::pages::all_panes;
 /// Width of the text of a key, for a terminal of 80 columns.
 const HELP_WIDTH: usize = 52;
 
-pub(super) fn run(_: &NoArguments) -> Result<ExitCode, CliError> {
-    output::print(&page())?;
-    Ok(ExitCode::SUCCESS)
+pub(super) fn run(_: &NoArguments) -> Result<(), CliError> {
+    output::print(&page())
 }
 
 /// The table of keys: what each means in every pane, then what it does in particular in each.

@@ -1,13 +1,12 @@
 //! `cmra libraries`: threats, materials and absorbers, bundled and own.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::Args;
 use serde_json::{Map, Value, json};
 
 use crate::cli::table::choice;
-use crate::cli::text::labelled;
+use crate::cli::text::labelled_each;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
@@ -33,7 +32,7 @@ fn about(library: Library) -> &'static str {
     }
 }
 
-pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
     let (entries, problems) = library::list(Paths::of_user().ok().as_ref());
     let of = |library| entries.iter().filter(move |entry| entry.library == library);
     let shown = Library::ALL
@@ -51,7 +50,7 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> 
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }
 
 fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> String {
@@ -61,10 +60,8 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
         let name = clean::line(&entry.name);
         let _ = writeln!(text, "\n  {name}: {}{own}", clean::line(&entry.title));
         let status = entry.status.word();
-        let rows = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
-        for (label, words) in rows.into_iter().filter(|(_, words)| !words.is_empty()) {
-            labelled(&mut text, label, &clean::line(words));
-        }
+        let lines = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
+        labelled_each(&mut text, &lines.map(|(label, words)| (label, clean::line(words))));
     }
     text
 }

@@ -132,12 +132,9 @@ fn head(page: &mut String, report: &Report) {
     *page += &hanging("criterion       ", report.criterion.label(), LABEL);
     if let Some(margin) = report.margin() {
         let side = if margin < 0.0 { "which perforates" } else { "which is stopped" };
-        let _ = writeln!(
-            page,
-            "margin          {:+.1} % relative to the scene's {}: {side}",
-            100.0 * margin,
-            velocity(own, 6)
-        );
+        let (percent, own) = (100.0 * margin, velocity(own, 6));
+        let _ =
+            writeln!(page, "margin          {percent:+.1} % relative to the scene's {own}: {side}");
     }
     page.push('\n');
 }

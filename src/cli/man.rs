@@ -1,7 +1,5 @@
 //! `cmra man [SUBCOMMAND]`: the manual pages, made from the arguments themselves.
 
-use std::process::ExitCode;
-
 use clap::{Args, Command};
 
 use crate::cli::{CliError, commands, output};
@@ -13,7 +11,7 @@ pub(super) struct ManArguments {
     subcommand: Option<String>,
 }
 
-pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &ManArguments) -> Result<(), CliError> {
     let mut command = commands::whole();
     if let Some(name) = &arguments.subcommand {
         let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
@@ -22,8 +20,7 @@ pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
         let found = command.find_subcommand(name).cloned();
         command = found.ok_or_else(|| CliError::Option(unknown()))?;
     }
-    output::print(&String::from_utf8_lossy(&page(command)?.content))?;
-    Ok(ExitCode::SUCCESS)
+    output::print(&String::from_utf8_lossy(&page(command)?.content))
 }
 
 pub(super) struct Page {

@@ -201,13 +201,11 @@ fn front_lines(page: &mut String, task: &Task, front: &Front) {
         (_, _) => format!("a front of {count} designs"),
     };
     let early = if front.is_complete { "" } else { ", stopped early" };
+    let Front { runs, generations, .. } = front;
+    let (law, seed) = (front.law.word(), task.effort.seed);
     let _ = writeln!(
         page,
-        "\ninterface {}: {kind} ({} runs, {} generations, seed {}{early})",
-        front.law.word(),
-        front.runs,
-        front.generations,
-        task.effort.seed
+        "\ninterface {law}: {kind} ({runs} runs, {generations} generations, seed {seed}{early})"
     );
     if front.given_up > 0 {
         let count = front.given_up;

@@ -1,12 +1,10 @@
 //! `cmra paths`: where this program keeps its files.
 
-use std::process::ExitCode;
-
 use crate::cli::commands::NoArguments;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 
-pub(super) fn run(_: &NoArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(_: &NoArguments) -> Result<(), CliError> {
     let paths = Paths::of_user()?;
     output::print(&format!(
         "config    {}\npresets   {}\nsession   {}\nprevious  {}\nlog       {}\n",
@@ -15,6 +13,5 @@ pub(super) fn run(_: &NoArguments) -> Result<ExitCode, CliError> {
         paths.session_file().display(),
         paths.previous_session_file().display(),
         paths.log_file().display()
-    ))?;
-    Ok(ExitCode::SUCCESS)
+    ))
 }

@@ -41,17 +41,14 @@ impl PictureArguments {
         if let Some(path) = self.svg.as_ref().filter(|_| !self.is_stdout()) {
             let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
             if OTHER_FORMATS.contains(&&*ending) {
-                return Err(CliError::Option(format!(
-                    "--svg {}: pictures are SVG; name the file {}",
-                    path.display(),
-                    path.with_extension("svg").display()
-                )));
+                let (path, svg) = (path.display(), path.with_extension("svg"));
+                let text =
+                    format!("--svg {path}: pictures are SVG; name the file {}", svg.display());
+                return Err(CliError::Option(text));
             }
+            atomic::check(path, table.existing())?;
         }
-        match &self.svg {
-            Some(path) if !self.is_stdout() => Ok(atomic::check(path, table.existing())?),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// Writes them; an interrupted result is not drawn.

@@ -1,7 +1,6 @@
 //! `cmra presets [show NAME]`: bundled and own presets, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
@@ -31,18 +30,17 @@ enum Action {
     },
 }
 
-pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
     match &arguments.action {
         None | Some(Action::List) => list(&arguments.table),
         Some(Action::Show { .. })
             if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
         {
             let text = "presets show prints the preset's file: --json and --csv are for the list";
-            return Err(CliError::Option(text.to_owned()));
+            Err(CliError::Option(text.to_owned()))
         }
         Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
-    }?;
-    Ok(ExitCode::SUCCESS)
+    }
 }
 
 fn list(table: &TableArguments) -> Result<(), CliError> {

@@ -41,11 +41,9 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
     let format = Format::of(path).ok_or_else(|| {
-        CliError::Option(format!(
-            "-o {}: a report is .html or .md, for example -o {}",
-            path.display(),
-            path.with_extension("html").display()
-        ))
+        let (path, html) = (path.display(), path.with_extension("html"));
+        let example = html.display();
+        CliError::Option(format!("-o {path}: a report is .html or .md, for example -o {example}"))
     })?;
     atomic::check(path, existing)?;
     let preset = arguments.scene.load()?;

@@ -91,9 +91,7 @@ fn page(report: &[Row], differences: usize) -> String {
             ("as printed", row.found.printed.as_str()),
             ("cause", claim.cause),
         ];
-        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
-            text::labelled(&mut page, label, said);
-        }
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     page.push_str(&summary(report, differences));
@@ -118,12 +116,9 @@ fn summary(report: &[Row], differences: usize) -> String {
             "{differences} verdicts differ from those stored with this program (listed on standard error)."
         )
     };
+    let [computed, read, none] = [Basis::Computed, Basis::Read, Basis::None].map(on);
+    let (rows, verdicts) = (report.len(), verdicts.join(", "));
     format!(
-        "{} rows: {} computed ({runs} runs), {} read from the text, {} not checked.\nVerdicts: {}.\n{stored}\n",
-        report.len(),
-        on(Basis::Computed),
-        on(Basis::Read),
-        on(Basis::None),
-        verdicts.join(", ")
+        "{rows} rows: {computed} computed ({runs} runs), {read} read from the text, {none} not checked.\nVerdicts: {verdicts}.\n{stored}\n"
     )
 }

@@ -130,7 +130,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
         arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
-        let found = compare_models(&preset, what)?;
+        let found = compare(&preset.scene, what, &mut clock::processor_s)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
@@ -263,10 +263,6 @@ fn summary(computed: &Computed) -> String {
         }
     }
     at_top(&page, &warnings(run))
-}
-
-fn compare_models(preset: &Preset, what: What) -> Result<Comparison, CliError> {
-    Ok(compare(&preset.scene, what, &mut clock::processor_s)?)
 }
 
 fn models_page(name: &str, found: &Comparison) -> String {

@@ -18,7 +18,7 @@ use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, PlateSize, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::{self, Bare, Quantity, shortest};
-use crate::model::variables::{self, Kind, VARIABLES, Variable, used_when};
+use crate::model::variables::{self, VARIABLES, Variable, used_when};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
 
@@ -171,7 +171,7 @@ impl Changes {
 
 /// The power law of a coefficient that was written in the unit of a linear one, where its exponent is not 1.
 fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw> {
-    let Kind::Number(number) = &variable.kind else { return None };
+    let number = variable.number()?;
     let (linear, exponent) = match number.quantity {
         Quantity::SpringCoefficient => {
             let (which, _) = WhichSpring::of_key(variable.key)?;

@@ -79,22 +79,18 @@ fn page(name: &str, report: &Report, is_plastic: bool) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();
     let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
+    let (symbol, measure, points) = (axis.symbol(), report.measure.title(), report.scan.len());
+    let (target, runs) = (report.measure.show(report.target, 6), report.runs);
+    let [low, high] = [low, high].map(|end| axis.show(end, 6));
     let mut page = format!(
-        "{name}: which {} gives {} = {}?\n{} points from {} to {}{spacing}, {} runs in all\n\n",
-        axis.symbol(),
-        report.measure.title(),
-        report.measure.show(report.target, 6),
-        report.scan.len(),
-        axis.show(low, 6),
-        axis.show(high, 6),
-        report.runs
+        "{name}: which {symbol} gives {measure} = {target}?\n{points} points from {low} to {high}{spacing}, {runs} runs in all\n\n"
     );
     let solutions = report.solutions().map(|found| solution(report, found));
     for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
         let _ = writeln!(page, "  {line}");
     }
     if let Some(solution) = report.solutions().next() {
-        let set = format!("{}={}", axis.symbol(), shortest(solution.place.at));
+        let set = format!("{symbol}={}", shortest(solution.place.at));
         let law = if is_plastic { " --set interface=plastic" } else { "" };
         let _ = writeln!(page, "\n`--set {set}{law}` runs it");
     }

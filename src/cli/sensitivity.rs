@@ -111,38 +111,24 @@ fn sobol(page: &mut String, report: &Report) {
         "Sobol's indices: fractions of the variance, 95 % intervals ({} samples, seed {})",
         found.rows, report.effort.seed
     );
-    *page += &table("", report).page(
-        &[
-            "variable",
-            "sobol_first",
-            "sobol_first_low_95",
-            "sobol_first_high_95",
-            "sobol_total",
-            "sobol_total_low_95",
-            "sobol_total_high_95",
-        ],
-        width(),
-    );
+    let mut keys = table("", report).keys();
+    keys.retain(|key| *key == "variable" || key.starts_with("sobol_"));
+    *page += &table("", report).page(&keys, width());
     let deviation = found.variance.is_finite().then(|| found.variance.sqrt());
     let mean = found.mean.is_finite().then_some(found.mean);
-    let _ = writeln!(
-        page,
-        "  mean {}, standard deviation {}",
-        report.output.show_any(mean, 4),
-        report.output.show_any(deviation, 4)
-    );
+    let [mean, deviation] = [mean, deviation].map(|it| report.output.show_any(it, 4));
+    let _ = writeln!(page, "  mean {mean}, standard deviation {deviation}");
     if found.inputs.iter().all(|input| input.first.is_none()) {
         page.push_str(
             "  no indices: the result does not vary, or has no value, over these bounds\n",
         );
     }
     if found.used < found.rows {
+        let (lost, all) = (found.rows - found.used, found.rows);
         let _ = writeln!(
             page,
-            "  {} of {} samples have a point without a value (perforated, moving or failed) and are not counted: the indices are \
-             those of the rest",
-            found.rows - found.used,
-            found.rows
+            "  {lost} of {all} samples have a point without a value (perforated, moving or failed) and are not counted: the indices \
+             are those of the rest"
         );
     }
 }

@@ -58,19 +58,19 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
     arguments.study.table.alone().deliver_report(&page, &object, &table(&rows))?;
-    let mut good = true;
-    for row in &rows {
-        if let Some(shortfall) = row.shortfall {
-            good = false;
-            output::note(&format!(
-                "{} fails: {} ({})",
-                row.case.name,
-                shortfall.words(),
-                row.run.end.words()
-            ));
-        }
+    let failures: Vec<String> = failures(&rows).collect();
+    for failure in &failures {
+        output::note(failure);
     }
-    Ok(progress::exit_code(good))
+    Ok(progress::exit_code(failures.is_empty()))
+}
+
+/// A sentence for each scene that fails.
+fn failures(rows: &[Row]) -> impl Iterator<Item = String> {
+    rows.iter().filter_map(|row| {
+        let (name, end) = (row.case.name, row.run.end.words());
+        Some(format!("{name} fails: {} ({end})", row.shortfall?.words()))
+    })
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
@@ -98,12 +98,7 @@ fn battery_page(rows: &[Row], took_s: f64, width: usize) -> String {
         keys.extend(["reference", "why_hard"]);
     }
     let mut text = table(rows).page(&keys, if width >= WIDE { usize::MAX } else { width });
-    for row in rows {
-        if let Some(shortfall) = row.shortfall {
-            let end = row.run.end.words();
-            let _ = writeln!(text, "{} fails: {} ({end})", row.case.name, shortfall.words());
-        }
-    }
+    text.extend(failures(rows).map(|failure| failure + "\n"));
     text.push('\n');
     text.push_str(LEGEND);
     summary(&mut text, rows, took_s);
@@ -127,12 +122,10 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     let short: Vec<&str> =
         rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
     let without = rows.iter().filter(|row| row.basis == Basis::None).count();
+    let (all, passed) = (rows.len(), rows.len() - short.len());
     let _ = writeln!(
         text,
-        "{} of {} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
-        rows.len() - short.len(),
-        rows.len(),
-        took_s
+        "{passed} of {all} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {took_s:.1} s"
     );
     if !short.is_empty() {
         let _ = writeln!(text, "auto fails on: {}", short.join("; "));
@@ -145,9 +138,8 @@ fn map_page(map: &Map, scene: &str) -> String {
         .largest_stable_dt_s
         .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
     let picture = draw::map(&tables::picture(map), draw::MAP);
+    let (method, symbol) = (map.method.name(), map.axis.symbol());
     format!(
-        "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
-        map.method.name(),
-        map.axis.symbol()
+        "{method} on {scene}: time step against {symbol}\n\n{picture}\nlargest stable dt of this scene: {largest}\n"
     )
 }

@@ -86,9 +86,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         Target::File(to) => Some(to.begin()?),
         Target::None | Target::Stdout => None,
     };
-    job.announce_if_long();
+    let points = job.points();
+    announce_if_long(&plan, points.end - points.start, "points", threads);
     let start = Instant::now();
-    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &job.points());
+    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &points);
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
@@ -122,9 +123,9 @@ impl Job<'_> {
     ) -> ExitCode {
         let (done, all) = (ended.points(), self.points());
         if done < all.end - all.start {
+            let all = all.end - all.start;
             output::note(&format!(
-                "interrupted: {done} of {} points were finished and are kept",
-                all.end - all.start
+                "interrupted: {done} of {all} points were finished and are kept"
             ));
             return ExitCode::FAILURE;
         }
@@ -135,12 +136,8 @@ impl Job<'_> {
             }
         }
         if !matches!(table.target(), Target::None) && !table.json {
-            output::note(&format!(
-                "{} points in {}: {}",
-                ended.points(),
-                page::duration(start.elapsed().as_secs_f64()),
-                ended.outcomes
-            ));
+            let took = page::duration(start.elapsed().as_secs_f64());
+            output::note(&format!("{done} points in {took}: {}", ended.outcomes));
         }
         if ended.failed() > 0 {
             output::note(&format!("{} points failed: see the column `error`", ended.failed()));
@@ -211,12 +208,6 @@ impl Job<'_> {
             output::note_written(&written?);
         }
         Ok(summary)
-    }
-
-    /// Reports that the points will take long, if so.
-    fn announce_if_long(&self) {
-        let points = self.points();
-        announce_if_long(self.plan, points.end - points.start, "points", self.threads);
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -30,6 +30,13 @@ pub(super) fn labelled(page: &mut String, label: &str, text: &str) {
     page.push_str(&hanging(&format!("    {label:<12}"), text, 16));
 }
 
+/// The same for several, without those of which there is nothing to say.
+pub(super) fn labelled_each(page: &mut String, lines: &[(&str, impl AsRef<str>)]) {
+    for (label, text) in lines.iter().filter(|(_, text)| !text.as_ref().is_empty()) {
+        labelled(page, label, text.as_ref());
+    }
+}
+
 /// Wraps the lines of a page: a longer line continues below its last column if that begins in the left half, else indented.
 pub(super) fn fitted(page: &str) -> String {
     let room = width();

@@ -49,16 +49,12 @@ fn page(report: &[Row]) -> String {
         let scene = format!("{} {}", case.preset, case.set);
         let _ = writeln!(page, "{}  [{}]", case.id, scene.trim_end());
         let known = case.resolution.map_or_else(String::new, |it| format!(" +- {}", show(it)));
+        let computed = row.computed.map_or_else(absent, off);
+        let ratio = format!("h/D = {}", fixed_significant(row.thickness_ratio, 3));
+        let (made_of, pressure) = (case.projectile, engineering(row.pressure_pa, "Pa", 4));
         let lines = [
             ("measured", format!("{} {}{known}", case.quantity.word(), show(case.measured))),
-            (
-                "computed",
-                format!(
-                    "{} by {}",
-                    row.computed.map_or_else(absent, off),
-                    closure_words(row.closure)
-                ),
-            ),
+            ("computed", format!("{computed} by {}", closure_words(row.closure))),
             (
                 "alternative",
                 row.other.map_or_else(String::new, |value| {
@@ -71,34 +67,19 @@ fn page(report: &[Row]) -> String {
                     format!("{} by {}", off(value), closure_words(other))
                 }),
             ),
-            (
-                "plate",
-                row.beyond.clone().unwrap_or_else(|| {
-                    format!("h/D = {}", fixed_significant(row.thickness_ratio, 3))
-                }),
-            ),
+            ("plate", row.beyond.clone().unwrap_or(ratio)),
             ("nose", case.nose.to_owned()),
-            (
-                "projectile",
-                format!(
-                    "{}; invalid if the projectile yields below {}",
-                    case.projectile,
-                    engineering(row.pressure_pa, "Pa", 4)
-                ),
-            ),
+            ("projectile", format!("{made_of}; invalid if the projectile yields below {pressure}")),
             ("caution", case.caution.to_owned()),
             ("source", case.source.to_owned()),
         ];
-        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
-            text::labelled(&mut page, label, said);
-        }
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     for it in &measurements().not_checked {
         let _ = writeln!(page, "{}  [cannot be checked]", it.id);
-        for (label, said) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
-            text::labelled(&mut page, label, said);
-        }
+        let lines = [("says", it.says), ("why not", it.why), ("source", it.source)];
+        text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
     page.push_str(&summary(report));

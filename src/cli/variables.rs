@@ -1,27 +1,17 @@
 //! `cmra variables`: every variable of a scene, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
-use std::process::ExitCode;
-
-use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::table::TableArguments;
 use crate::cli::text::hanging;
 use crate::model::scene::Scene;
-use crate::model::variables::{Group, Kind, VARIABLES, Variable, used_when};
+use crate::model::variables::{Group, VARIABLES, Variable, used_when};
 use crate::report::table::Table;
 
-#[derive(Debug, Args)]
-pub(super) struct VariablesArguments {
-    #[command(flatten)]
-    table: TableArguments,
-}
-
-pub(super) fn run(arguments: &VariablesArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
-    arguments.table.alone().deliver(&page(), &rows(&VARIABLES))?;
-    Ok(ExitCode::SUCCESS)
+pub(super) fn run(table: &TableArguments) -> Result<(), CliError> {
+    table.check()?;
+    table.alone().deliver(&page(), &rows(&VARIABLES))
 }
 
 /// Variables with everything that is known of them, a row each.
@@ -35,17 +25,10 @@ pub(super) fn rows(variables: &[Variable]) -> Table<'_, &Variable> {
         .with("unit", "unit", "", |it| it.unit())
         .with("default", "default", "", |it| it.show(&Scene::default()))
         .with("allowed", "allowed", "", |it| it.allowed())
-        .with("thesis_low", "thesis from", "", |it| Some(thesis_range(it)?.0))
-        .with("thesis_high", "thesis to", "", |it| Some(thesis_range(it)?.1))
+        .with("thesis_low", "thesis from", "", |it| Some(it.thesis_range()?.0))
+        .with("thesis_high", "thesis to", "", |it| Some(it.thesis_range()?.1))
         .with("used_when", "used when", "", |it| used_when(it))
         .with("source", "source", "", |it| it.source)
-}
-
-pub(super) fn thesis_range(variable: &Variable) -> Option<(f64, f64)> {
-    match &variable.kind {
-        Kind::Number(number) => number.thesis_range,
-        Kind::Choice(_) | Kind::Switch { .. } => None,
-    }
 }
 
 /// Its default with the unit.

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
+use std::os::unix::fs::{FileTypeExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -50,9 +51,6 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
 }
 
 /// Make the folder of a file, where it is missing.
-///
-/// # Errors
-/// [`FileError::Write`].
 pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
     let folder = directory_of(path);
     fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))
@@ -60,18 +58,12 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 
 /// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
 /// behind.
-///
-/// # Errors
-/// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
     Growing::prepare(path, existing).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
 /// terminal that is drawn on.
-///
-/// # Errors
-/// [`FileError::Refused`].
 pub fn ordinary(path: &Path) -> Result<(), FileError> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() && !found.is_dir() => Err(FileError::special(path)),
@@ -82,7 +74,6 @@ pub fn ordinary(path: &Path) -> Result<(), FileError> {
 /// Whether this is a pipe in a folder: opening it waits for another program, which may never come. Those that a shell hands over
 /// (`<(...)`, `/dev/stdout`) have their other end already.
 pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
-    use std::os::unix::fs::FileTypeExt as _;
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
@@ -187,9 +178,6 @@ enum Place {
 
 impl Growing {
     /// Begin.
-    ///
-    /// # Errors
-    /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         clear_leftovers(directory_of(path));
         let mut file = Self::prepare(path, existing)?;
@@ -221,8 +209,8 @@ impl Growing {
             return Err(FileError::target(path, problem));
         }
         let mut builder = tempfile::Builder::new();
-        builder.prefix(PREFIX).suffix(SUFFIX);
-        usual_permissions(&mut builder);
+        // The permissions of any new file: of these the system takes away what the user's mask says.
+        builder.prefix(PREFIX).suffix(SUFFIX).permissions(fs::Permissions::from_mode(0o666));
         let file = builder.tempfile_in(directory_of(&target)).map_err(failed)?;
         // So that no other program takes it for one that was left behind.
         let _ = lock(file.as_file());
@@ -234,9 +222,6 @@ impl Growing {
     }
 
     /// Add a piece.
-    ///
-    /// # Errors
-    /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
             Place::Beside(file) => file.as_file_mut().write_all(content),
@@ -301,16 +286,6 @@ fn directory_of(target: &Path) -> &Path {
         _ => Path::new("."),
     }
 }
-
-/// The permissions of any new file: of these the system takes away what the user's mask says.
-#[cfg(unix)]
-fn usual_permissions(builder: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt as _;
-    builder.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn usual_permissions(_builder: &mut tempfile::Builder<'_, '_>) {}
 
 #[cfg(test)]
 mod tests {

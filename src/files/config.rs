@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 use crate::files::error::FileError;
 use crate::files::read::{self, Accepts};
@@ -16,29 +16,25 @@ pub struct Config {
     pub characters: Option<String>,
     /// The colours: `none`, `sixteen`, `256` or `full`.
     pub colours: Option<String>,
-    /// Keys by the names of actions: `undo = "U"` or `undo = ["u", "U"]`.
-    pub keys: BTreeMap<String, Keys>,
+    /// Keys by the names of actions: `undo = "U"` or `undo = ["u", "U"]`; help shows the first one.
+    #[serde(deserialize_with = "lists")]
+    pub keys: BTreeMap<String, Vec<String>>,
 }
 
-/// One key or several.
-#[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
-#[serde(untagged)]
-pub enum Keys {
-    /// A single key.
-    One(String),
-    /// Several keys; help shows the first one.
-    Several(Vec<String>),
-}
-
-impl Config {
-    /// The keys by the names of actions.
-    pub fn wanted_keys(&self) -> BTreeMap<String, Vec<String>> {
-        let list = |keys: &Keys| match keys {
-            Keys::One(key) => vec![key.clone()],
-            Keys::Several(keys) => keys.clone(),
-        };
-        self.keys.iter().map(|(name, keys)| (name.clone(), list(keys))).collect()
+/// One key or several by each name.
+fn lists<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, Vec<String>>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Keys {
+        One(String),
+        Several(Vec<String>),
     }
+    let list = |keys| match keys {
+        Keys::One(key) => vec![key],
+        Keys::Several(keys) => keys,
+    };
+    let keys: BTreeMap<String, Keys> = Deserialize::deserialize(file)?;
+    Ok(keys.into_iter().map(|(name, keys)| (name, list(keys))).collect())
 }
 
 /// Reads the configuration; empty if there is no file.
@@ -73,7 +69,7 @@ mod tests {
         std::fs::write(&path, text).unwrap();
         let config = load(&path).unwrap();
         assert_eq!(config.characters.as_deref(), Some("ascii"));
-        assert_eq!(config.wanted_keys()["run"], ["r", "F5"]);
+        assert_eq!(config.keys["run"], ["r", "F5"]);
         std::fs::write(&path, "colour = \"none\"\n").unwrap();
         let refused = load(&path).unwrap_err();
         assert!(refused.contains("line 1") && refused.contains("colours"), "{refused}");

@@ -57,6 +57,9 @@ pub enum FileError {
     /// A table cannot be put into CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[from] csv::Error),
+    /// A column that is wanted does not exist.
+    #[error(transparent)]
+    Column(#[from] NoColumn),
     /// No home directory is known.
     #[error("no home directory is known: set HOME, or XDG_DATA_HOME and XDG_STATE_HOME")]
     NoHome,
@@ -89,12 +92,6 @@ impl FileError {
     /// A file that cannot be written to.
     pub(super) fn target(path: &Path, problem: &str) -> Self {
         Self::Refused(format!("`{}` cannot be the target: {problem}", shown(path)))
-    }
-}
-
-impl From<NoColumn> for FileError {
-    fn from(error: NoColumn) -> Self {
-        Self::Refused(error.to_string())
     }
 }
 

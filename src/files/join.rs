@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use csv::ReaderBuilder;
 
-use crate::files::error::FileError;
+use crate::files::error::{FileError, shown};
 use crate::files::export::{self, Beside};
 use crate::files::read::{self, Accepts};
 use crate::files::shard::Part;
@@ -50,11 +50,9 @@ impl Whole {
         };
         for other in others {
             if let Some(difference) = difference(first, other) {
-                return Err(refuse(format!(
-                    "`{}` and `{}` are parts of different sweeps: {difference}",
-                    shown(&first.path),
-                    shown(&other.path)
-                )));
+                let (first, other) = (shown(&first.path), shown(&other.path));
+                let text = format!("`{first}` and `{other}` are parts of different sweeps");
+                return Err(refuse(format!("{text}: {difference}")));
             }
         }
         each_once(&found)?;
@@ -109,18 +107,13 @@ fn refuse(problem: String) -> FileError {
     FileError::Refused(problem)
 }
 
-fn shown(path: &Path) -> String {
-    path.display().to_string()
-}
-
 fn found(path: &Path) -> Result<Found, FileError> {
     let beside = export::sidecar_path(path, None);
     std::fs::metadata(path).map_err(|source| FileError::read(path, source))?;
     if !beside.exists() {
+        let (path, beside) = (shown(path), shown(&beside));
         return Err(refuse(format!(
-            "`{}` has no `{}` beside it, which names its part: make the parts with --shard and without --meta inline",
-            shown(path),
-            shown(&beside)
+            "`{path}` has no `{beside}` beside it, which names its part: make the parts with --shard and without --meta inline"
         )));
     }
     let text = read::text_file(&beside, Accepts::Handed, read::BYTES_MAX)?;
@@ -170,12 +163,9 @@ fn each_once(found: &[Found]) -> Result<(), FileError> {
     let number = |one: &Found| one.part.shard.place().0;
     for pair in found.windows(2) {
         if number(&pair[0]) == number(&pair[1]) {
-            return Err(refuse(format!(
-                "`{}` and `{}` are both part {}: omit one",
-                shown(&pair[0].path),
-                shown(&pair[1].path),
-                pair[0].part.shard
-            )));
+            let [one, other] = [&pair[0], &pair[1]].map(|it| shown(&it.path));
+            let shard = pair[0].part.shard;
+            return Err(refuse(format!("`{one}` and `{other}` are both part {shard}: omit one")));
         }
     }
     let count = found.first().map_or(0, |one| one.part.shard.place().1);
@@ -195,10 +185,10 @@ fn each_once(found: &[Found]) -> Result<(), FileError> {
 
 /// Whether every row of a part is the row of its point.
 fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
-    let style = one.part.style;
+    let (path, style, shard) = (shown(&one.path), one.part.style, one.part.shard);
     let failed = |source| FileError::read(&one.path, source);
     let mut file = BufReader::new(File::open(&one.path).map_err(failed)?);
-    let has_head = one.part.shard.is_first();
+    let has_head = shard.is_first();
     if has_head {
         file.seek(SeekFrom::Start(style.head().len() as u64)).map_err(failed)?;
     }
@@ -208,7 +198,7 @@ fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
         .delimiter(delimiter)
         .flexible(true)
         .from_reader(file);
-    let points = one.part.shard.of(plan.points());
+    let points = shard.of(plan.points());
     let (mut row, mut next) = (csv::StringRecord::new(), points.start);
     while reader.read_record(&mut row)? {
         let is_own = |axis: usize| {
@@ -216,11 +206,9 @@ fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
             row.get(axis).is_some_and(|field| field.replace(',', ".") == value)
         };
         if next >= points.end || !(0..plan.axes().len()).all(is_own) {
+            let row = next - points.start + 1;
             return Err(refuse(format!(
-                "`{}`: row {} is not the row of its point: the file was changed after it was written; compute part {} again",
-                shown(&one.path),
-                next - points.start + 1,
-                one.part.shard
+                "`{path}`: row {row} is not the row of its point: the file was changed after it was written; compute part {shard} again"
             )));
         }
         next += 1;
@@ -228,11 +216,6 @@ fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
     if next == points.end {
         return Ok(());
     }
-    Err(refuse(format!(
-        "`{}` has {} of the {} rows of part {}: compute it again",
-        shown(&one.path),
-        next - points.start,
-        points.end - points.start,
-        one.part.shard
-    )))
+    let (found, all) = (next - points.start, points.end - points.start);
+    Err(refuse(format!("`{path}` has {found} of the {all} rows of part {shard}: compute it again")))
 }

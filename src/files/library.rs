@@ -84,11 +84,8 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     for problem in problems {
         hint = format!("{hint}\n{problem}");
     }
-    Err(FileError::Refused(format!(
-        "`{}` is not one of the {}s: {hint}",
-        clean::line(name),
-        library.word()
-    )))
+    let (name, word) = (clean::line(name), library.word());
+    Err(FileError::Refused(format!("`{name}` is not one of the {word}s: {hint}")))
 }
 
 /// The entries of a text, and the problems of those that cannot be read. `file` is the name used in errors.

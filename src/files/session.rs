@@ -103,9 +103,6 @@ pub struct Known {
 
 /// Save the session, whole or not at all. What another workbench has written there since `known` is backed up first, and where
 /// to is returned; a session that was saved like this before does not replace it.
-///
-/// # Errors
-/// [`FileError`].
 pub fn save(
     path: &Path,
     session: &Session,
@@ -240,9 +237,6 @@ fn free_name(path: &Path) -> PathBuf {
 }
 
 /// Copy a session aside before another one takes its place.
-///
-/// # Errors
-/// [`FileError`].
 pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
     let text = read::text_file(from, Accepts::Ordinary, BYTES_MAX)?;
     atomic::write(to, text.as_bytes(), Existing::Replace)
@@ -255,11 +249,8 @@ fn parse(text: &str) -> (Option<Session>, Vec<String>) {
         Err(error) => return (None, vec![error.message().to_owned()]),
     };
     if file.format != read::FORMAT {
-        let problem = format!(
-            "format = {} is not supported: this program reads format {}",
-            file.format,
-            read::FORMAT
-        );
+        let (own, known) = (file.format, read::FORMAT);
+        let problem = format!("format = {own} is not supported: this program reads format {known}");
         return (None, vec![problem]);
     }
     let mut problems = Vec::new();

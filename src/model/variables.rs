@@ -278,10 +278,9 @@ impl Variable {
     /// The value as text that [`Variable::parse`] reads back exactly: shortest digits, no unit.
     pub fn show(&self, scene: &Scene) -> String {
         match self.value(scene) {
-            Value::Absent => match &self.kind {
-                Kind::Number(number) => number.absent.unwrap_or("none").to_owned(),
-                Kind::Choice(_) | Kind::Switch { .. } => String::new(),
-            },
+            Value::Absent => {
+                self.number().map_or("", |number| number.absent.unwrap_or("none")).to_owned()
+            }
             value => show_value(value),
         }
     }
@@ -296,10 +295,17 @@ impl Variable {
 
     /// The stored unit's name; empty for pure numbers and words.
     pub fn unit(&self) -> &'static str {
-        match &self.kind {
-            Kind::Number(number) => number.quantity.unit(),
-            Kind::Choice(_) | Kind::Switch { .. } => "",
-        }
+        self.number().map_or("", |number| number.quantity.unit())
+    }
+
+    /// What makes it a number; `None` for a word or a switch.
+    pub fn number(&self) -> Option<&Number> {
+        if let Kind::Number(number) = &self.kind { Some(number) } else { None }
+    }
+
+    /// The range of Table 9.2, where it has one.
+    pub fn thesis_range(&self) -> Option<(f64, f64)> {
+        self.number()?.thesis_range
     }
 
     /// The allowed values, in words.
@@ -322,9 +328,7 @@ impl Variable {
     /// A sentence when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
     /// has no figure there`.
     pub fn range_warning(&self, scene: &Scene) -> Option<String> {
-        let Kind::Number(number) = &self.kind else {
-            return None;
-        };
+        let number = self.number()?;
         let (low, high) = number.thesis_range?;
         let value = (number.get)(scene)?;
         (!(low..=high).contains(&value)).then(|| {

@@ -12,7 +12,8 @@ pub use scale::{Mapping, Scale, ViewRange};
 use ticks::{Along, Ticks};
 
 /// An axis.
-#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis<'a> {
     /// What it measures: `t`. In a terminal the chart's title says it of the left axis.
     pub label: Cow<'a, str>,
@@ -29,13 +30,7 @@ pub struct Axis<'a> {
 impl<'a> Axis<'a> {
     /// A linear axis that shows numbers as they are, without a unit.
     pub fn new(label: impl Into<Cow<'a, str>>, view: ViewRange) -> Self {
-        Self {
-            label: label.into(),
-            unit: Unit::new(""),
-            scale: Scale::Linear,
-            view,
-            labels: Labels::Shown,
-        }
+        Self { label: label.into(), view, ..Self::default() }
     }
 
     /// An axis over all of these values that have a place on it; `None` where there is none.
@@ -65,28 +60,22 @@ impl<'a> Axis<'a> {
     }
 
     /// With numbers in this unit.
-    #[must_use]
-    pub fn unit(mut self, unit: Unit<'a>) -> Self {
-        self.unit = unit;
-        self
+    pub fn unit(self, unit: Unit<'a>) -> Self {
+        Self { unit, ..self }
     }
 
     /// With this scale.
-    #[must_use]
-    pub fn scale(mut self, scale: Scale) -> Self {
-        self.scale = scale;
-        self
+    pub fn scale(self, scale: Scale) -> Self {
+        Self { scale, ..self }
     }
 
     /// With zero on it.
-    #[must_use]
     pub fn with_zero(self) -> Self {
         let (lo, hi) = (self.view.lo(), self.view.hi());
         Self { view: ViewRange::new(lo.min(0.0), hi.max(0.0)), ..self }
     }
 
     /// With room at both ends: a part of its length.
-    #[must_use]
     pub fn padded(self, part: f64) -> Self {
         Self { view: self.view.padded(self.scale, part), ..self }
     }
@@ -180,7 +169,8 @@ pub enum Side {
 }
 
 /// A curve.
-#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve<'a> {
     /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
     pub marker: char,
@@ -203,35 +193,22 @@ impl<'a> Curve<'a> {
         label: impl Into<Cow<'a, str>>,
         points: impl Into<Cow<'a, [(f64, f64)]>>,
     ) -> Self {
-        Self {
-            marker,
-            label: label.into(),
-            points: points.into(),
-            colour: 0,
-            emphasis: Emphasis::Normal,
-            side: Side::Left,
-        }
+        Self { marker, label: label.into(), points: points.into(), ..Self::default() }
     }
 
     /// In this colour.
-    #[must_use]
-    pub fn colour(mut self, colour: usize) -> Self {
-        self.colour = colour;
-        self
+    pub fn colour(self, colour: usize) -> Self {
+        Self { colour, ..self }
     }
 
     /// With this emphasis.
-    #[must_use]
-    pub fn emphasis(mut self, emphasis: Emphasis) -> Self {
-        self.emphasis = emphasis;
-        self
+    pub fn emphasis(self, emphasis: Emphasis) -> Self {
+        Self { emphasis, ..self }
     }
 
     /// On this axis.
-    #[must_use]
-    pub fn side(mut self, side: Side) -> Self {
-        self.side = side;
-        self
+    pub fn side(self, side: Side) -> Self {
+        Self { side, ..self }
     }
 
     /// Whether it has no line: each point has gaps beside it.
@@ -262,7 +239,7 @@ pub enum Legend {
 }
 
 /// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart<'a> {
     /// What it shows; the unit of the left axis is appended.
     pub title: Cow<'a, str>,
@@ -298,19 +275,6 @@ impl<'a> Chart<'a> {
         y: Axis<'a>,
         curves: Vec<Curve<'a>>,
     ) -> Self {
-        Self {
-            title: title.into(),
-            x,
-            y,
-            right: None,
-            curves,
-            marks: Vec::new(),
-            levels: Vec::new(),
-            crosshair: None,
-            frame: Frame::Boxed,
-            legend: Legend::Shown,
-            gutter: 0,
-            focused: false,
-        }
+        Self { title: title.into(), x, y, curves, ..Self::default() }
     }
 }

@@ -128,13 +128,6 @@ pub fn json(name: &str, report: &Report) -> Value {
         });
         (candidate.word().replace(' ', "_"), entry)
     });
-    let closed = report.closed_form().map(|closed| {
-        json!({
-            "mass_efficiency": closed.mass_efficiency,
-            "needed_j_per_kg": closed.needed_j_per_kg,
-            "pays_below_m_s": closed.pays_below_m_s,
-        })
-    });
     let own = report.of(Candidate::Scene);
     json!({
         "scene": name,
@@ -145,7 +138,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
         "spare_mass_kg": report.spare_mass_kg(),
-        "closed_form": closed,
+        "closed_form": report.closed_form(),
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
         "spring_energy_j": own.and_then(|own| own.load.stored_j),

@@ -9,8 +9,8 @@ use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::compare::Load;
-use crate::study::limit::fit::{LambertJonas, RechtIpson};
-use crate::study::limit::monte_carlo::{ModelError, SampledLimit};
+use crate::study::limit::fit::ResidualLaw;
+use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
 
 const LAW_POINTS: usize = 400;
@@ -94,10 +94,9 @@ pub fn few_samples(samples: usize) -> Option<String> {
 /// The band between the closures.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
+    let [double_yield, cavity] = [closures.double_yield_m_s, closures.cavity_m_s].map(shown);
     let each = format!(
-        "2 Y with dishing {}, cavity without dishing and with twice the C_d {}",
-        shown(closures.double_yield_m_s),
-        shown(closures.cavity_m_s)
+        "2 Y with dishing {double_yield}, cavity without dishing and with twice the C_d {cavity}"
     );
     closures.band_m_s().map_or_else(
         || each.clone(),
@@ -114,13 +113,9 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
     };
     let ends = |(low, high)| format!("{} to {}", known(low), known(high));
-    let mut v50 = format!(
-        "{} (95 %: {}), spread {}, 90 % in {} m/s",
-        known(found.v50_m_s),
-        ends(found.v50_95_m_s),
-        known(found.deviation_m_s),
-        ends(found.range90_m_s),
-    );
+    let [median, spread] = [found.v50_m_s, found.deviation_m_s].map(known);
+    let [ends_95, ends_90] = [found.v50_95_m_s, found.range90_m_s].map(ends);
+    let mut v50 = format!("{median} (95 %: {ends_95}), spread {spread}, 90 % in {ends_90} m/s");
     let (low, high) = RANGE_M_S;
     for (count, what) in [
         (found.above, format!("have a limit beyond {high} m/s")),
@@ -134,19 +129,13 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     if v50.contains('?') {
         v50.push_str("; ? = not known: the rank falls on samples without a limit in range");
     }
-    let through = format!(
-        "{} % of shots at the scene's {} (95 %: {} to {} %)",
-        percent(found.perforated),
-        velocity(report.scene.projectile.velocity_m_s, 4),
-        percent(found.perforated95.0),
-        percent(found.perforated95.1),
-    );
-    let mut inputs = format!(
-        "inputs +-{} % (standard deviation), {} samples, seed {}",
-        percent(asked.deviation),
-        asked.samples,
-        asked.seed
-    );
+    let (low, high) = found.perforated95;
+    let [part, low, high, deviation] = [found.perforated, low, high, asked.deviation].map(percent);
+    let own = velocity(report.scene.projectile.velocity_m_s, 4);
+    let through = format!("{part} % of shots at the scene's {own} (95 %: {low} to {high} %)");
+    let Sampling { samples, seed, .. } = asked;
+    let mut inputs =
+        format!("inputs +-{deviation} % (standard deviation), {samples} samples, seed {seed}");
     if asked.model == ModelError::default() {
         inputs.push_str("; model error excluded");
     } else {
@@ -178,11 +167,11 @@ pub fn shots<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Shot> {
         .with("limit_below_m_s", "limit below", "m/s", move |_| below)
 }
 
-fn recht_ipson(law: RechtIpson) -> Value {
+fn recht_ipson(law: ResidualLaw) -> Value {
     json!({ "a": law.a, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
-fn lambert_jonas(law: LambertJonas) -> Value {
+fn lambert_jonas(law: ResidualLaw) -> Value {
     json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
@@ -271,25 +260,22 @@ fn dots(shots: &[Shot], wanted: impl Fn(&Shot) -> Option<f64>) -> Vec<(f64, f64)
 }
 
 /// A law over the view; before its limit it is nothing.
-fn law(view: ViewRange, limit_m_s: f64, residual: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+fn law(view: ViewRange, law: ResidualLaw) -> Vec<(f64, f64)> {
     let step = view.span() / LAW_POINTS as f64;
     let at = |i: usize| view.lo() + step * i as f64;
-    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > limit_m_s);
-    std::iter::once(limit_m_s).chain(beyond).map(|v| (v, residual(v))).collect()
+    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > law.limit_m_s);
+    std::iter::once(law.limit_m_s).chain(beyond).map(|v| (v, law.residual_m_s(v))).collect()
 }
 
 /// The chart of the impact velocities in view, or of all, with a mark at a scene's own; `None` where nothing goes through.
 pub fn residual(report: &Report, own_m_s: f64, view: Option<ViewRange>) -> Option<Chart<'static>> {
     let (x, y) = axes(report, own_m_s)?;
     let x = Axis { view: view.unwrap_or(x.view), ..x };
-    let recht_ipson =
-        report.recht_ipson.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
-    let lambert_jonas =
-        report.lambert_jonas.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
+    let law = |law: Option<ResidualLaw>| law.map_or_else(Vec::new, |law| self::law(x.view, law));
     let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
     let curves = [
-        Curve::new('+', "Recht-Ipson", recht_ipson.unwrap_or_default()).colour(1),
-        Curve::new('x', "Lambert-Jonas", lambert_jonas.unwrap_or_default()).colour(2),
+        Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
+        Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
         Curve::new('o', "through", dots(&report.shots, |shot| shot.residual_m_s)).colour(3),
         Curve::new('s', "stopped", dots(&report.shots, stopped)).colour(4),
     ];

@@ -35,7 +35,7 @@ pub enum Cell {
 pub const LINE: char = '#';
 
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map<'a> {
     /// Its content.
     pub title: Cow<'a, str>,
@@ -76,21 +76,7 @@ impl<'a> Map<'a> {
     ) -> Self {
         let points = (0..counts.1).flat_map(|row| (0..counts.0).map(move |column| (column, row)));
         let cells = points.map(|(column, row)| cell(column, row)).collect();
-        Self {
-            title: title.into(),
-            unit: "",
-            x,
-            y,
-            counts,
-            cells,
-            levels,
-            contour: None,
-            line: Vec::new(),
-            present: None,
-            marks: Vec::new(),
-            cursor: None,
-            focused: false,
-        }
+        Self { title: title.into(), x, y, counts, cells, levels, ..Self::default() }
     }
 
     /// The point in a column and a row from the lower left one.

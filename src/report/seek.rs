@@ -37,11 +37,8 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let text = if report.is_complete {
             format!("nothing reaches {}", shown(report.target))
         } else {
-            format!(
-                "cancelled after {} runs: {} not reached so far",
-                report.runs,
-                shown(report.target)
-            )
+            let (runs, target) = (report.runs, shown(report.target));
+            format!("cancelled after {runs} runs: {target} not reached so far")
         };
         remarks.push(Remark::caution("", text));
         let nearest = report.of(Kind::Nearest).map(|it| format!("nearest: {}", place(it.place)));

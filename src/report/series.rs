@@ -62,14 +62,12 @@ enumeration! {
 
 impl Quantity {
     /// Whether it is drawn over time, not over the plate's displacement.
-    #[must_use]
     pub fn is_over_time(self) -> bool {
         matches!(self.source(), Source::Time(_))
     }
 
     /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate and has no depth in it. The
     /// law of the mechanism is drawn over all displacements.
-    #[must_use]
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
             Source::Time(get) if self == Self::ContactForce => with_jumps(samples, get),
@@ -113,7 +111,6 @@ impl Quantity {
     }
 
     /// Why there is nothing of it to draw in a run of a scene; `None` where there is.
-    #[must_use]
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
         let mechanism = Mechanism::of(scene);
         let is_sprung = !mechanism.spring.is_absent();
@@ -164,7 +161,6 @@ fn with_jumps(samples: &[Sample], get: fn(&Sample) -> f64) -> Vec<(f64, f64)> {
 ///
 /// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
 /// last points are kept, and all of them where a gap begins or ends. The points are in the order of time, as are those given back.
-#[must_use]
 pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let [first, .., last] = &*points else { return points };
     if points.len() <= POINTS_MANY {

@@ -168,11 +168,8 @@ struct Text<'t> {
 fn text(out: &mut String, place: &Text<'_>, text: &str) {
     let (x, y) = (at(place.x), at(place.y));
     let Text { anchor, rest, .. } = place;
-    let _ = writeln!(
-        out,
-        "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{rest}>{}</text>",
-        escaped(text)
-    );
+    let text = escaped(text);
+    let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{rest}>{text}</text>");
 }
 
 fn stroke(out: &mut String, [from, to]: [Point; 2], style: &str) {
@@ -332,11 +329,8 @@ fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
         }
         let points: Vec<String> =
             seen(piece).iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
-        let _ = writeln!(
-            out,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"2\"/>",
-            points.join(" ")
-        );
+        let (points, style) = (points.join(" "), format!("stroke=\"{ink}\" stroke-width=\"2\""));
+        let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" {style}/>");
     }
 }
 

@@ -35,6 +35,7 @@ type Get<'c, R> = Box<dyn Fn(&R) -> Value + 'c>;
 type Shown<'c, R> = Box<dyn Fn(&R, &Value) -> Option<String> + 'c>;
 
 /// Rows, and the columns that are made of them.
+#[must_use]
 pub struct Table<'c, R> {
     /// The columns, in the order of files.
     pub columns: Vec<Column<'c, R>>,
@@ -70,7 +71,6 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With a further column.
-    #[must_use]
     pub fn with<T: Into<Value>>(
         self,
         key: &'static str,
@@ -94,7 +94,6 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With a text that a page shows in the last column instead of the value.
-    #[must_use]
     pub fn shown(mut self, text: impl Fn(&R, &Value) -> Option<String> + 'c) -> Self {
         if let Some(column) = self.columns.last_mut() {
             column.shown = Some(Box::new(text));
@@ -108,9 +107,6 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With these columns alone, in this order; all where none is named.
-    ///
-    /// # Errors
-    /// [`NoColumn`] for one that it does not have.
     pub fn chosen(mut self, wanted: &[String]) -> Result<Self, NoColumn> {
         if wanted.is_empty() {
             return Ok(self);
@@ -162,7 +158,6 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// With the warnings of the whole table in every row.
-    #[must_use]
     pub fn with_warnings(self, warnings: &[String]) -> Self {
         let text = warnings.join("; ");
         self.with("warnings", "warnings", "", move |_| text.clone())

@@ -13,16 +13,17 @@ pub struct Unit<'a> {
     pub name: Cow<'a, str>,
 }
 
+impl Default for Unit<'_> {
+    /// That of a pure number.
+    fn default() -> Self {
+        Self::new("")
+    }
+}
+
 impl<'a> Unit<'a> {
     /// A unit as it is.
     pub fn new(name: impl Into<Cow<'a, str>>) -> Self {
         Self { factor: 1.0, name: name.into() }
-    }
-
-    /// A unit and the factor that leads to it.
-    pub fn scaled(factor: f64, name: impl Into<Cow<'a, str>>) -> Self {
-        let usable = factor.is_finite() && factor > 0.0;
-        Self { factor: if usable { factor } else { 1.0 }, name: name.into() }
     }
 
     /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take

@@ -46,7 +46,6 @@ pub use closed_form::ClosedForm;
 pub use hardware::{Failure, Hardware};
 pub use load::Load;
 pub use sized::{Absence, Sized, WIDTH, areal_mass_of_run, mass_efficiency};
-pub use solid::thickness_of_limit_m;
 
 pub(in crate::study) use hardware::spring_energy_j;
 use judge::Judge;
@@ -258,9 +257,6 @@ impl Report {
 }
 
 /// Compare.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,

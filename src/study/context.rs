@@ -64,11 +64,6 @@ impl<'w, P: ?Sized> Context<'w, P> {
         Self { watch, threads, progress: Progress::default(), stop: Stop::default() }
     }
 
-    /// Threads to run on; no digit depends on it.
-    pub fn threads(&self) -> usize {
-        self.threads
-    }
-
     /// Whether the study was stopped.
     pub fn is_stopped(&self) -> bool {
         self.stop.is_set()
@@ -212,7 +207,7 @@ mod tests {
         context.expect(4);
         let ask = |inner: &mut Context<'_>| {
             inner.count(7);
-            inner.threads() == 2 && inner.goes_on()
+            inner.threads == 2 && inner.goes_on()
         };
         assert!(context.uncounted(ask));
         context.count(2);

@@ -5,7 +5,7 @@
 //! that of the profile likelihood, which holds for few shots, too.
 
 use crate::numerics::root;
-use crate::study::limit::fit::LambertJonas;
+use crate::study::limit::fit::ResidualLaw;
 
 pub mod calibrate;
 
@@ -82,7 +82,7 @@ pub struct Report {
     /// Perforation over velocity.
     pub logistic: Logistic,
     /// Lambert and Jonas's law through the residual velocities, where there are enough.
-    pub lambert_jonas: Option<LambertJonas>,
+    pub lambert_jonas: Option<ResidualLaw>,
 }
 
 impl Report {
@@ -145,7 +145,7 @@ pub fn fit(shots: Vec<Shot>) -> Result<Report, String> {
     let logistic = Regression::new(&shots, method).fit().ok_or(
         "perforation does not become more frequent with velocity: check the columns velocity_m_s and perforated (1 is through)",
     )?;
-    let lambert_jonas = LambertJonas::through(&residuals(&shots));
+    let lambert_jonas = ResidualLaw::lambert_jonas(&residuals(&shots));
     Ok(Report { shots, highest_stopped_m_s, lowest_perforated_m_s, logistic, lambert_jonas })
 }
 

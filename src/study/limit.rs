@@ -15,7 +15,7 @@ use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
-use fit::{LambertJonas, RechtIpson};
+use fit::ResidualLaw;
 use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
 
@@ -193,9 +193,9 @@ pub struct Report {
     /// The curve, in order of velocity.
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
-    pub recht_ipson: Option<RechtIpson>,
+    pub recht_ipson: Option<ResidualLaw>,
     /// Lambert and Jonas's law through the curve.
-    pub lambert_jonas: Option<LambertJonas>,
+    pub lambert_jonas: Option<ResidualLaw>,
     /// The limit under scatter of the inputs.
     pub sampled: Option<SampledLimit>,
     /// Whether it was done to its end.
@@ -216,9 +216,6 @@ impl Report {
 }
 
 /// Find the limit of a scene, its residual-velocity curve, and the scatter requested.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(
     scene: &Arc<Scene>,
     effort: Effort,
@@ -229,41 +226,31 @@ pub fn find(
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
     let mut range = Range { scene, criterion: effort.criterion, context };
     let limit = range.whole_limit();
-    let mut report = Report {
+    let shots = range.curve(limit);
+    let perforated = shots.iter().filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    let perforated: Vec<(f64, f64)> = perforated.collect();
+    let found_m_s = limit.velocity_m_s();
+    let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
+    let closures = found_m_s.and_then(|_| range.closures());
+    let sampled = found_m_s.zip(effort.sampling).and_then(|(limit_m_s, sampling)| {
+        monte_carlo::sample(scene, sampling, limit_m_s, effort.criterion, context)
+    });
+    Ok(Report {
         scene: Arc::clone(scene),
         criterion: effort.criterion,
         limit,
-        at_limit: None,
-        closures: None,
-        shots: range.curve(limit),
-        recht_ipson: None,
-        lambert_jonas: None,
-        sampled: None,
-        is_complete: true,
-    };
-    if let Some(velocity_m_s) = limit.velocity_m_s() {
-        report.at_limit = range.at_limit(velocity_m_s);
-        report.closures = range.closures();
-        let perforated: Vec<(f64, f64)> = report
-            .shots
-            .iter()
-            .filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)))
-            .collect();
-        report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
-        report.lambert_jonas = LambertJonas::through(&perforated);
-        if let Some(sampling) = effort.sampling {
-            let criterion = effort.criterion;
-            report.sampled = monte_carlo::sample(scene, sampling, velocity_m_s, criterion, context);
-        }
-    }
-    report.is_complete = !context.is_stopped();
-    Ok(report)
+        at_limit,
+        closures,
+        shots,
+        recht_ipson: found_m_s
+            .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),
+        lambert_jonas: found_m_s.and_then(|_| ResidualLaw::lambert_jonas(&perforated)),
+        sampled,
+        is_complete: !context.is_stopped(),
+    })
 }
 
 /// The limit of a scene and nothing else.
-///
-/// # Errors
-/// As [`find`].
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());

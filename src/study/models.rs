@@ -47,8 +47,6 @@ pub struct Row {
     pub name: &'static str,
     /// Its parameters, in words; empty if none had to be chosen.
     pub with: String,
-    /// The scene it ran.
-    pub scene: Arc<Scene>,
     /// Its run.
     pub run: Arc<Run>,
     /// Shortest of several computations, without series and error estimate, s.
@@ -114,7 +112,6 @@ pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison
         rows.push(Row {
             name: plan.name,
             with: (own.contact.model.about().parameters)(&own),
-            scene: own,
             run: Arc::new(run),
             took_s,
             judged: plan.judged,

@@ -6,7 +6,7 @@
 //! clock.
 
 use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
-use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
@@ -66,7 +66,7 @@ pub struct Summary {
 }
 
 /// The result.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// The inputs.
     pub tolerances: Vec<Tolerance>,
@@ -123,7 +123,7 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
         .chain(variables::find(STOP).ok())
         .filter(scatters)
         .filter_map(|variable| {
-            let Kind::Number(number) = &variable.kind else { return None };
+            let number = variable.number()?;
             let median = (number.get)(scene).filter(|value| *value > 0.0)?;
             Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
         })
@@ -148,17 +148,8 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let space = space(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
-    let mut report = Report {
-        tolerances: task.tolerances.clone(),
-        redrawn: Vec::new(),
-        seed: task.seed,
-        samples: 0,
-        outcomes: OutcomeCounts::default(),
-        nominal: None,
-        perforated: None,
-        summaries: Vec::new(),
-        is_complete: true,
-    };
+    let (tolerances, seed) = (task.tolerances.clone(), task.seed);
+    let mut report = Report { tolerances, seed, ..Report::default() };
     let own = space.design_of(scene);
     context.expect(task.samples);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
@@ -189,9 +180,6 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
 }
 
 /// Where the samples are evaluated: for asking how long it will take, too.
-///
-/// # Errors
-/// As [`sample`].
 pub fn space(scene: &Scene, task: &Task) -> Result<Plan, SweepError> {
     if task.tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";

@@ -5,7 +5,8 @@
 
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::mpsc::{self, Sender};
+use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
@@ -62,116 +63,70 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
         let mut make = worker();
         Box::new(move |number| *slot(number) = Some(make(work.piece(number))))
     };
-    let queue =
-        Queue { count: work.pieces(), threads, state: Mutex::default(), changed: Condvar::new() };
-    queue.run(&worker, &mut |number| {
+    in_order(work.pieces(), threads, &worker, &mut |number| {
         take(number.and_then(|number| Some((work.piece(number), slot(number).take()?))))
     })
 }
 
-/// The numbers of the pieces, on their way to the threads and back.
-struct Queue {
+/// Calls `take` with every number in order, once a worker has done it, and with `None` regularly in between. Compiled once.
+fn in_order<'w>(
     count: u64,
     threads: u64,
-    state: Mutex<State>,
-    changed: Condvar,
-}
-
-#[derive(Default)]
-struct State {
-    /// The piece that is worked on next, and the first that must wait.
-    next: u64,
-    end: u64,
-    /// Pieces that are done and not taken yet.
-    done: BTreeSet<u64>,
-    is_closed: bool,
-}
-
-/// Ends the threads when it goes, also when a panic takes it.
-struct Closing<'q>(&'q Queue);
-
-impl Drop for Closing<'_> {
-    fn drop(&mut self) {
-        self.0.state().is_closed = true;
-        self.0.changed.notify_all();
+    worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
+    take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let out = OUT * threads;
+    let (hand_out, next) = mpsc::channel();
+    for number in 0..count.min(out) {
+        let _ = hand_out.send(number);
     }
-}
-
-impl Queue {
-    /// Call `take` with every number in order, once a worker has done it, and with `None` regularly in between.
-    fn run<'w>(
-        &self,
-        worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
-        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        thread::scope(|scope| {
-            let _closing = Closing(self);
-            // As many threads as the system has.
-            let start = |_| thread::Builder::new().spawn_scoped(scope, || self.work(worker())).ok();
-            let started: Vec<_> = (0..self.threads).filter_map(start).collect();
-            let mut own = started.is_empty().then(worker);
-            for number in 0..self.count {
-                if let Some(own) = &mut own {
-                    own(number);
-                } else {
-                    let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
-                    self.wait_for(number, &has_panicked, take)?;
-                }
-                take(Some(number))?;
-            }
-            ControlFlow::Continue(())
-        })
-    }
-
-    /// Take one piece after another until the queue is closed.
-    fn work(&self, mut worker: Box<dyn FnMut(u64) + '_>) {
+    let next = Mutex::new(next);
+    let work = |done: Sender<u64>| {
+        let mut worker = worker();
         loop {
-            let must_wait = |state: &mut State| state.next >= state.end && !state.is_closed;
-            let waiting = self.changed.wait_while(self.state(), must_wait);
-            let mut state = waiting.unwrap_or_else(PoisonError::into_inner);
-            if state.is_closed {
+            let number = next.lock().unwrap_or_else(PoisonError::into_inner).recv();
+            let Ok(number) = number else { return };
+            worker(number);
+            if done.send(number).is_err() {
                 return;
             }
-            let number = state.next;
-            state.next += 1;
-            drop(state);
-            worker(number);
-            self.state().done.insert(number);
-            self.changed.notify_all();
         }
-    }
-
-    /// Wait until a piece is done. Leaving the scope passes a worker's panic on.
-    fn wait_for(
-        &self,
-        number: u64,
-        has_panicked: &dyn Fn() -> bool,
-        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        let mut state = self.state();
-        state.end = self.count.min(number + OUT * self.threads);
-        self.changed.notify_all();
-        loop {
-            let is_missing = |state: &mut State| !state.done.contains(&number);
-            let waiting = self.changed.wait_timeout_while(state, ASKED_EVERY, is_missing);
-            let (mut now, waited) = waiting.unwrap_or_else(PoisonError::into_inner);
-            if !waited.timed_out() {
-                now.done.remove(&number);
-                return ControlFlow::Continue(());
+    };
+    thread::scope(|scope| {
+        let (done, told) = mpsc::channel();
+        // Closed with this scope, also when a panic ends it: that ends the threads.
+        let hand_out = hand_out;
+        let start = |_| {
+            let (work, done) = (&work, done.clone());
+            thread::Builder::new().spawn_scoped(scope, move || work(done)).ok()
+        };
+        // As many threads as the system has.
+        let started: Vec<_> = (0..threads).filter_map(start).collect();
+        let mut own = started.is_empty().then(worker);
+        let mut waiting = BTreeSet::new();
+        for number in 0..count {
+            if let Some(own) = &mut own {
+                own(number);
+                waiting.insert(number);
             }
-            drop(now);
-            if has_panicked() {
-                return ControlFlow::Break(());
+            while !waiting.remove(&number) {
+                match told.recv_timeout(ASKED_EVERY) {
+                    Ok(other) => _ = waiting.insert(other),
+                    // Leaving the scope passes a worker's panic on.
+                    Err(_) if started.iter().any(ScopedJoinHandle::is_finished) => {
+                        return ControlFlow::Break(());
+                    }
+                    // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
+                    Err(_) => _ = take(None),
+                }
             }
-            // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
-            let _ = take(None);
-            state = self.state();
+            take(Some(number))?;
+            if number + out < count {
+                let _ = hand_out.send(number + out);
+            }
         }
-    }
-
-    fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
+        ControlFlow::Continue(())
+    })
 }
 
 #[cfg(test)]

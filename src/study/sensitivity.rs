@@ -5,7 +5,7 @@
 //! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
 
 use crate::model::scene::{PlateSize, Scene};
-use crate::model::variables::{self, Kind, VARIABLES};
+use crate::model::variables::{self, VARIABLES, Variable};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
@@ -89,10 +89,8 @@ impl Report {
 /// None in practice: the table's ranges are sound.
 pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     let ranges = || {
-        VARIABLES.iter().filter_map(|variable| match &variable.kind {
-            Kind::Number(number) => Some((variable, number, number.thesis_range?)),
-            Kind::Choice(_) | Kind::Switch { .. } => None,
-        })
+        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range()?));
+        VARIABLES.iter().filter_map(of)
     };
     // A spring's exponent matters where there is a spring: judged with every range at its end.
     let mut far = scene.clone();

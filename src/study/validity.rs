@@ -131,7 +131,10 @@ pub fn new_in_each(
 
 /// The warnings of a design beyond those that are known already, with the values that make it.
 pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> Vec<String> {
-    let lead = lead(name, scene, axes);
+    let value =
+        |axis: &Axis| Some(format!("{}={}", axis.symbol(), significant(axis.get(scene)?, 4)));
+    let values: Vec<String> = axes.iter().filter_map(value).collect();
+    let lead = format!("{name} ({})", values.join(" "));
     let found = of_scene(scene).into_iter().filter(|warning| !known.contains(warning));
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
@@ -157,17 +160,6 @@ pub fn counted(counts: &[(Check, usize)]) -> String {
     let words: Vec<String> =
         counts.iter().map(|(check, count)| format!("{} {count}", check.label())).collect();
     words.join(", ")
-}
-
-fn lead(name: &str, scene: &Scene, axes: &[Axis]) -> String {
-    let values: Vec<String> = axes
-        .iter()
-        .filter_map(|axis| {
-            let value = axis.get(scene)?;
-            Some(format!("{}={}", axis.symbol(), significant(value, 4)))
-        })
-        .collect();
-    format!("{name} ({})", values.join(" "))
 }
 
 #[cfg(test)]

@@ -86,7 +86,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         Ok(config) => config,
         Err(text) => return app.say(Severity::Warning, text),
     };
-    match Keymap::remapped(&config.wanted_keys()) {
+    match Keymap::remapped(&config.keys) {
         Ok(keymap) => app.keymap = keymap,
         Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
     }

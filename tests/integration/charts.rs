@@ -58,7 +58,9 @@ fn an_error_against_time_chart_on_logarithmic_axes() {
     let time = ViewRange::new(1e-6, 0.1);
     let mut chart = Chart::new(
         "relative error",
-        Axis::new("run time", time).unit(Unit::scaled(1e6, "us")).scale(Scale::Log10),
+        Axis::new("run time", time)
+            .unit(Unit { factor: 1e6, name: "us".into() })
+            .scale(Scale::Log10),
         Axis::new("", ViewRange::new(1e-12, 1.0)).scale(Scale::Log10),
         vec![
             Curve::new('T', "first order", &first),

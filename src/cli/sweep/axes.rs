@@ -9,7 +9,7 @@ use crate::cli::table::choice;
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
-use crate::model::variables::{self, Kind};
+use crate::model::variables;
 use crate::report::sweep::Columns;
 use crate::study::quantities::of_every_run;
 use crate::study::sweep::{
@@ -170,10 +170,7 @@ fn high_end<'t>(
 
 /// The kind of quantity of a variable; `None` for a variable of words, which is refused later.
 fn quantity(name: &str) -> Option<Quantity> {
-    match &variables::find(name).ok()?.kind {
-        Kind::Number(number) => Some(number.quantity),
-        Kind::Choice(_) | Kind::Switch { .. } => None,
-    }
+    Some(variables::find(name).ok()?.number()?.quantity)
 }
 
 /// A value of a variable, in its stored unit.

@@ -62,14 +62,9 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option
         Sampling::Sobol => format!("Sobol's sequence, seed {seed}"),
     };
     let mut page = format!("{}: {}\n", head.name, axes.join("; "));
-    let _ = writeln!(
-        page,
-        "{} points ({design}) in {} on {} thread{}\n",
-        summary.points(),
-        duration(head.took_s),
-        head.threads,
-        if head.threads == 1 { "" } else { "s" }
-    );
+    let (points, took, threads) = (summary.points(), duration(head.took_s), head.threads);
+    let plural = if threads == 1 { "" } else { "s" };
+    let _ = writeln!(page, "{points} points ({design}) in {took} on {threads} thread{plural}\n");
     if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
         for output in 0..plan.outputs().len() {
             drawn(&mut page, grid, output);

@@ -43,26 +43,17 @@ impl Levels {
     /// Decades; 1, 2 and 5 of them where there is room, only every few where there is not.
     fn logarithmic(view: ViewRange) -> Self {
         let (first, last) = (decade(view.lo()), decade(view.hi()));
-        if last - first <= 2 {
-            let fine = (first..=last + 1)
-                .flat_map(|exponent| [1.0, 2.0, 5.0].map(|mantissa| mantissa * power(exponent)));
-            let bounds = around(fine.collect(), view);
-            if bounds.len() <= BANDS_MAX + 1 {
-                return Self { bounds };
-            }
-        }
-        let mut every = 1;
-        loop {
+        let bounds = |every: i32, mantissas: &[f64]| {
             let from = first.div_euclid(every) * every;
             let all = (0..).map(|index| from + index * every);
-            let bounds: Vec<f64> =
-                all.take_while(|exponent| *exponent < last + 1 + every).map(power).collect();
-            let bounds = around(bounds, view);
-            if bounds.len() <= BANDS_MAX + 1 {
-                return Self { bounds };
-            }
-            every += 1;
-        }
+            let all = all.take_while(|exponent| *exponent < last + 1 + every).map(power);
+            let all = all.flat_map(|decade| mantissas.iter().map(move |it| it * decade));
+            around(all.collect(), view)
+        };
+        let fine = (last - first <= 2).then(|| bounds(1, &[1.0, 2.0, 5.0]));
+        let coarse = (1..).map(|every| bounds(every, &[1.0]));
+        let mut fitting = fine.into_iter().chain(coarse).filter(|it| it.len() <= BANDS_MAX + 1);
+        Self { bounds: fitting.next().expect("every so many decades are few enough") }
     }
 
     /// How many bands there are.

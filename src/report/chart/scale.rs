@@ -63,6 +63,7 @@ impl Scale {
 }
 
 /// The range of values an axis shows. Always finite, never empty, never reversed.
+#[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewRange {
     lo: f64,
@@ -134,7 +135,6 @@ impl ViewRange {
     }
 
     /// The range as a scale can show it: positive for a logarithmic one.
-    #[must_use]
     pub fn on(self, scale: Scale) -> Self {
         match scale {
             Scale::Linear => self,
@@ -147,7 +147,6 @@ impl ViewRange {
     }
 
     /// Grown by a fraction of its span at both ends.
-    #[must_use]
     pub fn padded(self, scale: Scale, fraction: f64) -> Self {
         self.mapped(scale, |lo, hi| {
             let more = (hi - lo) * fraction;
@@ -157,7 +156,6 @@ impl ViewRange {
 
     /// Grown to round bounds, so that small changes of the data do not move the axis: multiples of a 1-2-5 step about a fifth
     /// of the span; on a logarithmic axis of more than a decade, whole decades.
-    #[must_use]
     pub fn rounded(self, scale: Scale) -> Self {
         let view = self.on(scale);
         if scale == Scale::Log10 && view.hi / view.lo > 10.0 {
@@ -173,7 +171,6 @@ impl ViewRange {
 
     /// Zoomed about a value, which keeps its place: `factor` 2 shows half the span, 0.5 twice. A value outside the range is
     /// replaced by the nearer bound; a factor that is not positive and finite changes nothing.
-    #[must_use]
     pub fn zoomed(self, scale: Scale, about: f64, factor: f64) -> Self {
         if !(factor.is_finite() && factor > 0.0) || about.is_nan() {
             return self;
@@ -184,14 +181,12 @@ impl ViewRange {
     }
 
     /// What of it lies within bounds; the bounds where nothing does.
-    #[must_use]
     pub fn within(self, bounds: Self) -> Self {
         let (lo, hi) = (self.lo.max(bounds.lo), self.hi.min(bounds.hi));
         if lo < hi { Self { lo, hi } } else { bounds }
     }
 
     /// Moved by a fraction of its span, at most to the bounds; positive moves to greater values.
-    #[must_use]
     pub fn panned(self, scale: Scale, fraction: f64, bounds: Self) -> Self {
         if !fraction.is_finite() {
             return self;

@@ -1,12 +1,14 @@
 //! The comparison in closed form: a free plate without dishing on a soft spring; see the module's head for the derivation.
 
+use serde::Serialize;
+
 use crate::model::mechanism::Mechanism;
 use crate::model::scene::{ContactModel, Mount, PlateSize, Scene};
 use crate::study::compare::Hardware;
 use crate::study::compare::hardware::is_own;
 
 /// The closed-form result of a design.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ClosedForm {
     /// Mass efficiency at the design velocity.
     pub mass_efficiency: f64,

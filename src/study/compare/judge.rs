@@ -61,7 +61,7 @@ impl Judge<'_, '_> {
         }
         let sized = sized(&scene, &self.hardware, sized::WIDTH);
         let areal_kg_m2 = built.areal_kg_m2(&scene);
-        let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit));
+        let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit, false));
         let equivalent = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
         let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         Some(Entry {

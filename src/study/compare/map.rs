@@ -31,9 +31,6 @@ pub struct Map {
 
 impl Map {
     /// The map of a scene over two axes.
-    ///
-    /// # Errors
-    /// A [`SweepError`] where scene or axes make no sense.
     pub fn compute(
         scene: &Scene,
         axes: &[Axis; 2],
@@ -87,9 +84,7 @@ impl Map {
 
     /// The scene of a point, counted along both axes from their first values.
     pub fn placed(&self, x: u64, y: u64) -> Scene {
-        let mut scene = self.plan.base().clone();
-        self.plan.place(&mut scene, x * self.y().count() + y);
-        scene
+        self.plan.scene(x * self.y().count() + y)
     }
 
     /// A point, counted along both axes from their first values; `None` where it was not reached.

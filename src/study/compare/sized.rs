@@ -6,7 +6,7 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
-use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
+use crate::study::compare::solid::thickness_of_limit_m;
 use crate::study::compare::{elements, face_m2, is_held};
 use crate::study::plain_run;
 use crate::study::sweep::kernel::{self, Wanted};
@@ -87,9 +87,6 @@ impl Sized {
 
 /// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
 /// nothing: scene in, number out.
-///
-/// # Errors
-/// Why there is none.
 pub fn mass_efficiency(scene: &Scene, hardware: &Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NothingStops);
@@ -129,7 +126,7 @@ pub(in crate::study) fn plates_kg(scene: &Scene) -> f64 {
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
 pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Sized, Absence> {
     let velocity_m_s = scene.projectile.velocity_m_s;
-    let solid_m = thickness_of_limit_m(scene, velocity_m_s).ok_or(Absence::NoSolid)?;
+    let solid_m = thickness_of_limit_m(scene, velocity_m_s, false).ok_or(Absence::NoSolid)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
     let built = Built::for_demands(elements(&own), hardware, &shot.demands);
@@ -182,7 +179,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     let try_out = |factor: f64| shoot(&scaled(scene, factor)).ok_or(Absence::NoThickness);
     let is_stack = scene.stack.base_thickness_m.is_some();
     // A plate that its mechanism does not help is as good as a free or a rigid one.
-    let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
+    let free = thickness_of_limit_m(scene, scene.projectile.velocity_m_s, true)
         .map_or(solid, |thickness| thickness / scene.target.thickness_m);
     let (mut thin, mut thick) = if is_stack {
         // Between what all its plates together and what each of them alone would need.

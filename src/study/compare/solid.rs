@@ -6,15 +6,10 @@ use crate::model::scene::{ContactModel, Scene, Target};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
-/// Thickness, m, of the plate of the scene's material that, held rigidly, has this limit velocity, m/s, against the scene's
-/// projectile; `None` for another contact model, or without strength or limit.
-pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
-    thickness_of_limit(scene, limit_m_s, false)
-}
-
-/// The same of a plate that moves freely, or not at all. Of a closure by thickness it is that of the thinner plates where one of them
-/// has the limit.
-pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
+/// Thickness, m, of the plate of the scene's material that moves freely, or not at all, and has this limit velocity, m/s, against the
+/// scene's projectile; `None` for another contact model, or without strength or limit. Of a closure by thickness it is that of the thinner
+/// plates where one of them has the limit.
+pub(super) fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     let of_nose = |tip_radius_m: f64| {
         let target = scene.target.in_effect(tip_radius_m);
         of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves)

@@ -51,21 +51,18 @@ pub fn reasons(report: &Report) -> Vec<String> {
     let energy_j_kg = report.scene.mechanism.specific_energy_j_kg();
     if let Some((closed, energy_j_kg)) = report.closed_form().zip(energy_j_kg) {
         let dishing = if report.scene.dishing() { "; this plate dishes" } else { "" };
+        let (efficiency, below) =
+            (fixed_significant(closed.mass_efficiency, 4), velocity(closed.pays_below_m_s, 4));
+        let [needed, own] = [closed.needed_j_per_kg, energy_j_kg].map(|it| significant(it, 4));
         lines.push(format!(
-            "check in closed form, for a soft spring without dishing: {}; pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is \
-             below {} with {} J/kg{dishing}",
-            fixed_significant(closed.mass_efficiency, 4),
-            significant(closed.needed_j_per_kg, 4),
-            velocity(closed.pays_below_m_s, 4),
-            significant(energy_j_kg, 4)
+            "check in closed form, for a soft spring without dishing: {efficiency}; pays if e > v^2/(2 (1 + gamma)) = {needed} J/kg, \
+             which is below {below} with {own} J/kg{dishing}"
         ));
     }
     lines.extend(limits(report));
     if let Some(ratio) = report.depth_over_solid() {
-        lines.push(format!(
-            "depth {:+.1} % against the solid plate of equal areal mass",
-            100.0 * (ratio - 1.0)
-        ));
+        let percent = 100.0 * (ratio - 1.0);
+        lines.push(format!("depth {percent:+.1} % against the solid plate of equal areal mass"));
     }
     lines
 }
@@ -130,15 +127,15 @@ fn sized(own: &Entry, verdict: Verdict) -> String {
         PlateSize::Face(_) => "",
         PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
+    let scene = &sized.scene;
+    let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];
+    let [thickness, face, spring, solid] =
+        in_thousandths.map(|value| fixed_significant(1e3 * value, 4));
+    let [areal, solid_areal] =
+        [sized.areal_kg_m2, sized.solid_areal_kg_m2].map(|value| fixed_significant(value, 4));
     format!(
-        "sized to just stop the shot: this armour with {} mm over a face of {} mm square{given} and {} g of spring, {} kg/m^2; a \
-         solid plate of {} mm, {} kg/m^2{efficiency}",
-        fixed_significant(1e3 * sized.scene.target.thickness_m, 4),
-        fixed_significant(1e3 * sized.scene.plate_face_m(), 4),
-        fixed_significant(1e3 * sized.spring_kg, 4),
-        fixed_significant(sized.areal_kg_m2, 4),
-        fixed_significant(1e3 * solid_m, 4),
-        fixed_significant(sized.solid_areal_kg_m2, 4),
+        "sized to just stop the shot: this armour with {thickness} mm over a face of {face} mm square{given} and {spring} g of spring, \
+         {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}"
     )
 }
 
@@ -149,10 +146,8 @@ fn as_built(own: &Entry) -> Option<String> {
     let limit = velocity(own.limit_m_s?, 4);
     let factor = own.sized.as_ref().ok().map(|sized| 1.0 / sized.factor);
     let needs = factor.map_or_else(String::new, |factor| {
-        format!(
-            "; its {thickness} mm are {} times the thickness that just stops the shot",
-            significant(factor, 3)
-        )
+        let times = significant(factor, 3);
+        format!("; its {thickness} mm are {times} times the thickness that just stops the shot")
     });
     Some(format!(
         "as built mass efficiency {} at its own limit velocity of {limit}{needs}",
@@ -170,11 +165,10 @@ fn limits(report: &Report) -> Vec<String> {
                 || "beyond the searched range".to_owned(),
                 |plate| format!("at {}", velocity(plate, 4)),
             );
-            lines.push(format!(
-                "{word}: limit velocity {}, where {}; the plate is perforated {plate}",
-                velocity(limit, 4),
-                failure.words()
-            ));
+            let (limit, why) = (velocity(limit, 4), failure.words());
+            let text =
+                format!("limit velocity {limit}, where {why}; the plate is perforated {plate}");
+            lines.push(format!("{word}: {text}"));
         }
         lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
         if !entry.is_held {

@@ -33,7 +33,7 @@ impl ModelError {
 }
 
 /// The request.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sampling {
     /// Relative standard deviation of every scattered input, > 0.
     pub deviation: f64,
@@ -47,7 +47,7 @@ pub struct Sampling {
 
 /// The result. A sample without a limit in the range of velocities counts as below or above all limits; what falls among such samples
 /// is `None`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SampledLimit {
     /// The request.
     pub sampling: Sampling,
@@ -136,12 +136,9 @@ pub(super) fn sample(
         below: of(|limit| limit == f64::NEG_INFINITY),
         above: of(|limit| limit == f64::INFINITY),
         undecided,
-        v50_m_s: None,
-        v50_95_m_s: (None, None),
-        deviation_m_s: None,
-        range90_m_s: (None, None),
         perforated,
         perforated95: wilson(perforated, known as f64),
+        ..SampledLimit::default()
     };
     sampled.rank(limits);
     Some(sampled)
@@ -211,20 +208,7 @@ mod tests {
     /// and the upper quantile is beyond the range.
     #[test]
     fn samples_beyond_the_range_keep_their_rank() {
-        let model = ModelError::default();
-        let mut sampled = SampledLimit {
-            sampling: Sampling { deviation: 0.4, samples: 8, seed: 1, model },
-            found: 4,
-            below: 1,
-            above: 3,
-            undecided: 0,
-            v50_m_s: None,
-            v50_95_m_s: (None, None),
-            deviation_m_s: None,
-            range90_m_s: (None, None),
-            perforated: 0.0,
-            perforated95: (0.0, 1.0),
-        };
+        let mut sampled = SampledLimit::default();
         let (above, below) = (f64::INFINITY, f64::NEG_INFINITY);
         sampled.rank(vec![above, 20.0, 10.0, above, 30.0, below, 40.0, above]);
         assert_eq!((sampled.v50_m_s, sampled.range90_m_s), (Some(35.0), (None, None)));

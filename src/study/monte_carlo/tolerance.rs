@@ -116,9 +116,6 @@ impl PartialEq for Tolerance {
 
 impl Tolerance {
     /// An input by its name.
-    ///
-    /// # Errors
-    /// [`SweepError`] for a variable that does not exist or has no numbers.
     pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
         let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
@@ -126,9 +123,6 @@ impl Tolerance {
 
     /// Read `normal:2%`, `normal:0.5mm`, `lognormal:5%`, `uniform:24mm..27mm`, `uniform:5%`, `triangular:24mm..27mm`; a deviation
     /// or half width alone is about the scene's own value.
-    ///
-    /// # Errors
-    /// The error, and the cure.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
         let own = Self::new(name, blank).map_err(|error| error.to_string())?;
@@ -146,10 +140,9 @@ impl Tolerance {
             "lognormal" => {
                 let median = about()?;
                 if median <= 0.0 {
+                    let (symbol, value) = (own.symbol(), units::shortest(median));
                     return Err(format!(
-                        "{} = {}: a lognormal needs a value above 0; write normal or uniform",
-                        own.symbol(),
-                        units::shortest(median)
+                        "{symbol} = {value}: a lognormal needs a value above 0; write normal or uniform"
                     ));
                 }
                 Distribution::LogNormal { median, deviation: own.width(rest, median)? / median }
@@ -211,23 +204,14 @@ impl Tolerance {
             }
             (None, None) => return Err(format!("write {}=uniform:LO..HI", self.symbol())),
         };
+        let ends = format!("{} to {}", units::shortest(low), units::shortest(high));
         if low >= high {
-            return Err(format!(
-                "{} to {}: the first end must be the lower one",
-                units::shortest(low),
-                units::shortest(high)
-            ));
+            return Err(format!("{ends}: the first end must be the lower one"));
         }
-        let some = self.number.allowed.contains(low) || self.number.allowed.contains(high);
-        let some = some || self.number.allowed.contains(0.5 * (low + high));
-        if !some {
-            return Err(format!(
-                "{} to {} holds nothing that is allowed: {} must be {}",
-                units::shortest(low),
-                units::shortest(high),
-                self.variable.meaning,
-                self.number.allowed.describe(self.number.quantity)
-            ));
+        let allowed = &self.number.allowed;
+        if ![low, high, 0.5 * (low + high)].into_iter().any(|value| allowed.contains(value)) {
+            let (meaning, rule) = (self.variable.meaning, allowed.describe(self.number.quantity));
+            return Err(format!("{ends} holds nothing that is allowed: {meaning} must be {rule}"));
         }
         Ok((low, high))
     }

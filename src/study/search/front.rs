@@ -149,7 +149,7 @@ pub struct Lack {
 }
 
 /// The front on one interface law.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Front {
     /// The law.
     pub law: InterfaceLaw,
@@ -223,7 +223,9 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn run(&self, context: &mut Context<'_, Front>) -> Front {
-        let state = RefCell::new(State { front: self.blank(), context });
+        let (law, base) = (self.scene.interface.law, self.scene.clone());
+        let front = Front { law, base, is_complete: true, ..Front::default() };
+        let state = RefCell::new(State { front, context });
         let mut function = |points: &[Vec<f64>]| {
             let found = self.evaluate_all(points, &state)?.into_iter();
             Some(found.map(|found| (self.judge(&found.values), found)).collect())
@@ -262,21 +264,6 @@ impl Search<'_> {
             candidate.standing = self.standing(&front.designs, candidate);
         }
         front
-    }
-
-    fn blank(&self) -> Front {
-        Front {
-            law: self.scene.interface.law,
-            base: self.scene.clone(),
-            designs: Vec::new(),
-            candidates: Vec::new(),
-            outside: Vec::new(),
-            generations: 0,
-            runs: 0,
-            given_up: 0,
-            lacks: Vec::new(),
-            is_complete: true,
-        }
     }
 
     /// The measures at points of the unit cube, which are kept; `None` when it was stopped.
@@ -465,9 +452,6 @@ fn first(design: &Design) -> f64 {
 }
 
 /// The usual objectives, those named, or the names' own.
-///
-/// # Errors
-/// A [`SweepError`] for an unknown name.
 pub fn objectives(
     minimise: &[impl AsRef<str>],
     maximise: &[impl AsRef<str>],

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units;
-use crate::model::variables::{self, Allowed, Kind, Number, Variable};
+use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::study::sweep::SweepError;
 
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
@@ -70,9 +70,6 @@ impl Axis {
     }
 
     /// The same where an axis may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn within(
         name: &str,
         (from, to): (f64, f64),
@@ -154,9 +151,6 @@ impl Axis {
     }
 
     /// The axes of a sweep as a scene keeps it.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
     }
@@ -351,15 +345,13 @@ pub(in crate::study) fn numeric(
     name: &str,
 ) -> Result<(&'static Variable, &'static Number), SweepError> {
     let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
-    match &variable.kind {
-        Kind::Number(number) => Ok((variable, number)),
-        Kind::Choice(_) | Kind::Switch { .. } => {
-            let (axis, choices) = (variable.symbol, variable.allowed());
-            Err(SweepError(format!(
-                "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
-            )))
-        }
-    }
+    let number = variable.number().ok_or_else(|| {
+        let (axis, choices) = (variable.symbol, variable.allowed());
+        SweepError(format!(
+            "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
+        ))
+    })?;
+    Ok((variable, number))
 }
 
 /// The shortest decimal within rounding of an exponential, so that decades are decades.
@@ -384,12 +376,12 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
         || "write a finite number".to_owned(),
         |limit| format!("let the range end at {limit}"),
     );
+    let (symbol, meaning) = (variable.symbol, variable.meaning);
+    let rule = number.allowed.describe(number.quantity);
+    let value = format!("{value} {unit}");
+    let value = value.trim_end();
     SweepError(format!(
-        "axis {}: the range reaches {}, which is impossible: {} must be {}; {cure}",
-        variable.symbol,
-        format!("{value} {unit}").trim_end(),
-        variable.meaning,
-        number.allowed.describe(number.quantity)
+        "axis {symbol}: the range reaches {value}, which is impossible: {meaning} must be {rule}; {cure}"
     ))
 }
 

@@ -117,11 +117,6 @@ impl Rows {
         self.outcomes.len()
     }
 
-    /// How many outputs a row has.
-    pub fn outputs(&self) -> usize {
-        self.outputs
-    }
-
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.outcomes.is_empty()

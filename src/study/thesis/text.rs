@@ -98,11 +98,6 @@ pub(super) fn ends(curve: &Curve) -> String {
         return "nothing finite".to_owned();
     };
     let (along, unit) = (curve.along, curve.unit);
-    format!(
-        "{} {unit} at {along} = {}, {} {unit} at {}",
-        number(first.1),
-        number(first.0),
-        number(last.1),
-        number(last.0)
-    )
+    let [from, low, to, high] = [first.0, first.1, last.0, last.1].map(number);
+    format!("{low} {unit} at {along} = {from}, {high} {unit} at {to}")
 }

@@ -188,7 +188,7 @@ fn inside_a_decade_a_logarithmic_axis_has_linear_ticks() {
 fn a_common_power_of_ten_goes_into_the_unit() {
     let mut chart = small(Vec::new());
     chart.y.view = ViewRange::new(0.0, 4e7);
-    chart.x.unit = Unit::scaled(1e-9, "Gs");
+    chart.x.unit = Unit { factor: 1e-9, name: "Gs".into() };
     let lines = picture(&chart);
     assert!(lines[0].starts_with("+- y [1e6 m] -"), "{}", lines[0]);
     assert!(lines[0].ends_with(" t [1e-9 Gs] +"), "{}", lines[0]);
@@ -302,9 +302,9 @@ fn any_f64() -> impl Strategy<Value = f64> {
 
 fn any_axis() -> impl Strategy<Value = Axis<'static>> {
     let scale = prop::sample::select(vec![Scale::Linear, Scale::Log10]);
-    let factor = prop::sample::select(vec![1.0, 1e3, 1e-6, f64::NAN, 1e300]);
+    let factor = prop::sample::select(vec![1.0, 1e3, 1e-6, 1e300]);
     (any_f64(), any_f64(), scale, factor).prop_map(|(lo, hi, scale, factor)| {
-        let unit = Unit::scaled(factor, "mµ");
+        let unit = Unit { factor, name: "mµ".into() };
         let axis = Axis::new("axis", ViewRange::new(lo, hi));
         axis.unit(unit).scale(scale)
     })

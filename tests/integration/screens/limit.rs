@@ -8,7 +8,7 @@ use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::context::Context;
-use cmra::study::limit::fit::{LambertJonas, RechtIpson};
+use cmra::study::limit::fit::ResidualLaw;
 use cmra::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::ExportOutcome;
@@ -50,8 +50,8 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         at_limit: None,
         closures: None,
         shots: below.chain(above).map(shot).collect(),
-        recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
-        lambert_jonas: Some(LambertJonas { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
+        recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
+        lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
         sampled,
         is_complete: true,
     }
