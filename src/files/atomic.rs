@@ -51,6 +51,9 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
 }
 
 /// Make the folder of a file, where it is missing.
+///
+/// # Errors
+/// [`FileError::Write`].
 pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
     let folder = directory_of(path);
     fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))
@@ -58,12 +61,18 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 
 /// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
 /// behind.
+///
+/// # Errors
+/// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
     Growing::prepare(path, existing).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
 /// terminal that is drawn on.
+///
+/// # Errors
+/// [`FileError::Refused`].
 pub fn ordinary(path: &Path) -> Result<(), FileError> {
     match fs::metadata(path) {
         Ok(found) if !found.is_file() && !found.is_dir() => Err(FileError::special(path)),
@@ -178,6 +187,9 @@ enum Place {
 
 impl Growing {
     /// Begin.
+    ///
+    /// # Errors
+    /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         clear_leftovers(directory_of(path));
         let mut file = Self::prepare(path, existing)?;
@@ -222,6 +234,9 @@ impl Growing {
     }
 
     /// Add a piece.
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
             Place::Beside(file) => file.as_file_mut().write_all(content),

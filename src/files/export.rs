@@ -78,6 +78,9 @@ enumeration! {
 
 impl Destination {
     /// Whether the table and its scene can be written: checked before a long computation, not after it.
+    ///
+    /// # Errors
+    /// [`FileError`].
     pub fn check(&self) -> Result<(), FileError> {
         self.check_beside()?;
         atomic::check(&self.path, self.existing)?;
@@ -128,6 +131,9 @@ impl Destination {
     }
 
     /// Begin a table that is written as it is made, and whose scene goes beside it.
+    ///
+    /// # Errors
+    /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
         self.check_beside()?;
         Growing::begin(&self.path, self.existing)
@@ -176,6 +182,9 @@ pub fn again(command: &str) -> String {
 
 impl RunTable {
     /// The table as it goes into the file.
+    ///
+    /// # Errors
+    /// [`FileError::Refused`] when a wanted column does not exist.
     pub fn text(&self, meta: Meta) -> Result<String, FileError> {
         let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
         let comments = match meta {
@@ -283,6 +292,9 @@ fn partial_path(csv: &Path) -> PathBuf {
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
+///
+/// # Errors
+/// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         let problem = "it ends like a scene file; name a CSV file, for example run.csv";

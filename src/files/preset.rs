@@ -94,11 +94,17 @@ pub fn list(paths: Option<&Paths>) -> List {
 }
 
 /// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
+///
+/// # Errors
+/// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     resolve_by(name, paths, Accepts::Handed)
 }
 
 /// The same for a name that was kept: what has meanwhile become a pipe is not waited for.
+///
+/// # Errors
+/// As [`resolve`], and [`FileError::Refused`] of a device or a pipe.
 pub fn resolve_kept(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     resolve_by(name, paths, Accepts::Ordinary)
 }
@@ -129,12 +135,18 @@ fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Pre
 }
 
 /// A scene in a file.
+///
+/// # Errors
+/// [`FileError`] when it cannot be read.
 pub fn from_file(path: &Path, accepts: Accepts) -> Result<Preset, FileError> {
     let text = read::text_file(path, accepts, read::BYTES_MAX)?;
     from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
 /// A scene in a text; `name` is used in errors.
+///
+/// # Errors
+/// [`FileError::Scene`].
 pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, FileError> {
     let file = match &origin {
         Origin::Bundled => format!("presets/{name}.toml"),
@@ -195,6 +207,9 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
 }
 
 /// Whether an own preset may have this name.
+///
+/// # Errors
+/// [`FileError::Refused`] with what is allowed.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
     let refuse = |problem: &str| Err(FileError::name(name, problem));

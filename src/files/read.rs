@@ -54,6 +54,9 @@ pub fn text_file(path: &Path, accepts: Accepts, bytes_max: u64) -> Result<String
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
 /// read than is accepted.
+///
+/// # Errors
+/// As [`text_file`].
 pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     source
@@ -75,6 +78,9 @@ pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<Strin
 }
 
 /// Read a scene from text; `file` is the name used in errors.
+///
+/// # Errors
+/// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     let mut reader = Reader::new(text, file);
     let mut scene = Scene::default();

@@ -103,6 +103,9 @@ pub struct Known {
 
 /// Save the session, whole or not at all. What another workbench has written there since `known` is backed up first, and where
 /// to is returned; a session that was saved like this before does not replace it.
+///
+/// # Errors
+/// [`FileError`].
 pub fn save(
     path: &Path,
     session: &Session,
@@ -237,6 +240,9 @@ fn free_name(path: &Path) -> PathBuf {
 }
 
 /// Copy a session aside before another one takes its place.
+///
+/// # Errors
+/// [`FileError`].
 pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
     let text = read::text_file(from, Accepts::Ordinary, BYTES_MAX)?;
     atomic::write(to, text.as_bytes(), Existing::Replace)

@@ -65,6 +65,9 @@ impl Part {
     }
 
     /// Read the lines of a sidecar; what is wrong, in words, where they are not those of a part.
+    ///
+    /// # Errors
+    /// The error in words.
     pub fn read(sidecar: &str) -> Result<Self, String> {
         let note = |key: &str| {
             let head = format!("# {key}: ");

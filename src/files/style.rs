@@ -33,6 +33,9 @@ enumeration! {
 
 impl Style {
     /// A whole file: its head, comment lines, and the table.
+    ///
+    /// # Errors
+    /// [`FileError::Csv`] should the table be malformed.
     pub fn file(self, comments: &str, table: &str) -> Result<String, FileError> {
         let comments = match self {
             Self::Plain => Cow::Borrowed(comments),
@@ -43,6 +46,9 @@ impl Style {
     }
 
     /// Whole rows of a table.
+    ///
+    /// # Errors
+    /// As [`Style::file`].
     pub fn rows(self, rows: &[u8]) -> Result<Cow<'_, [u8]>, FileError> {
         let mut respelt = WriterBuilder::new();
         respelt.flexible(true).terminator(Terminator::CRLF);

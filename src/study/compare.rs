@@ -257,6 +257,9 @@ impl Report {
 }
 
 /// Compare.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,

@@ -216,6 +216,9 @@ impl Report {
 }
 
 /// Find the limit of a scene, its residual-velocity curve, and the scatter requested.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(
     scene: &Arc<Scene>,
     effort: Effort,
@@ -251,6 +254,9 @@ pub fn find(
 }
 
 /// The limit of a scene and nothing else.
+///
+/// # Errors
+/// As [`find`].
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());

@@ -297,6 +297,9 @@ impl Quantity {
     }
 
     /// Read a value: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).
+    ///
+    /// # Errors
+    /// The error of the text, in words.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let kind = match self.unit() {
             "m" => units::Quantity::Length,

@@ -152,6 +152,9 @@ impl Plan {
     }
 
     /// The same for designs that are listed later, over any number of axes.
+    ///
+    /// # Errors
+    /// As [`Plan::new`].
     pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,

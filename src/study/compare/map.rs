@@ -31,6 +31,9 @@ pub struct Map {
 
 impl Map {
     /// The map of a scene over two axes.
+    ///
+    /// # Errors
+    /// A [`SweepError`] where scene or axes make no sense.
     pub fn compute(
         scene: &Scene,
         axes: &[Axis; 2],

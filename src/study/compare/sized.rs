@@ -87,6 +87,9 @@ impl Sized {
 
 /// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
 /// nothing: scene in, number out.
+///
+/// # Errors
+/// Why there is none.
 pub fn mass_efficiency(scene: &Scene, hardware: &Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NothingStops);

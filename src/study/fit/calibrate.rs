@@ -48,6 +48,9 @@ pub struct Calibration {
 }
 
 /// Calibrate a scene's strength to a limit and to the depths of stopped shots.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
 pub fn calibrate(
     scene: &Scene,
     logistic: &Logistic,

@@ -116,6 +116,9 @@ impl PartialEq for Tolerance {
 
 impl Tolerance {
     /// An input by its name.
+    ///
+    /// # Errors
+    /// [`SweepError`] for a variable that does not exist or has no numbers.
     pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
         let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
@@ -123,6 +126,9 @@ impl Tolerance {
 
     /// Read `normal:2%`, `normal:0.5mm`, `lognormal:5%`, `uniform:24mm..27mm`, `uniform:5%`, `triangular:24mm..27mm`; a deviation
     /// or half width alone is about the scene's own value.
+    ///
+    /// # Errors
+    /// The error, and the cure.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
         let own = Self::new(name, blank).map_err(|error| error.to_string())?;

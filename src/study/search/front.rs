@@ -452,6 +452,9 @@ fn first(design: &Design) -> f64 {
 }
 
 /// The usual objectives, those named, or the names' own.
+///
+/// # Errors
+/// A [`SweepError`] for an unknown name.
 pub fn objectives(
     minimise: &[impl AsRef<str>],
     maximise: &[impl AsRef<str>],

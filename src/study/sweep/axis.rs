@@ -70,6 +70,9 @@ impl Axis {
     }
 
     /// The same where an axis may have a given number of points.
+    ///
+    /// # Errors
+    /// As [`Axis::new`].
     pub fn within(
         name: &str,
         (from, to): (f64, f64),
@@ -151,6 +154,9 @@ impl Axis {
     }
 
     /// The axes of a sweep as a scene keeps it.
+    ///
+    /// # Errors
+    /// As [`Axis::new`].
     pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
         sweep.axes.iter().map(|axis| Self::of(axis, &COUNTS)).collect()
     }
