@@ -1,7 +1,6 @@
 //! The record of a run: series, events, extremes and work.
 
 use crate::model::impact::body::{Body, Noted};
-use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
@@ -10,14 +9,8 @@ use crate::numerics::{larger, maximum};
 /// Points drawn within each Taylor step, its end included.
 const POINTS_PER_STEP: usize = 8;
 
-/// Rows after which only the solver's own steps are kept, and rows at which what follows those is thinned: memory stays bounded
-/// however many steps there are.
+/// Rows after which only the solver's own steps are kept: as many as its work allows.
 const POINTS_MAX: usize = 20_000;
-const ROWS_MAX: usize = 120_000;
-/// Intervals of time of which each keeps its envelope when rows are thinned; twenty times the columns of a wide chart.
-const INTERVALS: usize = 4_000;
-/// The same for a look at a run that is still going on.
-const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
@@ -26,8 +19,6 @@ pub(super) struct Record<'a> {
     /// Where the run so far is shown, if anywhere.
     pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
-    /// Rows have been omitted from the series.
-    pub(super) is_thinned: bool,
     pub(super) events: Vec<Event>,
     /// The energies that have to be integrated; of the others nothing.
     pub(super) work: EnergyLedger,
@@ -111,15 +102,6 @@ impl Record<'_> {
             window.reach(&row);
         }
         self.series.push(row);
-        if self.series.len() >= ROWS_MAX {
-            self.series = thinned(&self.series, Kept { first: POINTS_MAX, intervals: INTERVALS });
-            self.is_thinned = true;
-        }
-    }
-
-    /// The series so far, thinned to what a chart can show.
-    pub(super) fn look(series: &[Sample]) -> Vec<Sample> {
-        thinned(series, LOOK)
     }
 
     /// Note a displacement that may be the greatest so far.

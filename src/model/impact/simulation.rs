@@ -65,7 +65,7 @@ impl<'a> Simulation<'a> {
             }
             if let Some(window) = self.record.window {
                 window
-                    .show(|| report::gather(self.body.problem, self.look(), EndReason::Cancelled));
+                    .show(|| report::gather(self.body.problem, self.clone(), EndReason::Cancelled));
             }
             if let Some(reason) =
                 self.control.budget_used_up(&self.body, self.record.first_arrest.is_none())
@@ -96,15 +96,6 @@ impl<'a> Simulation<'a> {
                 ControlFlow::Continue(detected) => self.apply_detected(detected),
             }
         }
-    }
-
-    /// The run so far, with no more of its series than a chart can show.
-    fn look(&mut self) -> Self {
-        let series = std::mem::take(&mut self.record.series);
-        let mut copy = self.clone();
-        copy.record.series = Record::look(&series);
-        self.record.series = series;
-        copy
     }
 
     pub(super) fn active_events(&self) -> ActiveEvents {
