@@ -13,7 +13,6 @@ mod missed_event;
 mod omission;
 mod outcome;
 
-pub(super) use active_events::Noted;
 pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 

@@ -1,6 +1,6 @@
 //! The record of a run: series, events, extremes and work.
 
-use crate::model::impact::body::{Body, Noted};
+use crate::model::impact::body::Body;
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
@@ -84,11 +84,6 @@ impl Setting<'_> {
 }
 
 impl Record<'_> {
-    /// Which excesses of the fused interface are noted.
-    pub(super) fn noted(&self) -> Noted {
-        Noted { push: self.push_exceeded_s.is_some(), pull: self.pull_exceeded_s.is_some() }
-    }
-
     pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
         self.events.push(Event { t_s, kind });
     }

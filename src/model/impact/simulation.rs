@@ -99,7 +99,9 @@ impl<'a> Simulation<'a> {
     }
 
     pub(super) fn active_events(&self) -> ActiveEvents {
-        self.body.active_events(self.control.stiff, self.record.noted())
+        let Record { push_exceeded_s, pull_exceeded_s, .. } = &self.record;
+        let noted = [push_exceeded_s, pull_exceeded_s].map(Option::is_some);
+        self.body.active_events(self.control.stiff, noted)
     }
 
     /// The transition after the event that ended a step, if one did.
@@ -224,8 +226,6 @@ impl<'a> Simulation<'a> {
 }
 
 pub(super) fn is_finite(state: &State) -> bool {
-    state.travel_m.is_finite()
-        && state.slip_m_s.is_finite()
-        && state.plate_m.is_finite()
-        && state.plate_m_s.is_finite()
+    let State { travel_m, slip_m_s, plate_m, plate_m_s, .. } = state;
+    [travel_m, slip_m_s, plate_m, plate_m_s].into_iter().all(|value| value.is_finite())
 }
