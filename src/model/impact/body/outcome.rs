@@ -170,14 +170,6 @@ impl Body<'_> {
         if springless && mechanism.stop.is_none() {
             return self.coasting(so_far);
         }
-        // The damper alone would stop the plate before it gets noticeably farther.
-        if w >= 0.0
-            && self.state.plate_m >= 0.0
-            && let MaximumDisplacement::Known(at_most) = self.coasting(so_far)
-            && at_most <= so_far * (1.0 + ROUNDING)
-        {
-            return MaximumDisplacement::Known(so_far);
-        }
         MaximumDisplacement::Pending
     }
 
