@@ -64,6 +64,8 @@ pub(super) struct Body<'a> {
     /// Greatest travel so far: the bottom of the hole, m.
     pub(super) deepest_m: f64,
     pub(super) rests_on_stop: bool,
+    /// The rigid stop has released the plate at this moment: no rounding of the forces brings it back.
+    pub(super) released: bool,
     /// The mechanism cannot move the plate noticeably: it stays where it is.
     pub(super) fixed: bool,
     /// The plate, on which only its mechanism acts, has come to rest.
@@ -110,6 +112,7 @@ impl<'a> Body<'a> {
             rests_on_stop: problem.mechanism.rigid_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m
                 && pull >= 0.0,
+            released: false,
             fixed: false,
             at_rest: false,
             stop_touches: problem.mechanism.elastic_stop().is_some()
@@ -199,7 +202,7 @@ impl<'a> Body<'a> {
         (if at_bottom { strength } else { pull }, pull)
     }
 
-    /// The force that presses a plate at rest at its stop, N. Whether it is held and whether it is released follow from this sign.
+    /// The force that presses a plate at rest on its stop, N.
     pub(super) fn net_push_on_stop(&self) -> f64 {
         let motion = self.motion();
         let contact = motion.contact_force(&self.state) * self.problem.cos;

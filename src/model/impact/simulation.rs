@@ -198,6 +198,7 @@ impl<'a> Simulation<'a> {
         let before = self.body.state;
         self.body.state = state;
         self.body.compensation_m = 0.0;
+        self.body.released = false;
         if let Some(event) = detected {
             self.body.project_onto_event(event, &before);
         }

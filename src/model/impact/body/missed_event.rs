@@ -20,7 +20,9 @@ impl Body<'_> {
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
         // So close that neither the time nor the displacement resolves the distance.
-        let presses = || w == 0.0 && self.net_push_on_stop() > 0.0;
+        let presses = || {
+            w == 0.0 && !self.released && self.motion().accelerations(&self.state).plate_m_s2 > 0.0
+        };
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(EventId::StopReached);
         }
