@@ -4,6 +4,7 @@
 //! every spring, damper and stop. What a model does not contain is absent from the run: no depth where it knows none, no peak
 //! force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
 
+use std::cell::LazyCell;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -134,19 +135,14 @@ impl Values {
     /// The values a valid scene's models work with: what is left open is taken from the hydrodynamic contact on a rigid mount.
     fn of(scene: &Scene) -> Self {
         let contact = &scene.contact;
-        let (duration_s, load_stiffness_n_m) =
-            match (contact.duration_s, contact.load_stiffness_n_m) {
-                (Some(duration_s), Some(load)) => (duration_s, load),
-                (duration_s, load) => {
-                    let (own_s, travel_m) = hydrodynamic_on_rigid_mount(scene);
-                    let speed_per_s = scene.projectile.velocity_m_s / travel_m;
-                    let own_n_m = scene.projectile.mass_kg * speed_per_s * speed_per_s;
-                    (duration_s.unwrap_or(own_s), load.unwrap_or(own_n_m))
-                }
-            };
+        let own = LazyCell::new(|| hydrodynamic_on_rigid_mount(scene));
+        let load_stiffness_n_m = contact.load_stiffness_n_m.unwrap_or_else(|| {
+            let speed_per_s = scene.projectile.velocity_m_s / own.1;
+            scene.projectile.mass_kg * speed_per_s * speed_per_s
+        });
         let unload = contact.unload_stiffness_n_m;
         Self {
-            duration_s,
+            duration_s: contact.duration_s.unwrap_or_else(|| own.0),
             load_stiffness_n_m,
             unload_stiffness_n_m: unload.unwrap_or(UNLOAD_PER_LOAD * load_stiffness_n_m),
         }

@@ -13,7 +13,6 @@ use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use problem::Problem;
-use record::Record;
 use simulation::Simulation;
 use window::Window;
 
@@ -31,7 +30,6 @@ mod step_control;
 mod stiff;
 mod taylor;
 mod termination;
-mod thinning;
 pub mod window;
 
 /// Order of the ordinary computation, plus one.
@@ -57,12 +55,10 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let floor = larger(simulation.control.crossing_error, rounding);
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
-        let series = std::mem::take(&mut run.series);
         let second = second(&problem, &mut |t_s| {
-            window.show(|| Run { series: Record::look(&series), ..run.clone() });
+            window.show(|| run.clone());
             observer(t_s)
         });
-        run.series = series;
         let is_closed = run.cost.steps == 0;
         let basis =
             if is_closed { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };

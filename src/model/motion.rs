@@ -209,15 +209,9 @@ impl Motion<'_> {
         h: f64,
         contact: impl ContactTerm<N>,
     ) -> Expansion<N> {
-        if self.plate_mobility == 0.0 {
-            return self.recur(state, h, contact, NoForce, NoForce);
-        }
         let law = match self.spring {
-            Elastic::Power(law) => law,
-            Elastic::Piece(piece) => {
-                let damper = any_power(self.damper, self.side_w);
-                return self.recur(state, h, contact, Along::new(piece), damper);
-            }
+            Elastic::Power(law) if self.plate_mobility != 0.0 => law,
+            _ => return self.with_any_mechanism(state, h, contact),
         };
         match law.kind() {
             PowerKind::Absent => self.with_spring(state, h, contact, NoForce),

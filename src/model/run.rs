@@ -129,8 +129,6 @@ worded! {
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
         NonFinite = "ended early: a value stopped being finite",
-        /// Too many events in a row (a plate rattling on its stop, for instance).
-        EventBudget = "ended early: too many events",
         BreaksOff = "ended early: the printed listing breaks off at a negative depth",
         Cancelled = "cancelled: what was finished is kept",
     }

@@ -174,9 +174,6 @@ fn progress_comes_at_most_twice_a_second() {
     next_last(&reports);
 }
 
-/// Rows that neither a look nor a long run omits.
-const OWN_ROWS: usize = 4_000;
-
 /// A scene whose run keeps oscillating for many seconds.
 fn swinging(id: u64, slot: Slot) -> Task {
     let mut scene = Scene::default();
@@ -206,10 +203,7 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     assert!(first.first_arrest.is_some() && first.first_arrest == whole.first_arrest);
     for part in [&first, &second] {
         let rows = part.series.len();
-        // A look has no more rows than a chart can show. It begins with the run's own; of a long run both are thinned by themselves
-        // from there on (`model/impact/window.rs` compares all rows).
-        let own = part.series.len().min(OWN_ROWS);
-        assert!(rows > 100 && part.series[..own] == whole.series[..own], "{rows} rows");
+        assert!(rows > 100 && part.series[..] == whole.series[..rows], "{rows} rows");
         assert!(part.series.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s));
     }
     let reached = |run: &Run| run.series.last().map(|row| row.t_s);

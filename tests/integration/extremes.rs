@@ -213,7 +213,8 @@ fn a_horizon_that_is_not_reached_is_reported_and_the_series_is_bounded() {
             if *t_s >= last * (1.0 - 1e-9) && *horizon_s > 0.09)
     });
     assert!(told, "{:?}", found.warnings);
-    assert!(found.series.len() < 130_000, "{} rows", found.series.len());
+    // The budget of work, and the points within the first steps.
+    assert!(found.series.len() < 420_000, "{} rows", found.series.len());
     let ordered = |rows: &[Sample]| rows.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s);
     assert!(ordered(&found.series));
 }

@@ -57,7 +57,6 @@ enum Class {
     TimeRunsBack,
     StepUnderflow,
     StepBudget,
-    EventBudget,
     NonFiniteEnd,
     /// More steps than its oscillations and events account for.
     ManySteps,
@@ -73,7 +72,6 @@ impl Class {
             | Self::Energy
             | Self::StepUnderflow
             | Self::StepBudget
-            | Self::EventBudget
             | Self::NonFiniteEnd
             | Self::ManySteps => false,
         }
@@ -158,7 +156,6 @@ fn class_of_end(course: &Course) -> Option<Class> {
         EndReason::StepBudget => Some(Class::StepBudget),
         EndReason::StepUnderflow => Some(Class::StepUnderflow),
         EndReason::NonFinite => Some(Class::NonFiniteEnd),
-        EndReason::EventBudget => Some(Class::EventBudget),
         EndReason::BreaksOff | EndReason::Cancelled => Some(Class::ManySteps),
     }
 }

@@ -14,7 +14,6 @@ mod omission;
 mod outcome;
 mod rebound;
 
-pub(super) use active_events::Noted;
 pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 

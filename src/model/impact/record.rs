@@ -1,28 +1,16 @@
 //! The record of a run: series, events, extremes and work.
 
-use crate::model::impact::body::{Body, Noted};
-use crate::model::impact::thinning::{Kept, thinned};
+use crate::model::impact::body::Body;
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
-use crate::numerics::root::each_down_crossing;
-use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
 
 /// Points drawn within each Taylor step, its end included.
 const POINTS_PER_STEP: usize = 8;
 
-/// Rows after which only the solver's own steps are kept, and rows at which what follows those is thinned: memory stays bounded
-/// however many steps there are.
+/// Rows after which only the solver's own steps are kept: as many as its work allows.
 const POINTS_MAX: usize = 20_000;
-const ROWS_MAX: usize = 120_000;
-/// Intervals of time of which each keeps its envelope when rows are thinned; twenty times the columns of a wide chart.
-const INTERVALS: usize = 4_000;
-/// The same for a look at a run that is still going on.
-const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
-
-/// Part of a series' variation by which it may miss its quantity at the end of a step.
-const CONVERGED: f64 = 1e-7;
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
@@ -31,8 +19,6 @@ pub(super) struct Record<'a> {
     /// Where the run so far is shown, if anywhere.
     pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
-    /// Rows have been omitted from the series.
-    pub(super) is_thinned: bool,
     pub(super) events: Vec<Event>,
     /// The energies that have to be integrated; of the others nothing.
     pub(super) work: EnergyLedger,
@@ -98,11 +84,6 @@ impl Setting<'_> {
 }
 
 impl Record<'_> {
-    /// Which excesses of the fused interface are noted.
-    pub(super) fn noted(&self) -> Noted {
-        Noted { push: self.push_exceeded_s.is_some(), pull: self.pull_exceeded_s.is_some() }
-    }
-
     pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
         self.events.push(Event { t_s, kind });
     }
@@ -116,15 +97,6 @@ impl Record<'_> {
             window.reach(&row);
         }
         self.series.push(row);
-        if self.series.len() >= ROWS_MAX {
-            self.series = thinned(&self.series, Kept { first: POINTS_MAX, intervals: INTERVALS });
-            self.is_thinned = true;
-        }
-    }
-
-    /// The series so far, thinned to what a chart can show.
-    pub(super) fn look(series: &[Sample]) -> Vec<Sample> {
-        thinned(series, LOOK)
     }
 
     /// Note a displacement that may be the greatest so far.
@@ -286,17 +258,14 @@ const RECIPROCALS: [f64; TERMS_MAX] = {
     reciprocals
 };
 
-/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where
-/// the slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that
-/// has not converged, although those of the state have, says nothing.
+/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known. Where its series
+/// cannot turn on the way, or cannot exceed that, the ends say it.
 fn greatest<const N: usize>(
     series: &[f64; N],
     span: f64,
     known: f64,
     value: impl Fn(f64) -> f64,
 ) -> f64 {
-    let (start, end) = (series[0], value(span));
-    let best = larger(start, end);
     // The most by which series and slope may vary.
     let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
     for (j, c) in series.iter().enumerate().skip(1) {
@@ -304,14 +273,8 @@ fn greatest<const N: usize>(
         power *= span;
         size += (c * power).abs();
     }
-    let is_converged = (evaluate(series, span) - end).abs() <= CONVERGED * size;
-    if !is_converged {
-        return larger(maximum::greatest(0.0, span, known, &value), best);
+    if bend <= series[1].abs() || series[0] + size <= known {
+        return larger(series[0], value(span));
     }
-    let does_not_matter = bend <= series[1].abs() || start + size <= known;
-    let mut most = best;
-    if !does_not_matter {
-        each_down_crossing(&slope(series), span, |s| most = larger(value(s), most));
-    }
-    most
+    maximum::greatest(0.0, span, known, value)
 }

@@ -184,12 +184,6 @@ fn warnings(
             Warning::EndedEarly(end)
         });
     }
-    if record.is_thinned {
-        list.push(Warning::SeriesThinned {
-            rows: record.series.len(),
-            steps: simulation.control.steps,
-        });
-    }
     if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
         list.push(Warning::InterfacePush { ratio, t_s });
     }

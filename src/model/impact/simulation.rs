@@ -65,7 +65,7 @@ impl<'a> Simulation<'a> {
             }
             if let Some(window) = self.record.window {
                 window
-                    .show(|| report::gather(self.body.problem, self.look(), EndReason::Cancelled));
+                    .show(|| report::gather(self.body.problem, self.clone(), EndReason::Cancelled));
             }
             if let Some(reason) =
                 self.control.budget_used_up(&self.body, self.record.first_arrest.is_none())
@@ -98,17 +98,10 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// The run so far, with no more of its series than a chart can show.
-    fn look(&mut self) -> Self {
-        let series = std::mem::take(&mut self.record.series);
-        let mut copy = self.clone();
-        copy.record.series = Record::look(&series);
-        self.record.series = series;
-        copy
-    }
-
     pub(super) fn active_events(&self) -> ActiveEvents {
-        self.body.active_events(self.control.stiff, self.record.noted())
+        let Record { push_exceeded_s, pull_exceeded_s, .. } = &self.record;
+        let noted = [push_exceeded_s, pull_exceeded_s].map(Option::is_some);
+        self.body.active_events(self.control.stiff, noted)
     }
 
     /// The transition after the event that ended a step, if one did.
@@ -233,8 +226,6 @@ impl<'a> Simulation<'a> {
 }
 
 pub(super) fn is_finite(state: &State) -> bool {
-    state.travel_m.is_finite()
-        && state.slip_m_s.is_finite()
-        && state.plate_m.is_finite()
-        && state.plate_m_s.is_finite()
+    let State { travel_m, slip_m_s, plate_m, plate_m_s, .. } = state;
+    [travel_m, slip_m_s, plate_m, plate_m_s].into_iter().all(|value| value.is_finite())
 }

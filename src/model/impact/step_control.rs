@@ -7,10 +7,8 @@ use crate::model::mechanism::sign;
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::smaller;
 
-/// Work after which a run ends early, in Taylor expansions: about a second.
+/// Work after which a run ends early, in Taylor expansions: about a second. An event counts as one, too.
 const WORK_MAX: usize = 400_000;
-/// Events after which a run ends early.
-const EVENTS_MAX: usize = 400_000;
 
 /// Turns and events (five hundred oscillations) and steps after which a run that was given no horizon ends while still moving. A
 /// plate on an undamped spring oscillates for ever. The first contact, which always ends, has only the limit of work.
@@ -84,8 +82,6 @@ impl StepControl {
         let is_worked_off = self.work.get() > WORK_MAX;
         if oscillates && (is_undecided || is_worked_off) {
             Some(EndReason::Oscillates)
-        } else if self.event_count > EVENTS_MAX {
-            Some(EndReason::EventBudget)
         } else {
             is_worked_off.then_some(EndReason::StepBudget)
         }

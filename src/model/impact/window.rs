@@ -104,7 +104,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::run::{EndReason, Sample, Warning};
+    use crate::model::run::{EndReason, Sample};
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate_openly};
 
@@ -132,7 +132,7 @@ mod tests {
         rows.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s && pair[0] != pair[1])
     }
 
-    /// Not thinned yet, a run has every row of a look at it.
+    /// A run has every row of a look at it.
     #[test]
     fn every_row_of_a_look_is_one_of_the_runs_own_in_their_order() {
         let (parts, whole) = looks(&[500, 2_000, 5_000], 6_000);
@@ -145,15 +145,5 @@ mod tests {
                 assert!(own.any(|one| one == row), "{row:?}");
             }
         }
-    }
-
-    /// What a run thins later, an earlier look may still have: the rows of both begin alike and stay in order.
-    #[test]
-    fn a_look_at_a_run_that_is_thinned_later_begins_with_its_rows() {
-        let (parts, whole) = looks(&[20_000], 110_000);
-        let is_thinned = |warning: &Warning| matches!(warning, Warning::SeriesThinned { .. });
-        assert!(whole.warnings.iter().any(is_thinned));
-        assert!(is_in_order(&whole.series) && is_in_order(&parts[0].series));
-        assert_eq!(parts[0].series[..4_000], whole.series[..4_000]);
     }
 }

@@ -20,7 +20,6 @@ pub enum Warning {
     EndedEarly(EndReason),
     StillMoving { outcome: Outcome, at_least: AtLeast },
     HorizonNotReached { reason: EndReason, t_s: f64, horizon_s: f64 },
-    SeriesThinned { rows: usize, steps: usize },
     NoBaseline,
     Overruns { t_s: f64, duration_s: f64 },
     NotModelled(NotModelled),
@@ -143,11 +142,6 @@ impl fmt::Display for Warning {
             Self::HorizonNotReached { reason, t_s, horizon_s } => {
                 f.write_str(&horizon_not_reached(*reason, *t_s, *horizon_s))
             }
-            Self::SeriesThinned { rows, steps } => write!(
-                f,
-                "the series has {rows} rows for {steps} steps: its beginning in full, then first, last, least and greatest values of \
-                 short intervals"
-            ),
             Self::Overruns { t_s, duration_s } => f.write_str(&overruns(*t_s, *duration_s)),
             Self::NotModelled(what) => f.write_str(what.words()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(

@@ -45,11 +45,6 @@ impl Body<'_> {
         self.energy_j() + apart_j
     }
 
-    /// Whether what still moves has no more energy than [`NO_ENERGY`] of the projectile's at first contact.
-    pub(in crate::model::impact) fn has_no_energy(&self) -> bool {
-        self.has_less_than(NO_ENERGY)
-    }
-
     /// Whether what still moves has no more than this part of the projectile's energy at first contact.
     pub(in crate::model::impact) fn has_less_than(&self, part: f64) -> bool {
         let problem = self.problem;
@@ -60,12 +55,7 @@ impl Body<'_> {
             && problem.mechanism.spring.drives_away(self.state.plate_m).is_none()
     }
 
-    /// How far forward the plate could still go, m; infinite when nothing stops it.
-    pub(super) fn reach_m(&self) -> f64 {
-        self.reach_with(self.energy_j())
-    }
-
-    /// How far forward the plate can go with this energy, m.
+    /// How far forward the plate can go with this energy, m; infinite when nothing stops it.
     pub(in crate::model::impact) fn reach_with(&self, energy: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let spring = mechanism.spring.forward(self.state.plate_m, energy);

@@ -1,14 +1,14 @@
 //! The outcome of a shot and the greatest displacement, as far as nothing can change them any more.
 
-use super::Body;
+use super::{Body, NO_ENERGY};
 use crate::model::motion::State;
 use crate::model::run::{Mode, Outcome};
 use crate::numerics::larger;
 
 /// A later change of depth below this part of the tolerance does not count.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Nor does one below this part of the depth, however tight the tolerance.
-const DEPTH_ROUNDING: f64 = 1e-12;
+/// Nor does one below this part of the depth, or of the displacement, however tight the tolerance.
+const ROUNDING: f64 = 1e-12;
 /// Energy below this part of all there was with which bodies that are not joined are at rest.
 const AT_REST: f64 = 1e-9;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
@@ -49,7 +49,7 @@ impl Body<'_> {
 
     /// Plastic and together: whether the interface will hold whatever comes.
     fn holds_for_good(&self) -> bool {
-        if self.is_at_rest() || self.has_no_energy() || self.is_thrown_back_freely() {
+        if self.is_at_rest() || self.has_less_than(NO_ENERGY) || self.is_thrown_back_freely() {
             return true;
         }
         let mechanism = &self.problem.mechanism;
@@ -61,7 +61,7 @@ impl Body<'_> {
         let pull_out = self.problem.grip
             * self.problem.strength_pa
             * self.problem.geometry.swept_m3(self.state.travel_m);
-        let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, DEPTH_ROUNDING);
+        let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, ROUNDING);
         let is_nothing = |energy: f64| energy < negligible * depth * strength && energy < pull_out;
         if is_nothing(energy) {
             return true;
@@ -70,7 +70,10 @@ impl Body<'_> {
             return true;
         }
         let returns = !mechanism.spring.is_absent() || self.state.plate_m_s > 0.0;
-        if mechanism.rigid_stop().is_some() && returns && self.reach_m() >= mechanism.stop_at_m {
+        if mechanism.rigid_stop().is_some()
+            && returns
+            && self.reach_with(energy) >= mechanism.stop_at_m
+        {
             // Only what the spring does not hold when the plate meets its stop is left to the projectile.
             let on_arrival = energy - mechanism.spring.energy(mechanism.stop_at_m);
             if !is_nothing(on_arrival) {
@@ -128,7 +131,7 @@ impl Body<'_> {
     ) -> MaximumDisplacement {
         let mechanism = &self.problem.mechanism;
         let w = self.state.plate_m_s;
-        let is_over = self.is_at_rest() || self.has_no_energy() || self.rests_in_contact();
+        let is_over = self.is_at_rest() || self.has_less_than(NO_ENERGY) || self.rests_in_contact();
         if self.problem.rigid || is_over {
             return MaximumDisplacement::Known(so_far);
         }
@@ -142,12 +145,10 @@ impl Body<'_> {
                 MaximumDisplacement::Known(so_far)
             };
         }
-        let reach = self.reach_m();
+        let reach = self.reach_with(self.energy_j());
         let stroke = so_far - self.problem.start_m;
-        if reach <= so_far * (1.0 + 1e-12)
-            || (reach - so_far).abs() < 1e-15 * so_far.abs()
-            || reach - so_far <= NEGLIGIBLE * self.tolerance * stroke
-        {
+        let negligible = larger(ROUNDING * so_far.abs(), NEGLIGIBLE * self.tolerance * stroke);
+        if reach - so_far <= negligible {
             return MaximumDisplacement::Known(so_far);
         }
         let springless = mechanism.spring.is_absent();
@@ -168,14 +169,6 @@ impl Body<'_> {
         }
         if springless && mechanism.stop.is_none() {
             return self.coasting(so_far);
-        }
-        // The damper alone would stop the plate before it gets noticeably farther.
-        if w >= 0.0
-            && self.state.plate_m >= 0.0
-            && let MaximumDisplacement::Known(at_most) = self.coasting(so_far)
-            && at_most <= so_far * (1.0 + 1e-12)
-        {
-            return MaximumDisplacement::Known(so_far);
         }
         MaximumDisplacement::Pending
     }
