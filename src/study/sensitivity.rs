@@ -73,6 +73,11 @@ pub struct Report {
 }
 
 impl Report {
+    /// Whether neither the scene nor any end of a variable has the result.
+    pub fn is_empty(&self) -> bool {
+        self.own.is_none() && self.bars.iter().all(|bar| bar.swing().is_none())
+    }
+
     /// The variables by Sobol's total index, the greatest first; by the tornado where there is none.
     pub fn order(&self) -> Vec<usize> {
         let weight = |at: usize| {

@@ -285,7 +285,7 @@ impl App {
                 lines.extend(broken(self.candidates(front, task, width), width));
                 lines
             }
-            Answer::Sensitivity(report) if is_empty(report) => {
+            Answer::Sensitivity(report) if report.is_empty() => {
                 broken(matters(report, width), width)
             }
             Answer::Sensitivity(report) => matters(report, width),
@@ -389,18 +389,13 @@ fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
-/// Whether neither the scene nor any end of a variable has the result.
-fn is_empty(report: &sensitivity::Report) -> bool {
-    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
-}
-
 fn matters(report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
     let output = report.output;
     let own = output.show_any(report.own, 3);
     let mut lines =
         vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
     lines.push(note("one variable at a time, from low to high end".to_owned()));
-    if is_empty(report) {
+    if report.is_empty() {
         let text = "nothing to compare: no run has this result; Tab, then Of: choose another one";
         return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
     }
