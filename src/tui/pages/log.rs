@@ -118,6 +118,16 @@ impl App {
             Some(shown) => of_run(&mut lines, shown, self.is_stale()),
             None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
         }
+        let explore = self.pages.explore.found(self.picture());
+        let explore = explore.map_or(&[][..], |found| &found.grid.outside_at_ends);
+        let search = self.pages.search.shown();
+        let search = search.map_or(&[][..], |found| found.answer.outside_at_ends());
+        for (heading, ends) in [("Explore", explore), ("Search", search)] {
+            if !ends.is_empty() {
+                let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));
+                section(&mut lines, &format!("Warnings at the ends of an axis: {heading}"), ends);
+            }
+        }
         if !older.is_empty() {
             section(&mut lines, "Older messages", older);
         }

@@ -206,7 +206,10 @@ impl Page for SearchTab {
             }
             None => app.validity_part(),
         };
-        std::iter::once(first).chain(validity).chain(count).collect()
+        let found = tab.shown().filter(|_| running.is_none() && !app.search_is_old());
+        let ends = found.into_iter().flat_map(|found| found.answer.outside_at_ends());
+        let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
+        std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
