@@ -1,7 +1,7 @@
 //! The Log tab: messages of this session, and all about the run on the screen.
 
 use crate::model::run::envelope;
-use crate::report::run::page::{computation, energy, events, results, sentence};
+use crate::report::run::page::{computation, energy, events, of_first, results, sentence};
 use crate::tui::app::notice::Notice;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
@@ -158,9 +158,11 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     if let Some(stack) = &run.stack {
         section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
     }
-    section(lines, "Events", plain(events(run)));
-    let heading = "Energy: where it was at the start, and where it went";
-    section(lines, heading, plain(energy(&run.ledger)));
-    section(lines, "Results", plain([vec![sentence(run)], results(run)].concat()));
-    section(lines, "Computation", plain(computation(run, shown.took)));
+    let first = of_first(run);
+    section(lines, &format!("Events{first}"), plain(events(run)));
+    let heading = format!("Energy{first}: where it was at the start, and where it went");
+    section(lines, &heading, plain(energy(&run.ledger)));
+    let results = plain([vec![sentence(run)], results(run)].concat());
+    section(lines, &format!("Results{first}"), results);
+    section(lines, &format!("Computation{first}"), plain(computation(run, shown.took)));
 }

@@ -4,6 +4,7 @@ use ratatui::text::{Line, Span};
 
 use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::law::Law;
+use crate::report::run::page::of_first;
 use crate::report::series::Quantity;
 use crate::tui::app::status::{short_name, value_at};
 use crate::tui::chart::{
@@ -209,7 +210,10 @@ fn title(app: &App, quantity: Quantity) -> String {
     let is_difference = app.charts.difference && quantity.is_over_time();
     match app.reference_pin().filter(|_| is_difference) {
         Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
-        None => format!("{} {}", quantity.title(), quantity.symbol()),
+        None => {
+            let first = app.visible_runs().iter().map(|view| of_first(view.run)).max();
+            format!("{} {}{}", quantity.title(), quantity.symbol(), first.unwrap_or_default())
+        }
     }
 }
 
