@@ -294,7 +294,12 @@ fn move_on_map(app: &mut App, by: (isize, isize)) {
 
 fn compare(app: &mut App) {
     match app.compared_scene() {
-        Ok(scene) => jobs::study_of(app, Tab::Limit, &Arc::new(scene), EqualMass),
+        Ok(scene) => jobs::study_of(
+            app,
+            Tab::Limit,
+            &Arc::new(scene),
+            EqualMass { absorber: app.pages.limit.absorber.clone() },
+        ),
         Err(why) => app.refuse(why),
     }
 }

@@ -25,12 +25,17 @@ pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is p
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene.
 #[derive(Debug)]
-pub struct EqualMass;
+pub struct EqualMass {
+    /// The absorber of the library that the scene has for it.
+    pub absorber: Option<String>,
+}
 
 /// A comparison at equal areal mass with its map, where there is one.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     pub report: compare::Report,
+    /// The absorber it was made with; `None`: the scene's own.
+    pub absorber: Option<String>,
     /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
     pub map: Option<Map>,
 }
@@ -51,14 +56,19 @@ impl Study for EqualMass {
         let axes = [("v_i", MAP_POINTS), (scene.plate.size.key(), MAP_POINTS)]
             .map(|(name, count)| map::usual_axis(scene, name, count).ok());
         let [Some(x), Some(y)] = axes.map(|axis| axis.filter(|_| report.is_complete)) else {
-            return Ok(Finding::new(Comparison { report, map: None }));
+            return Ok(Finding::new(Comparison {
+                report,
+                absorber: self.absorber.clone(),
+                map: None,
+            }));
         };
-        let part = || Some(Finding::new(Comparison { report: report.clone(), map: None }));
+        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
+        let part = || Some(Finding::new(first.clone()));
         let done = whole - points;
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
         let context = &mut Context::new(reporter.threads(), watch);
         let map = Map::compute(scene, &[x, y], Hardware::default(), context).ok();
-        Ok(Finding::new(Comparison { report, map }))
+        Ok(Finding::new(Comparison { map, ..first }))
     }
 }
 
@@ -95,9 +105,9 @@ impl App {
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
-        let absorber = self.absorber().filter(|_| !self.comparison_is_old());
-        let scene = absorber.map_or("scene", |it| &it.name);
-        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, scene, width))
+        self.comparison().map_or_else(Vec::new, |found| {
+            lines(&found.report, found.absorber.as_deref().unwrap_or("scene"), width)
+        })
     }
 
     /// With which absorber the comparison is made.
