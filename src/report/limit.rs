@@ -142,7 +142,7 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
         percent(found.perforated95.1),
     );
     let mut inputs = format!(
-        "inputs +-{} % (standard deviation), {} samples, seed {}",
+        "inputs but v_i +-{} % (standard deviation), {} samples, seed {}",
         percent(asked.deviation),
         asked.samples,
         asked.seed

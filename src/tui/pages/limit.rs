@@ -24,7 +24,7 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "V50 and its spread (inputs +-2 %; model error: cmra limit)"),
+        key(A::View, "V50", "V50 and its spread (inputs but v_i +-2 %; model error: cmra limit)"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
     ] },
