@@ -8,7 +8,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
 use crate::files::report::Format;
-use crate::model::scene::{Scene, SpringKind, WhichSpring};
+use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
 use crate::tui::dialogs::export::{self as runs, Choices};
@@ -261,12 +261,7 @@ fn next_name(text: &str) -> String {
     }
 }
 
-/// The first part of the name proposed for a file about a scene: the preset's, where the scene is still that.
-pub(crate) fn stem<'a>(app: &'a App, scene: &Scene) -> &'a str {
-    if *scene == *app.base.scene { base_stem(app) } else { "scene" }
-}
-
-/// The preset's name without folders and ending.
+/// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
 pub(crate) fn base_stem(app: &App) -> &str {
     app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
 }

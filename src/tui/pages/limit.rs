@@ -132,7 +132,7 @@ impl Page for LimitTab {
             let kept = &app.pages.limit.report;
             let report = kept.found.as_ref().filter(|report| !report.shots.is_empty())?;
             let (report, is_complete) = (Arc::clone(report), kept.is_complete);
-            let file = format!("{}-limit.csv", ask::stem(app, &kept.scene));
+            let file = format!("{stem}-limit.csv");
             let csv = move |name: &str| limit::shots(name, &report).csv();
             let table = PageTable::new("Export the shots to CSV", file, is_complete, csv);
             return Some(table.of(app, &kept.scene));

@@ -13,7 +13,7 @@ use crate::study::validity::counted;
 use crate::tui::app::history::{Snapshot, Stepping};
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::dialogs::{around, wrap};
+use crate::tui::dialogs::{around, ask, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -238,7 +238,8 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
+        let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
+        let found = app.pages.search.shown()?.clone();
         let (scene, is_complete) = (found.searched(), found.is_complete());
         let csv = move |name: &str| found.csv(name);
         Some(PageTable::new("Export the results to CSV", file, is_complete, csv).of(app, &scene))

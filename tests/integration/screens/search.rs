@@ -232,7 +232,7 @@ fn results_are_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let (to, text, has_scene) = bench.exported().expect("an export");
-    assert!(to.path.ends_with("seek.csv") && has_scene);
+    assert!(to.path.ends_with("thesis-baseline-seek.csv") && has_scene);
     assert!(text.starts_with("scene,kind,variable,"), "{text}");
 }
 
