@@ -153,9 +153,6 @@ fn in_dialog(dialog: &Dialog) -> Keys {
     match dialog {
         Dialog::List(list, picker) => in_list(*list, picker.typing),
         Dialog::Ask(ask) => match (ask.purpose, ask.question) {
-            (Purpose::Preset, true) => {
-                &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
-            }
             (_, true) => REPLACE,
             (Purpose::Preset, false) => &[("Enter", "save"), ("Esc", "do not save")],
             (Purpose::Table(_), false) => {
