@@ -45,12 +45,17 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         None => "Claims of the thesis".to_owned(),
         Some(verdict) => format!("Claims: {}", verdict.words()),
     };
+    let found = if tab.find.is_empty() { String::new() } else { format!(" /{}", tab.find) };
+    let title = title + &found;
     let count = format!("{} of {}", shown.len(), tab.rows().len());
     let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
         let text = match tab.rows() {
             [] => nothing::<Claims>(app, "checking the first claims", None),
+            _ if !found.is_empty() => {
+                app.keymap.shown("no row of this verdict matches: <find> finds")
+            }
             _ => app.keymap.shown("no row has this verdict: <view> for the next"),
         };
         canvas.put(inner, (1, 1), &text, Role::Dim);
