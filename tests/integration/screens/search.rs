@@ -227,6 +227,18 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
 }
 
+/// The baseline cocked by 0.5 m, the end of the usual range: its interface must carry 2.875 times its strength.
+#[test]
+fn a_breach_at_the_end_of_the_range_is_named_and_explained() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    assert!(bench.screen().contains("at the ends: interface"), "{}", bench.screen());
+    bench.keys("7");
+    let lines = bench.app.log_lines(200);
+    let found =
+        lines.iter().any(|line| line.0.contains("at d = 0.5: ") && line.0.contains("2.875"));
+    assert!(found, "{lines:?}");
+}
+
 #[test]
 fn results_are_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));

@@ -211,7 +211,9 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, COMPARISON);
     let focused = app.has_focus(COMPARISON);
     let old = if app.comparison_is_old() { " (of another scene)" } else { "" };
-    let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
+    let chosen = app.pages.limit.absorber.as_ref();
+    let absorber = app.comparison().map_or(chosen, |found| found.absorber.as_ref());
+    let with = absorber.map_or_else(String::new, |name| format!(" with {name}"));
     let title = format!("Does moving armour pay?{with}{old}");
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
