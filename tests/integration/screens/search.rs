@@ -80,13 +80,13 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     }
 }
 
-fn compared(scene: &Arc<Scene>) -> Comparison {
+fn compared(scene: &Arc<Scene>, absorber: Option<String>) -> Comparison {
     let mut watch = to_its_end;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
     let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
     let map = Map::compute(scene, &axes, hardware, context).ok();
-    Comparison { report, map }
+    Comparison { report, absorber, map }
 }
 
 /// Answer what was requested, and what is requested then.
@@ -103,8 +103,8 @@ pub(super) fn answer(bench: &mut Bench) {
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     let found = if let Some(request) = study.asked.of::<Request>() {
         Finding::new(made(&study.scene, request))
-    } else if study.asked.of::<EqualMass>().is_some() {
-        Finding::new(compared(&study.scene))
+    } else if let Some(EqualMass { absorber }) = study.asked.of() {
+        Finding::new(compared(&study.scene, absorber.clone()))
     } else {
         return false;
     };
