@@ -63,7 +63,7 @@ pub(super) struct OptimiseArguments {
         long,
         value_name = "QUANTITY<=VALUE",
         allow_hyphen_values = true,
-        help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
+        help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated [default: 'stroke_m<=1m' where the stroke is minimised]"
     )]
     subject_to: Vec<String>,
     /// Ignore the feasibility constraints: interface demand and tension, yield and travel of the spring, rigid stop, plate face
@@ -86,14 +86,18 @@ pub(super) struct OptimiseArguments {
 
 impl OptimiseArguments {
     fn task(&self, scene: &Scene) -> Result<Task, CliError> {
-        let named = self.subject_to.iter().map(|text| constraint(text));
+        let objectives = objectives(&self.minimise, &self.maximise)?;
+        // As in the workbench: without a bound, the stroke of some designs is kilometres.
+        let has_stroke = objectives.iter().any(|it| it.measure.name == "stroke_m" && !it.maximise);
+        let usual = (self.subject_to.is_empty() && has_stroke).then_some("stroke_m<=1m");
+        let named = self.subject_to.iter().map(String::as_str).chain(usual).map(constraint);
         let mut constraints: Vec<Constraint> = named.collect::<Result<_, _>>()?;
         if !self.no_feasibility {
             constraints.extend(feasibility());
         }
         Ok(Task {
             axes: bounds(&self.over, scene)?,
-            objectives: objectives(&self.minimise, &self.maximise)?,
+            objectives,
             constraints,
             laws: match self.laws {
                 Laws::Both => vec![InterfaceLaw::Fused, InterfaceLaw::Plastic],

@@ -75,13 +75,17 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         rows: table(name, &report),
     };
     arguments.study.deliver(&preset.scene, answer)?;
-    Ok(progress::exit_code(true))
+    Ok(progress::exit_code(!report.is_empty()))
 }
 
 fn page(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page =
         format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
+    if report.is_empty() {
+        page.push_str("nothing to compare: no run has this result; choose another one: --output\n");
+        return page;
+    }
     let keys = ["variable", "low", "high", "output_at_low", "output_at_high", "bar"];
     let bars = tornado(report, BAR).page(&keys, width());
     let _ = writeln!(page, "one at a time, the others as in the scene\n{bars}");

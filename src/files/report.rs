@@ -12,10 +12,11 @@ use crate::report::document::{Block, Document};
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::picture;
 use crate::report::limit::{remarks, residual};
-use crate::report::run::page::sentence;
+use crate::report::run::page::{of_first, sentence};
 use crate::report::svg::Picture;
 use crate::study::limit;
 use crate::study::quantities::{Quantity, of_runs};
+use crate::study::stack;
 use crate::study::sweep::grid::Grid;
 use crate::study::validity;
 
@@ -63,7 +64,7 @@ impl Subject<'_> {
         let mut document = self.head();
         results(&mut document, self.run);
         let charts = selected(self.run).into_iter().map(Picture::Chart).map(block);
-        section(&mut document, "Charts", charts.collect());
+        section(&mut document, &format!("Charts{}", of_first(self.run)), charts.collect());
         section(&mut document, "Ballistic limit", ballistic_limit(self.limit));
         section(&mut document, "Sweep", self.sweep.map(own_sweep).unwrap_or_default());
         section(&mut document, "Run it again", self.again());
@@ -79,7 +80,8 @@ impl Subject<'_> {
         let Self { name, scene, run, .. } = *self;
         let title = clean::line(&scene.title);
         let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
-        let mut document = Document { title, blocks: vec![Block::Paragraph(sentence(run))] };
+        let outcome = run.stack.as_ref().map_or_else(|| sentence(run), |stack| stack.sentence());
+        let mut document = Document { title, blocks: vec![Block::Paragraph(outcome)] };
         // Warnings have a section of their own.
         let known: Vec<&str> = library::warnings(scene).collect();
         let notes: Vec<&str> = scene.notes.lines().filter(|line| !known.contains(line)).collect();
@@ -160,16 +162,20 @@ fn results(document: &mut Document, run: &Run) {
         ])
     };
     let head = ["result", "value", "relative error", "key"].map(str::to_owned).to_vec();
-    let mut blocks = vec![Block::Table { head, rows: of_runs().filter_map(row).collect() }];
+    let blocks = vec![Block::Table { head, rows: of_runs().filter_map(row).collect() }];
     let events = run.events.iter().map(|event| {
         let time = units::engineering(event.t_s, "s", DIGITS);
         format!("{time}: {}", event.kind.words())
     });
     let events: Vec<String> = events.collect();
-    if !events.is_empty() {
-        blocks.push(Block::List(events));
-    }
     section(document, "Results", blocks);
+    if let Some(stack) = &run.stack {
+        let table = stack::table(run, stack).join("\n");
+        section(document, "Stack: plate by plate", vec![Block::Code(table)]);
+    }
+    if !events.is_empty() {
+        section(document, &format!("Events{}", of_first(run)), vec![Block::List(events)]);
+    }
 }
 
 /// The ballistic limit with its curve.

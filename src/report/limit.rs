@@ -134,8 +134,9 @@ fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
     let own = velocity(report.scene.projectile.velocity_m_s, 4);
     let through = format!("{part} % of shots at the scene's {own} (95 %: {low} to {high} %)");
     let Sampling { samples, seed, .. } = asked;
-    let mut inputs =
-        format!("inputs +-{deviation} % (standard deviation), {samples} samples, seed {seed}");
+    let mut inputs = format!(
+        "inputs but v_i +-{deviation} % (standard deviation), {samples} samples, seed {seed}"
+    );
     if asked.model == ModelError::default() {
         inputs.push_str("; model error excluded");
     } else {

@@ -46,6 +46,10 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
             .range
             .map(|(least, most)| format!("minimum: {}; maximum: {}", place(least), place(most)));
         remarks.extend(nearest.chain(range).map(|text| Remark::new("", text)));
+        if report.is_complete && report.range.is_none() {
+            let text = "no run has this quantity: choose another goal, for example stroke_m";
+            remarks.push(Remark::new("", text));
+        }
     }
     for gap in report.of(Kind::Gap) {
         let (Some(until), Some(outcome)) = (gap.until, gap.outcome) else { continue };

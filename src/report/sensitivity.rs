@@ -45,7 +45,8 @@ pub fn tornado(report: &Report, bar: usize) -> Table<'_, usize> {
     table.rows = sorted_by(table.rows, |at| -swing(at));
     let widest = table.rows.first().map_or(0.0, swing);
     table.with("bar", "", "", move |at| {
-        let length = swing(at) / widest * bar as f64;
+        // Without a swing there is no bar.
+        let length = swing(at).max(0.0) / widest.abs() * bar as f64;
         "#".repeat((1..=bar).filter(|cell| length >= *cell as f64 - 0.5).count())
     })
 }

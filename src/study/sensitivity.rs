@@ -4,12 +4,14 @@
 //! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
 //! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
 
+use crate::model::run::envelope::Check;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::{Axis, Found, Plan, Spacing, SweepError};
+use crate::study::validity;
 use effects::{Effect, morris};
 use indices::{Sobol, sobol};
 
@@ -64,6 +66,8 @@ pub struct Report {
     pub effort: Effort,
     /// The result of the scene itself.
     pub own: Option<f64>,
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    pub outside_at_ends: Vec<(Check, String)>,
     /// The tornado, variable by variable.
     pub bars: Vec<Bar>,
     /// Morris's effects; empty when stopped.
@@ -73,6 +77,11 @@ pub struct Report {
 }
 
 impl Report {
+    /// Whether neither the scene nor any end of a variable has the result.
+    pub fn is_empty(&self) -> bool {
+        self.own.is_none() && self.bars.iter().all(|bar| bar.swing().is_none())
+    }
+
     /// The variables by Sobol's total index, the greatest first; by the tornado where there is none.
     pub fn order(&self) -> Vec<usize> {
         let weight = |at: usize| {
@@ -162,6 +171,7 @@ pub fn study(
         sobol,
         output,
         effort,
+        outside_at_ends: validity::new_at_ends(scene, &axes),
         axes,
     })
 }

@@ -76,12 +76,13 @@ pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
     list
 }
 
-/// The checks that fail at an end of an axis, and not for the scene itself.
-pub fn checks_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<Check> {
+/// The checks that fail at an end of an axis, and not for the scene itself, each with its warning.
+pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
     let own = run(scene, STEPS_MAX);
     let known = breaches(scene, own.as_ref());
-    let far = at_ends(scene, own.as_ref(), axes).into_iter().map(|(_, breach)| breach.check);
-    far.filter(|check| known.iter().all(|breach| breach.check != *check)).collect()
+    let far = at_ends(scene, own.as_ref(), axes).into_iter();
+    let new = far.filter(|(_, far)| known.iter().all(|breach| breach.check != far.check));
+    new.map(|(place, breach)| (breach.check, format!("{place}: {breach}"))).collect()
 }
 
 /// What is worse at the ends of each axis than in the scene itself, or comes up there, and where it is worst.
@@ -205,7 +206,7 @@ mod tests {
             |text: &str| text.starts_with("at v_i = 500: ") && text.contains("is 0.635 times");
         assert!(matches!(found[..], [text] if is_worst(text)), "{list:?}");
         // It is not new there.
-        assert!(!checks_at_ends(&scene, &axes).contains(&Check::NosePressure));
+        assert!(new_at_ends(&scene, &axes).iter().all(|it| it.0 != Check::NosePressure));
     }
 
     /// 20 m/s is 2.5 times below the 50 m/s of measurements, 5000 m/s five times above 1000 m/s: neither takes the other's place.

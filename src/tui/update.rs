@@ -375,7 +375,8 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = Base { name, is_mine: false, scene: Arc::new(*scene) };
-            edit::load(app, base);
+            let plan = app.pages.explore.plan;
+            edit::load(app, base, plan);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),
         EffectReport::Session(kept) => session(app, &kept),

@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::layout::SMALLEST;
-use crate::tui::app::status::clip;
+use crate::tui::app::status::{clip, fitting};
 use crate::tui::dialogs::{self, Dialog, List, Purpose};
 use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
@@ -153,9 +153,6 @@ fn in_dialog(dialog: &Dialog) -> Keys {
     match dialog {
         Dialog::List(list, picker) => in_list(*list, picker.typing),
         Dialog::Ask(ask) => match (ask.purpose, ask.question) {
-            (Purpose::Preset, true) => {
-                &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
-            }
             (_, true) => REPLACE,
             (Purpose::Preset, false) => &[("Enter", "save"), ("Esc", "do not save")],
             (Purpose::Table(_), false) => {
@@ -279,9 +276,12 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     };
     let mouse = if app.mouse { "  mouse on" } else { "" };
     let preset = if wide { "preset " } else { "" };
-    let fixed = columns(preset) + columns(changed) + columns(auto) + columns(mouse);
-    let name = clip(&app.base.name, room.saturating_sub(usize::from(fixed)).max(6));
-    let text = format!("{preset}{name}{changed}{auto}{mouse}");
+    // What is on or off is shown in whole words, or not at all; the name has the rest of the room.
+    let states = [mouse, ""].map(|mouse| format!("{changed}{auto}{mouse}"));
+    let state = fitting(states, room);
+    let left = room.saturating_sub(usize::from(columns(preset) + columns(&state)));
+    let name = if left < 6 { String::new() } else { clip(&app.base.name, left) };
+    let text = format!("{preset}{name}{state}").trim_start().to_owned();
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     canvas.put(area, (start, 0), &text, Role::Text);
 }

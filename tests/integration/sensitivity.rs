@@ -58,3 +58,12 @@ fn bad_options_are_refused_before_anything_runs() {
         assert!(text.contains(told), "{text}");
     }
 }
+
+/// Every shot at 400 m/s perforates, rigid mount or not: there is no percentage of a depth.
+#[test]
+fn without_the_result_there_are_no_bars_but_a_cure() {
+    let scene = ["--set", "v_i=400", "--over", "gamma=1..2"];
+    let (page, _) = says("sensitivity", &[&scene[..], &QUICK].concat(), 1);
+    assert!(page.contains("no run has this result") && page.contains("--output"), "{page}");
+    assert!(!page.contains('#'), "{page}");
+}

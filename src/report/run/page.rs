@@ -23,8 +23,16 @@ pub fn labelled(label: &str, text: &str) -> String {
     format!("{label:<LABEL$}{text}")
 }
 
-/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`.
+/// What is shown of a stack's first element only, in a heading: ` of element 1`; empty for a plate alone.
+pub fn of_first(run: &Run) -> &'static str {
+    if run.stack.is_some() { " of element 1" } else { "" }
+}
+
+/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`; of a stack, its sentence.
 pub fn outcome(run: &Run) -> String {
+    if let Some(stack) = &run.stack {
+        return stack.sentence();
+    }
     let word = run.outcome.word();
     let percent = run.percent_of_baseline();
     let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
@@ -42,7 +50,7 @@ pub fn outcome(run: &Run) -> String {
     }
 }
 
-/// The outcome of the shot in a sentence that says what it means.
+/// The outcome of the shot in a sentence that says what it means; of a stack, in its first element.
 pub fn sentence(run: &Run) -> String {
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
@@ -266,6 +274,18 @@ mod tests {
         assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
         assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
         assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
+    }
+
+    /// Element 1 is perforated, and a base plate of infinite thickness stops what comes through it.
+    #[test]
+    fn a_stack_is_told_by_the_plate_that_stops_the_shot() {
+        let run = run_of(|scene| {
+            scene.projectile.velocity_m_s = 400.0;
+            scene.stack.base_thickness_m = Some(1.0);
+        });
+        assert_eq!(run.outcome, Outcome::Perforated);
+        assert!(outcome(&run).starts_with("stack: stopped in the base plate"), "{}", outcome(&run));
+        assert_eq!(of_first(&run), " of element 1");
     }
 
     #[test]

@@ -6,6 +6,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::model::run::envelope::Check;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
@@ -103,6 +104,8 @@ pub struct Report {
     pub lines: Vec<Line>,
     /// The warnings of each solution that the scene itself does not have.
     pub warnings: Vec<Vec<String>>,
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    pub outside_at_ends: Vec<(Check, String)>,
     /// The least and the greatest value met with.
     pub range: Option<(Place, Place)>,
     /// The scan, for drawing: the variable's value and the measure's.
@@ -184,6 +187,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         target: goal.target,
         lines,
         warnings,
+        outside_at_ends: validity::new_at_ends(scene, std::slice::from_ref(axis)),
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
         runs,

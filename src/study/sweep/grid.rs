@@ -72,8 +72,9 @@ pub struct Grid {
     /// The stride that is filled everywhere; 0: not even the coarsest.
     stride: usize,
     done: usize,
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself; known once all is filled.
-    pub outside_at_ends: Vec<Check>,
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself; known once all is filled; each
+    /// with its warning.
+    pub outside_at_ends: Vec<(Check, String)>,
 }
 
 impl Grid {
@@ -212,7 +213,7 @@ impl Grid {
             }
         }
         if self.is_complete() {
-            self.outside_at_ends = validity::checks_at_ends(plan.base(), plan.axes());
+            self.outside_at_ends = validity::new_at_ends(plan.base(), plan.axes());
         }
         self
     }

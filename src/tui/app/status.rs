@@ -7,6 +7,7 @@ use crate::model::units::significant;
 use crate::model::variables::Kind;
 use crate::report::run::page;
 use crate::report::series::Quantity;
+use crate::study::quantities;
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
@@ -65,7 +66,8 @@ impl App {
     fn answer(&self) -> Option<String> {
         let is_shown = self.tab == Tab::Run && !self.is_stale() && self.current_visible;
         let run = &self.shown.as_ref().filter(|_| is_shown)?.run;
-        let stroke = run.stroke_m().filter(|_| run.scene.plate.mount == Mount::Sprung);
+        let stroke = quantities::find("stroke_m").and_then(|stroke| stroke.value(run));
+        let stroke = stroke.filter(|_| run.scene.plate.mount == Mount::Sprung);
         let stroke = stroke.map_or_else(String::new, |stroke_m| {
             format!("; stroke {}", engineering(stroke_m, "m"))
         });

@@ -8,7 +8,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 use crate::files::atomic::Existing;
 use crate::files::export::{Destination, Meta};
 use crate::files::report::Format;
-use crate::model::scene::{Scene, SpringKind, WhichSpring};
+use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
 use crate::tui::dialogs::export::{self as runs, Choices};
@@ -111,11 +111,11 @@ pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
     let is_path = state.purpose != Purpose::Preset;
     let typing = state.field_mut().is_some();
     match key.code {
-        KeyCode::Esc if !(is_path && state.question) => return,
+        KeyCode::Esc if !state.question => return,
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Char('q') if !typing => return,
         KeyCode::Char('y' | 'o') if state.question => accept(app, &mut state, true),
-        KeyCode::Char('r') if state.question && is_path => {
+        KeyCode::Char('r') if state.question => {
             state.text = TextField::new(next_name(state.text.value()));
             (state.choices.selected, state.question) = (0, false);
         }
@@ -270,12 +270,7 @@ fn next_name(text: &str) -> String {
     }
 }
 
-/// The first part of the name proposed for a file about a scene: the preset's, where the scene is still that.
-pub(crate) fn stem<'a>(app: &'a App, scene: &Scene) -> &'a str {
-    if *scene == *app.base.scene { base_stem(app) } else { "scene" }
-}
-
-/// The preset's name without folders and ending.
+/// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
 pub(crate) fn base_stem(app: &App) -> &str {
     app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
 }
@@ -304,17 +299,14 @@ pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
     canvas.put_lines(inner, 3, wrapped(&text, inner.width, role));
 }
 
-fn question(app: &App, state: &Ask) -> String {
+/// What is asked where something of this name is there already.
+pub(super) fn question(app: &App, state: &Ask) -> String {
     let text = state.text.value().trim();
-    match state.purpose {
-        Purpose::Preset => {
-            format!("you have a preset `{text}` already: overwrite it? y / n (its comments stay)")
-        }
-        Purpose::Runs | Purpose::Table(_) | Purpose::Curve(_) => {
-            let path = app.directory.join(text);
-            format!("{} exists: [o]verwrite, [r]ename, Esc back", path.display())
-        }
-    }
+    let (there, note) = match state.purpose {
+        Purpose::Preset => (format!("your preset `{text}`"), " (its comments stay)"),
+        _ => (app.directory.join(text).display().to_string(), ""),
+    };
+    format!("! {there} exists: o overwrite{note}, r rename, Esc back")
 }
 
 fn hint(app: &App, state: &Ask) -> String {

@@ -316,8 +316,7 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     };
     canvas.put(area, (0, 2), &clip(note, width), Role::Dim);
     let lines: Vec<TextLine> = if state.question {
-        let text = "! this file exists: o overwrite, r rename to -2, Esc back";
-        vec![(text.to_owned(), Role::Warning)]
+        wrapped(&ask::question(app, state), area.width, Role::Warning).collect()
     } else if let Some(error) = &state.text.error {
         wrapped(&app.keymap.shown(&format!("x {error}")), area.width, Role::Error).collect()
     } else if state.completions.is_empty() && other.is_some() {

@@ -157,8 +157,8 @@ impl Page for ExploreTab {
             );
             parts.push(part(Severity::Note, text));
         }
-        let ends = found.map(|found| found.grid.outside_at_ends.iter().copied());
-        parts.extend(outside(ends.into_iter().flatten(), " at the ends", ""));
+        let ends = found.map(|found| found.grid.outside_at_ends.iter().map(|it| it.0));
+        parts.extend(outside(ends.into_iter().flatten(), " at the ends", " (<tab-log>:Log)"));
         parts.extend(app.validity_part());
         parts
     }

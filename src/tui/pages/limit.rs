@@ -30,7 +30,7 @@ pub const SETUP: Pane = Pane::of(Tab::Limit, 3);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "V50 and its spread, for the uncertainties in the setup"),
+        key(A::View, "V50", "V50 and its spread, for the uncertainties in the setup: of all inputs but v_i"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),
@@ -149,7 +149,7 @@ impl Page for LimitTab {
             let kept = &app.pages.limit.report;
             let report = kept.found.as_ref().filter(|report| !report.shots.is_empty())?;
             let (report, is_complete) = (Arc::clone(report), kept.is_complete);
-            let file = format!("{}-limit.csv", ask::stem(app, &kept.scene));
+            let file = format!("{stem}-limit.csv");
             let csv = move |name: &str| limit::shots(name, &report).csv();
             let table = PageTable::new("Export the shots to CSV", file, is_complete, csv);
             return Some(table.of(app, &kept.scene));
@@ -365,7 +365,7 @@ fn compare(app: &mut App) {
             if tab.comparison.is_old(&scene) {
                 tab.part = None;
             }
-            let study = EqualMass(tab.part);
+            let study = EqualMass { absorber: tab.absorber.clone(), part: tab.part };
             jobs::study_of(app, Tab::Limit, &Arc::new(scene), study);
         }
         Err(why) => app.refuse(why),

@@ -1,7 +1,7 @@
 //! The Log tab: messages of this session, and all about the run on the screen.
 
 use crate::model::run::envelope;
-use crate::report::run::page::{computation, energy, events, results, sentence};
+use crate::report::run::page::{computation, energy, events, of_first, results, sentence};
 use crate::tui::app::notice::Notice;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::Shown;
@@ -118,6 +118,16 @@ impl App {
             Some(shown) => of_run(&mut lines, shown, self.is_stale()),
             None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
         }
+        let explore = self.pages.explore.found(self.picture());
+        let explore = explore.map_or(&[][..], |found| &found.grid.outside_at_ends);
+        let search = self.pages.search.shown();
+        let search = search.map_or(&[][..], |found| found.answer.outside_at_ends());
+        for (heading, ends) in [("Explore", explore), ("Search", search)] {
+            if !ends.is_empty() {
+                let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));
+                section(&mut lines, &format!("Warnings at the ends of an axis: {heading}"), ends);
+            }
+        }
         if !older.is_empty() {
             section(&mut lines, "Older messages", older);
         }
@@ -148,9 +158,11 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &Shown, is_stale: bool) {
     if let Some(stack) = &run.stack {
         section(lines, "Stack: plate by plate", plain(crate::study::stack::table(run, stack)));
     }
-    section(lines, "Events", plain(events(run)));
-    let heading = "Energy: where it was at the start, and where it went";
-    section(lines, heading, plain(energy(&run.ledger)));
-    section(lines, "Results", plain([vec![sentence(run)], results(run)].concat()));
-    section(lines, "Computation", plain(computation(run, shown.took)));
+    let first = of_first(run);
+    section(lines, &format!("Events{first}"), plain(events(run)));
+    let heading = format!("Energy{first}: where it was at the start, and where it went");
+    section(lines, &heading, plain(energy(&run.ledger)));
+    let results = plain([vec![sentence(run)], results(run)].concat());
+    section(lines, &format!("Results{first}"), results);
+    section(lines, &format!("Computation{first}"), plain(computation(run, shown.took)));
 }

@@ -111,7 +111,7 @@ impl Page for NumericsTab {
             ACCURACY => {
                 let kept = &app.pages.numerics.accuracy.report;
                 let (report, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-accuracy.csv", ask::stem(app, &kept.scene));
+                let file = format!("{}-accuracy.csv", ask::base_stem(app));
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
@@ -129,7 +129,7 @@ impl Page for NumericsTab {
             _ => {
                 let kept = &app.pages.numerics.stability.map;
                 let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
-                let file = format!("{}-map.csv", ask::stem(app, &kept.scene));
+                let file = format!("{}-map.csv", ask::base_stem(app));
                 let csv = move |name: &str| stability_table::map_table(name, &map).csv();
                 PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene)
             }

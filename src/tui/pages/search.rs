@@ -14,7 +14,7 @@ use crate::study::validity::counted;
 use crate::tui::app::history::{Snapshot, Stepping};
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::dialogs::{around, wrap};
+use crate::tui::dialogs::{around, ask, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -208,7 +208,10 @@ impl Page for SearchTab {
             }
             None => app.validity_part(),
         };
-        std::iter::once(first).chain(validity).chain(count).collect()
+        let found = tab.shown().filter(|_| running.is_none() && !app.search_is_old());
+        let ends = found.into_iter().flat_map(|found| found.answer.outside_at_ends());
+        let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
+        std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
@@ -237,7 +240,8 @@ impl Page for SearchTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let (file, found) = (app.pages.search.page.file(), app.pages.search.shown()?.clone());
+        let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
+        let found = app.pages.search.shown()?.clone();
         let (scene, is_complete) = (found.searched(), found.is_complete());
         let listed = words::listed_rows(&app.pages.search);
         let csv = move |name: &str| found.csv(name, listed.as_deref());

@@ -269,7 +269,13 @@ fn open(app: &mut App) {
 pub(crate) fn show(app: &mut App, base: Base) {
     let name = base.name.clone();
     let axes = base.scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len());
-    edit::load(app, base);
+    // The sweep as the preset has it, whatever was looked at before.
+    let mut plan = app.pages.explore.plan;
+    if axes > 0 {
+        plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
+        plan.samplings = [Sampling::Factorial; 2];
+    }
+    edit::load(app, base, plan);
     if axes == 0 {
         app.focus_on(run::VARIABLES);
         return;
@@ -278,10 +284,6 @@ pub(crate) fn show(app: &mut App, base: Base) {
     app.pages.explore.output = 0;
     app.pages.explore.cursor = [None; 2];
     app.pages.explore.zoomed = None;
-    // The sweep as the preset has it, whatever was looked at before.
-    let plan = &mut app.pages.explore.plan;
-    plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
-    plan.samplings = [Sampling::Factorial; 2];
     pages::of(Tab::Explore).enter(app);
     app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
 }

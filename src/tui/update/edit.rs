@@ -9,6 +9,7 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
+use crate::tui::pages::explore::state::SamplingPlan;
 use crate::tui::pages::run::editor::{WIDE, shown_value};
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
@@ -66,7 +67,9 @@ pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<()
 
 /// Make another scene the current one, as one edit.
 pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<Stepping>) {
-    commit(app, Arc::new(scene), app.base.clone(), label, stepping);
+    let before = app.snapshot();
+    app.scene = Arc::new(scene);
+    commit(app, before, label, stepping);
 }
 
 /// Make the design under a cursor the current scene, or say why there is none.
@@ -86,17 +89,18 @@ pub(crate) fn load_scene(app: &mut App, scene: Scene, label: &str) {
     app.tell(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
 }
 
-/// Make another scene current and compare it with another preset, as one edit.
-pub(crate) fn load(app: &mut App, base: Base) {
+/// Make another scene current, compare it with another preset, and sweep it by this plan, as one edit.
+pub(crate) fn load(app: &mut App, base: Base, plan: SamplingPlan) {
+    let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.charts.zoom_s = None;
     app.charts.cursor_s = None;
-    commit(app, Arc::clone(&base.scene), base, label, None);
+    app.pages.explore.plan = plan;
+    (app.scene, app.base) = (Arc::clone(&base.scene), base);
+    commit(app, before, label, None);
 }
 
-fn commit(app: &mut App, scene: Arc<Scene>, base: Base, label: String, stepping: Option<Stepping>) {
-    let before = app.snapshot();
-    (app.scene, app.base) = (scene, base);
+fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<Stepping>) {
     note(app, before, label, stepping);
     app.first_run = false;
     follow(app);

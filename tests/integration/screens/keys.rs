@@ -425,6 +425,34 @@ fn loading_a_preset_is_one_edit() {
 }
 
 #[test]
+fn undoing_a_sweep_brings_the_setup_of_explore_back() {
+    let mut bench = bench();
+    let before = bench.app.pages.explore.plan;
+    let preset = bench.app.presets.iter_mut().find(|entry| entry.name == "cocked").unwrap();
+    preset.scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
+    bench.keys("pjj<Enter>");
+    assert_eq!(bench.app.base.name, "cocked");
+    assert_ne!(bench.app.pages.explore.plan, before);
+    bench.keys("u");
+    assert_eq!(bench.app.pages.explore.plan, before);
+}
+
+#[test]
+fn the_title_never_cuts_the_word_off() {
+    for (width, height) in [(80, 24), (100, 30), (120, 40)] {
+        let mut bench = Bench::ascii(width, height);
+        bench.app.auto_run = false;
+        for mouse in [false, true] {
+            bench.app.mouse = mouse;
+            let screen = bench.screen();
+            let title = screen.lines().next().unwrap();
+            assert!(title.contains("auto-run off"), "{title}");
+            assert_eq!(title.contains("mouse"), title.contains("mouse on"), "{title}");
+        }
+    }
+}
+
+#[test]
 fn the_picker_opens_files_by_their_path() {
     let mut bench = bench();
     bench.press("p/./mine.toml<Enter>");
@@ -454,7 +482,7 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     assert!(bench.screen().contains("built-in preset"));
     assert!(saves(&bench).is_empty());
     bench.press("<C-u>heavy-plate<Enter>");
-    assert!(bench.screen().contains("overwrite it? y / n"));
+    assert!(bench.screen().contains("exists: o overwrite"));
     assert!(saves(&bench).is_empty());
     bench.press("y");
     assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);

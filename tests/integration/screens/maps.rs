@@ -126,7 +126,7 @@ fn the_map_of_mass_efficiency_is_zoomed_panned_and_fitted() {
     bench.keys("3");
     search::answer(&mut bench);
     bench.keys("<Tab><Tab>");
-    let asked = |bench: &Bench| bench.app.jobs.study::<EqualMass>().expect("a map").1.0;
+    let asked = |bench: &Bench| bench.app.jobs.study::<EqualMass>().expect("a map").1.part;
     let ends = |bench: &Bench| {
         let map = bench.app.comparison().and_then(|found| found.map.as_ref()).expect("a map");
         [map.x().ends(), map.y().ends()]

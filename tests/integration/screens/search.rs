@@ -13,7 +13,6 @@ use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::sensitivity;
 use cmra::study::sweep::{Axis, PointOutcome};
 use cmra::study::{monte_carlo, search::seek};
-use cmra::tui::chart::ViewRange;
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
 use cmra::tui::pages::search;
@@ -81,16 +80,16 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
     }
 }
 
-fn compared(scene: &Arc<Scene>, part: Option<[ViewRange; 2]>) -> Comparison {
+fn compared(scene: &Arc<Scene>, asked: &EqualMass) -> Comparison {
     let mut watch = to_its_end;
     let (context, hardware) = (&mut Context::new(1, &mut watch), Hardware::default());
     let report = compare::compare(scene, hardware, context).unwrap();
     let mut axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
-    for (axis, part) in axes.iter_mut().zip(part.into_iter().flatten()) {
+    for (axis, part) in axes.iter_mut().zip(asked.part.into_iter().flatten()) {
         *axis = Axis::new(axis.symbol(), (part.lo(), part.hi()), 21, axis.spacing()).unwrap();
     }
     let map = Map::compute(scene, &axes, hardware, context).ok();
-    Comparison { report, map }
+    Comparison { report, absorber: asked.absorber.clone(), map }
 }
 
 /// Answer what was requested, and what is requested then.
@@ -107,8 +106,8 @@ pub(super) fn answer(bench: &mut Bench) {
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     let found = if let Some(request) = study.asked.of::<Request>() {
         Finding::new(made(&study.scene, request))
-    } else if let Some(EqualMass(part)) = study.asked.of() {
-        Finding::new(compared(&study.scene, *part))
+    } else if let Some(asked) = study.asked.of::<EqualMass>() {
+        Finding::new(compared(&study.scene, asked))
     } else {
         return false;
     };
@@ -231,12 +230,24 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
 }
 
+/// The baseline cocked by 0.5 m, the end of the usual range: its interface must carry 2.875 times its strength.
+#[test]
+fn a_breach_at_the_end_of_the_range_is_named_and_explained() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    assert!(bench.screen().contains("at the ends: interface"), "{}", bench.screen());
+    bench.keys("7");
+    let lines = bench.app.log_lines(200);
+    let found =
+        lines.iter().any(|line| line.0.contains("at d = 0.5: ") && line.0.contains("2.875"));
+    assert!(found, "{lines:?}");
+}
+
 #[test]
 fn results_are_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let (to, text, has_scene) = bench.exported().expect("an export");
-    assert!(to.path.ends_with("seek.csv") && has_scene);
+    assert!(to.path.ends_with("thesis-baseline-seek.csv") && has_scene);
     assert!(text.starts_with("scene,kind,variable,"), "{text}");
 }
 

@@ -183,14 +183,14 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     assert_eq!(text.lines().count(), 13);
 }
 
-/// A changed scene's map is not written under the preset's name.
+/// Every file about a scene is named by its preset, changed or not.
 #[test]
-fn the_map_of_a_changed_scene_is_called_so() {
+fn the_map_of_a_changed_scene_is_named_by_its_preset() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("jjl55");
     answer(&mut bench);
     bench.keys("e<Enter>");
-    assert_eq!(exported(&mut bench).0, "/home/ada/work/scene-map.csv");
+    assert_eq!(exported(&mut bench).0, "/home/ada/work/thesis-baseline-map.csv");
 }
 
 #[test]

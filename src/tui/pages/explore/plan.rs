@@ -132,7 +132,11 @@ pub(crate) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
     let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
     let (outcome, _) = without.next()?;
     let why = outcome.without_value(grid.plan().outputs()[output]);
-    Some(format!("{} {}: {why}", 1 + without.count(), outcome.letter()))
+    let points = match without.count() {
+        0 => "1 point".to_owned(),
+        more => format!("{} points", more + 1),
+    };
+    Some(format!("{points} ({}): {why}", outcome.letter()))
 }
 
 /// The reason, then what to do about it.

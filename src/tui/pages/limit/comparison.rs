@@ -27,7 +27,12 @@ pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is p
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene, or over a part of its axes.
 #[derive(Debug)]
-pub struct EqualMass(pub Option<MapPart>);
+pub struct EqualMass {
+    /// The absorber of the library that the scene has for it.
+    pub absorber: Option<String>,
+    /// The part of the axes that is mapped; all of them where there is none.
+    pub part: Option<MapPart>,
+}
 
 /// The axes of the map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place.
 pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
@@ -44,6 +49,8 @@ fn over_part(axis: &Axis, part: ViewRange) -> Option<Axis> {
 #[derive(Clone, Debug)]
 pub struct Comparison {
     pub report: compare::Report,
+    /// The absorber it was made with; `None`: the scene's own.
+    pub absorber: Option<String>,
     /// Mass efficiency over impact velocity and mass ratio, or what gives the plate's size in its place.
     pub map: Option<Map>,
 }
@@ -60,23 +67,21 @@ impl Study for EqualMass {
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
         let context = &mut Context::new(1, watch);
         let report = compare::compare(scene, Hardware::default(), context)?;
-        let axes = usual_axes(scene).and_then(|[x, y]| match self.0 {
+        let axes = usual_axes(scene).and_then(|[x, y]| match self.part {
             Some([across, up]) => Some([over_part(&x, across)?, over_part(&y, up)?]),
             None => Some([x, y]),
         });
-        let Some(axes) = axes.filter(|_| report.is_complete) else {
-            return Ok(Finding::new(Comparison { report, map: None }));
+        let first = Comparison { report, absorber: self.absorber.clone(), map: None };
+        let Some(axes) = axes.filter(|_| first.report.is_complete) else {
+            return Ok(Finding::new(first));
         };
         // The map that is zoomed stays until the other one is there.
-        let part = || {
-            let found = || Finding::new(Comparison { report: report.clone(), map: None });
-            self.0.is_none().then(found)
-        };
+        let part = || self.part.is_none().then(|| Finding::new(first.clone()));
         let done = whole - points;
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, done), &part);
         let context = &mut Context::new(reporter.threads(), watch);
         let map = Map::compute(scene, &axes, Hardware::default(), context).ok();
-        Ok(Finding::new(Comparison { report, map }))
+        Ok(Finding::new(Comparison { map, ..first }))
     }
 }
 
@@ -113,9 +118,9 @@ impl App {
     }
 
     pub fn comparison_lines(&self, width: usize) -> Vec<TextLine> {
-        let absorber = self.absorber().filter(|_| !self.comparison_is_old());
-        let scene = absorber.map_or("scene", |it| &it.name);
-        self.comparison().map_or_else(Vec::new, |found| lines(&found.report, scene, width))
+        self.comparison().map_or_else(Vec::new, |found| {
+            lines(&found.report, found.absorber.as_deref().unwrap_or("scene"), width)
+        })
     }
 
     /// With which absorber the comparison is made.
@@ -235,7 +240,9 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, COMPARISON);
     let focused = app.has_focus(COMPARISON);
     let old = if app.comparison_is_old() { " (of another scene)" } else { "" };
-    let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
+    let chosen = app.pages.limit.absorber.as_ref();
+    let absorber = app.comparison().map_or(chosen, |found| found.absorber.as_ref());
+    let with = absorber.map_or_else(String::new, |name| format!(" with {name}"));
     let title = format!("Does moving armour pay?{with}{old}");
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));

@@ -135,7 +135,7 @@ impl Ballistic {
         let mut facts = remarks(report);
         if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
             let percent = self.setup.line(Row::Inputs).value;
-            let text = format!("<view>: V50 and spread for inputs that vary by {percent}");
+            let text = format!("<view>: V50 and spread for inputs but v_i that vary by {percent}");
             facts.push(Remark::new("V50", text));
         }
         facts

@@ -99,6 +99,7 @@ impl App {
         let mut lines = [("scene", name), ("outcome", outcome)]
             .map(|(label, text)| page::labelled(label, &text))
             .to_vec();
+        lines.extend(run.stack.as_ref().map(|_| format!("\nresults{}:", page::of_first(run))));
         lines.extend(page::results(run));
         // How it ended stands beside the outcome already.
         let ended = Warning::EndedEarly(run.end).to_string();
@@ -209,7 +210,8 @@ fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
         lines.push((String::new(), Role::Text));
         let heading = format!("{}: {}", app.run_name(app.selected_run), page::outcome(run));
         lines.push((clip(&heading, width), Role::Title));
-        let results = page::results(run).into_iter().take(free - 2);
+        let first = run.stack.as_ref().map(|_| format!("results{}:", page::of_first(run)));
+        let results = first.into_iter().chain(page::results(run)).take(free - 2);
         lines.extend(results.map(|line| (clip(&line, width), Role::Text)));
     }
     canvas.put_lines(inner, row, lines);
@@ -415,7 +417,7 @@ pub(crate) fn copy(app: &mut App) {
         return app.refuse("nothing to copy yet: <run> runs the scene");
     };
     let run = &shown.run;
-    let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.outcome);
+    let mut text = format!("scene\t{}\noutcome\t{}\n", app.name_of(&run.scene), run.shot_outcome());
     for quantity in COPIED.into_iter().filter_map(quantities::find) {
         let value = quantity.value(run).map_or_else(|| "-".to_owned(), units::shortest);
         let _ = writeln!(text, "{}\t{value}", quantity.name);

@@ -1,5 +1,6 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
+use crate::model::run::envelope::Check;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::statistics::ascending;
 use crate::report;
@@ -406,6 +407,17 @@ pub enum Answer {
     Front(Box<Front>, Task),
     Sensitivity(sensitivity::Report),
     MonteCarlo(monte_carlo::Report),
+}
+
+impl Answer {
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    pub fn outside_at_ends(&self) -> &[(Check, String)] {
+        match self {
+            Self::Seek(report) => &report.outside_at_ends,
+            Self::Sensitivity(report) => &report.outside_at_ends,
+            Self::Front(..) | Self::MonteCarlo(_) => &[],
+        }
+    }
 }
 
 impl Study for Request {

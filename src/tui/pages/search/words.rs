@@ -30,7 +30,7 @@ impl App {
                 lines.extend(broken(self.candidates(front, task, width), width));
                 lines
             }
-            Answer::Sensitivity(report) if is_empty(report) => {
+            Answer::Sensitivity(report) if report.is_empty() => {
                 broken(self.matters(report, width), width)
             }
             Answer::Sensitivity(report) => self.matters(report, width),
@@ -134,7 +134,7 @@ impl App {
         let mut lines =
             vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
         lines.push(note("one variable at a time, from low to high end".to_owned()));
-        if is_empty(report) {
+        if report.is_empty() {
             let text =
                 "nothing to compare: no run has this result; Tab, then Of: choose another one";
             return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
@@ -184,11 +184,6 @@ impl App {
 /// Words about a result as a line.
 fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
-}
-
-/// Whether neither the scene nor any end of a variable has the result.
-fn is_empty(report: &sensitivity::Report) -> bool {
-    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
 }
 
 /// The columns of the table of designs, by their places; `*` marks the one it is sorted by.

@@ -170,5 +170,8 @@ fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
     let from = 1 + u16::try_from(Method::ALL.len()).unwrap_or(u16::MAX);
     let room = usize::from(inner.height.saturating_sub(from));
     let blank = u16::from(lines.len() < room);
-    canvas.put_lines(inner, from + blank, lines);
+    // A heading alone says nothing.
+    if room > 1 {
+        canvas.put_lines(inner, from + blank, lines);
+    }
 }

@@ -4,7 +4,9 @@ use ratatui::text::{Line, Span};
 
 use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::law::Law;
+use crate::report::run::page::of_first;
 use crate::report::series::Quantity;
+use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::{short_name, value_at};
 use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Side, Unit,
@@ -209,7 +211,14 @@ fn title(app: &App, quantity: Quantity) -> String {
     let is_difference = app.charts.difference && quantity.is_over_time();
     match app.reference_pin().filter(|_| is_difference) {
         Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
-        None => format!("{} {}", quantity.title(), quantity.symbol()),
+        None => {
+            let first = app.visible_runs().iter().map(|view| of_first(view.run)).max();
+            let first = first.unwrap_or_default();
+            // The unit stands behind it, and is to have room.
+            let is_short = !first.is_empty() && app.size.0 < NARROW;
+            let name = if is_short { "" } else { quantity.title() };
+            format!("{name} {}{first}", quantity.symbol()).trim_start().to_owned()
+        }
     }
 }
 
