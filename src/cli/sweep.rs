@@ -23,7 +23,7 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
-use crate::files::shard::Part;
+use crate::files::shard::{Checksum, Part, Written};
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet};
 use crate::study::context::{Context, Work};
@@ -168,7 +168,9 @@ impl Job<'_> {
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
         let style = arguments.table.csv_style;
+        let mut checksum = Checksum::default();
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            checksum.add(csv);
             match &mut file {
                 Some(file) => file.add(csv)?,
                 None => output::print_bytes(csv)?,
@@ -206,7 +208,7 @@ impl Job<'_> {
             };
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let beside = part.beside(&scene, missing.as_deref());
+            let beside = part.beside(&scene, Written { missing: missing.as_deref(), checksum });
             let written = to.placed(missing.is_none()).finish(file, &[beside]);
             output::note_written(&written?);
         }
