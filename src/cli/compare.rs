@@ -129,7 +129,7 @@ impl CompareArguments {
         let page = at_top(&map_page(name, &map), &warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, &tables::map_table(name, &map))?;
+            table.deliver(&page, tables::map_table(name, &map))?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.study.table, drawn)?;
@@ -253,8 +253,11 @@ fn line_of_one(page: &mut String, map: &Map) {
     let last = y.count() - 1;
     let rows = LINE_ROWS.min(y.count());
     for row in (0..rows).map(|row| row * last / (rows - 1)) {
-        let crossings: Vec<String> =
+        let mut crossings: Vec<String> =
             map.line_of_one(row).iter().map(|at| significant(*at, 4)).collect();
+        if map.cell(x.count() - 1, row).is_none() {
+            crossings.push("the rest not computed".to_owned());
+        }
         let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
         let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row), 4));
     }

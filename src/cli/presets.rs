@@ -60,7 +60,7 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let row = format!("{:width$}  {title}", preset.name);
         let _ = writeln!(text, "{}", row.trim_end());
     }
-    table.alone().deliver(&text, &table_of(&presets))?;
+    table.alone().deliver(&text, table_of(&presets))?;
     for (_, problem) in problems {
         output::note(&format!("not listed: {problem}"));
     }

@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.alone().deliver_report(&page, &object, &table(&rows))?;
+    arguments.study.table.alone().deliver_report(&page, object, table(&rows))?;
     let mut good = true;
     for row in &rows {
         if let Some(shortfall) = row.shortfall {
@@ -85,7 +85,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let page = at_top(&map_page(&map, name), &warnings);
     let object = tables::map_json(name, &map);
     let table = arguments.study.table.of(&arguments.study.scene, &preset.scene);
-    table.deliver_report(&page, &object, &tables::map_table(name, &map))?;
+    table.deliver_report(&page, object, tables::map_table(name, &map))?;
     Ok(progress::exit_code(true))
 }
 
@@ -123,6 +123,10 @@ compare with
 ";
 
 fn summary(text: &mut String, rows: &[Row], took_s: f64) {
+    if let Some(missing) = progress::not_complete() {
+        let _ = writeln!(text, "{missing}");
+        return;
+    }
     let short: Vec<&str> =
         rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
     let without = rows.iter().filter(|row| row.basis == Basis::None).count();

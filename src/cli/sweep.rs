@@ -19,13 +19,13 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, output, progress};
+use crate::cli::{CliError, again, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::{Checksum, Part, Written};
 use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet};
+use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
 use crate::study::quantities;
 use crate::study::sweep::grid::{Grid, PIECE};
@@ -112,6 +112,26 @@ impl Job<'_> {
         self.shard.of(self.plan.points())
     }
 
+    fn count(&self) -> u64 {
+        let points = self.points();
+        points.end - points.start
+    }
+
+    /// What an interrupt has left out, in words; `None` where every point was computed.
+    fn missing(&self, ended: &Summary) -> Option<String> {
+        let (done, all) = (ended.points(), self.count());
+        (done < all).then(|| format!("not complete: {done} of {all} points"))
+    }
+
+    /// The lines at the head of the table, with `--meta inline`.
+    fn comments(&self) -> String {
+        let part = match self.shard {
+            Shard::WHOLE => String::new(),
+            shard => format!("# shard: {shard}\n"),
+        };
+        again::comment(None) + &page::comments(self.preset, self.plan) + &part
+    }
+
     /// Say what it came to beside the result; 0 where every point was computed.
     fn ended(
         &self,
@@ -120,11 +140,10 @@ impl Job<'_> {
         table: &TableArguments,
         start: Instant,
     ) -> ExitCode {
-        let (done, all) = (ended.points(), self.points());
-        if done < all.end - all.start {
+        if self.missing(ended).is_some() {
+            let (done, all) = (ended.points(), self.count());
             output::note(&format!(
-                "interrupted: {done} of {} points were finished and are kept",
-                all.end - all.start
+                "interrupted: {done} of {all} points were finished and are kept"
             ));
             return ExitCode::FAILURE;
         }
@@ -152,7 +171,8 @@ impl Job<'_> {
     fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
         let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        at_top(&page::text(self.plan, &head, summary, kept), &warnings)
+        let missing = self.missing(summary).map_or_else(String::new, |it| it + "\n\n");
+        missing + &at_top(&page::text(self.plan, &head, summary, kept), &warnings)
     }
 
     /// Computes all points, and writes their rows where they are to go.
@@ -167,7 +187,7 @@ impl Job<'_> {
         let (has_csv, has_json) = (!matches!(target, Target::None), arguments.table.json);
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
-        let style = arguments.table.csv_style;
+        let (style, is_inline) = (arguments.table.csv_style, arguments.table.meta == Meta::Inline);
         let mut checksum = Checksum::default();
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
             checksum.add(csv);
@@ -178,10 +198,7 @@ impl Job<'_> {
             output::print_bytes(json.as_bytes())
         };
         if self.shard.is_first() && has_csv {
-            let comments = match arguments.table.meta {
-                Meta::Beside => String::new(),
-                Meta::Inline => page::comments(self.preset, self.plan),
-            };
+            let comments = if is_inline { self.comments() } else { String::new() };
             write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
         }
         write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
@@ -195,11 +212,16 @@ impl Job<'_> {
             }
             write(&style.rows(piece.csv.as_bytes())?, &piece.json)
         })?;
-        write(b"", if has_json { JSON_TAIL } else { "" })?;
+        let missing = self.missing(&summary);
+        if let Some(missing) = missing.as_ref().filter(|_| has_csv && is_inline) {
+            // The head was written before anybody knew.
+            write(&style.rows(format!("# {missing}\n").as_bytes())?, "")?;
+        }
+        if has_json {
+            write(b"", &json_tail(summary.points(), missing.is_none()))?;
+        }
         output::print("")?;
         if let (Some(file), Target::File(to)) = (file, target) {
-            let (done, all) = (summary.points(), self.points().end - self.points().start);
-            let missing = (done < all).then(|| format!("{done} of {all} points"));
             let part = Part {
                 shard: self.shard,
                 design: self.plan.design(),

@@ -20,7 +20,7 @@ pub(super) struct VariablesArguments {
 
 pub(super) fn run(arguments: &VariablesArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    arguments.table.alone().deliver(&page(), &rows(&VARIABLES))?;
+    arguments.table.alone().deliver(&page(), rows(&VARIABLES))?;
     Ok(ExitCode::SUCCESS)
 }
 

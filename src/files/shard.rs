@@ -46,7 +46,7 @@ impl Checksum {
 /// How a table that goes beside its scene was written.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Written<'a> {
-    /// What of the table is missing, in words.
+    /// That the table is not complete, and how much of it there is.
     pub missing: Option<&'a str>,
     /// The checksum of its bytes.
     pub checksum: Checksum,
@@ -90,7 +90,7 @@ impl Part {
             let _ = write!(again, " --shard {}", self.shard);
         }
         again += " --csv -";
-        let missing = missing.map(|it| format!("not complete: {it}"));
+        let missing = missing.map(str::to_owned);
         let is_part = self.shard != Shard::WHOLE;
         let seal =
             is_part.then(|| format!("checksum: {}", self.seal(&write::fresh(scene), checksum)));
