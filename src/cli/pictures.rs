@@ -48,6 +48,14 @@ impl PictureArguments {
                 )));
             }
         }
+        if let (Some(path), Target::File(to)) = (&self.svg, table.target())
+            && to.has(path)
+        {
+            return Err(CliError::Option(format!(
+                "--svg {}: --csv writes to the same file, or its scene; choose another name",
+                path.display()
+            )));
+        }
         match &self.svg {
             Some(path) if !self.is_stdout() => Ok(atomic::check(path, table.existing())?),
             _ => Ok(()),

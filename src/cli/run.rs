@@ -125,10 +125,9 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_stdout()?;
+    arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
     if let Some(what) = arguments.compare {
-        arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
         let found = compare_models(&preset, what)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));

@@ -21,6 +21,7 @@ use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, again, output, progress};
 use crate::files::atomic::Growing;
+use crate::files::error::FileError;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
 use crate::files::shard::{Checksum, Part, Written};
@@ -117,7 +118,7 @@ impl Job<'_> {
         points.end - points.start
     }
 
-    /// What an interrupt has left out, in words; `None` where every point was computed.
+    /// That points are missing after an interrupt, in words; `None` where every point was computed.
     fn missing(&self, ended: &Summary) -> Option<String> {
         let (done, all) = (ended.points(), self.count());
         (done < all).then(|| format!("not complete: {done} of {all} points"))
@@ -203,7 +204,7 @@ impl Job<'_> {
         }
         write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
-        let summary = self.stream(&sheet, |piece| {
+        let streamed = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
                 grid.extend(&piece.rows);
             }
@@ -211,7 +212,13 @@ impl Job<'_> {
                 write(b"", ",\n")?;
             }
             write(&style.rows(piece.csv.as_bytes())?, &piece.json)
-        })?;
+        });
+        let summary = match (streamed, &target) {
+            (Err(CliError::File(problem)), Target::File(to)) => {
+                return Err(to.kept(file, problem).into());
+            }
+            (streamed, _) => streamed?,
+        };
         let missing = self.missing(&summary);
         if let Some(missing) = missing.as_ref().filter(|_| has_csv && is_inline) {
             // The head was written before anybody knew.
@@ -231,8 +238,13 @@ impl Job<'_> {
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
             let beside = part.beside(&scene, Written { missing: missing.as_deref(), checksum });
-            let written = to.placed(missing.is_none()).finish(file, &[beside]);
-            output::note_written(&written?);
+            // Another program may have taken the name meanwhile.
+            let taken = if missing.is_none() { to.check().err() } else { None };
+            let placed = to.placed(missing.is_none() && taken.is_none());
+            output::note_written(&placed.finish(file, &[beside])?);
+            if let Some(problem) = taken.map(Box::new) {
+                return Err(FileError::Kept { path: placed.path, problem }.into());
+            }
         }
         Ok(summary)
     }
