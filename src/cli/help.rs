@@ -98,8 +98,31 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::sweep;
 
     const COLUMNS: usize = 80;
+
+    /// The examples of all pages, without what is said beside them.
+    fn examples() -> Vec<&'static str> {
+        let lines = TOPICS.iter().flat_map(|topic| topic.text.lines());
+        let examples = lines.filter_map(|line| line.strip_prefix("  cmra "));
+        examples.map(|line| line.split("  ").next().unwrap().trim_end_matches(" \\")).collect()
+    }
+
+    #[test]
+    fn every_example_is_accepted() {
+        assert!(examples().len() > 15, "{:?}", examples());
+        for example in examples() {
+            let words = std::iter::once("cmra").chain(example.split(' '));
+            let typed = commands::whole().try_get_matches_from(words).expect(example);
+            let (name, typed) = typed.subcommand().unwrap();
+            // Those of a cluster are for its own files.
+            if name == "sweep" && !example.contains('$') {
+                let arguments: sweep::SweepArguments = commands::read(typed).unwrap();
+                assert_eq!(arguments.problem(), None, "{example}");
+            }
+        }
+    }
 
     #[test]
     fn pages_fit_80_columns() {

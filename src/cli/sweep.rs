@@ -63,6 +63,15 @@ pub(super) struct SweepArguments {
     table: TableArguments,
 }
 
+#[cfg(test)]
+impl SweepArguments {
+    /// Why it could not run.
+    pub(super) fn problem(&self) -> Option<String> {
+        let planned = self.scene.load().and_then(|preset| self.points.plan(&preset, true));
+        planned.err().map(|error| error.to_string())
+    }
+}
+
 /// Runs the sweep; exit status 1 when a point failed or the sweep was interrupted.
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
