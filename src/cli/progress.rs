@@ -93,7 +93,8 @@ pub(super) fn study<P: ?Sized, T>(
 /// What every result says that an interrupt has cut short; `None` for a complete one.
 pub(super) fn not_complete() -> Option<String> {
     let reached = REACHED.lock().unwrap_or_else(PoisonError::into_inner);
-    was_interrupted().then(|| format!("not complete: interrupted after {reached}"))
+    let after = if reached.is_empty() { "" } else { " after " };
+    was_interrupted().then(|| format!("not complete: interrupted{after}{reached}"))
 }
 
 /// Exit status 0 for success, 1 for failure or after an interrupt, which is reported below the result.

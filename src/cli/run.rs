@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, at_top, choice};
+use crate::cli::table::{TableArguments, Target, at_top, choice, missing_line};
 use crate::cli::text::{fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
@@ -143,6 +143,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         runs: named(&computed),
         columns: Vec::new(),
         style: arguments.table.csv_style,
+        comments: missing_line() + &again::comment(None),
     };
     match arguments.table.target() {
         Target::None => {}

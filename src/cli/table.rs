@@ -208,7 +208,7 @@ impl Delivery<'_> {
 }
 
 /// The comment line of an incomplete table; empty for a complete one.
-fn missing_line() -> String {
+pub(super) fn missing_line() -> String {
     not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"))
 }
 

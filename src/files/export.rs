@@ -58,6 +58,8 @@ pub struct RunTable {
     pub columns: Vec<String>,
     /// CSV dialect.
     pub style: Style,
+    /// Comment lines at the head of a table with its scene in it.
+    pub comments: String,
 }
 
 enumeration! {
@@ -205,7 +207,10 @@ impl RunTable {
         let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
         let comments = match meta {
             Meta::Beside => String::new(),
-            Meta::Inline => self.runs.iter().map(|(name, run)| inline(name, run)).collect(),
+            Meta::Inline => {
+                let runs = self.runs.iter().map(|(name, run)| inline(name, run));
+                std::iter::once(self.comments.clone()).chain(runs).collect()
+            }
         };
         self.style.file(&comments, &table)
     }

@@ -89,6 +89,9 @@ impl Part {
         if self.shard != Shard::WHOLE {
             let _ = write!(again, " --shard {}", self.shard);
         }
+        if self.style != Style::default() {
+            let _ = write!(again, " --csv-style {}", self.style.word());
+        }
         again += " --csv -";
         let missing = missing.map(str::to_owned);
         let is_part = self.shard != Shard::WHOLE;
