@@ -23,7 +23,10 @@ pub(super) struct PresetsArguments {
 #[derive(Debug, Subcommand)]
 enum Action {
     /// List the presets
-    List,
+    List {
+        #[command(flatten)]
+        table: TableArguments,
+    },
     /// Print a preset's file: where its numbers come from, what to expect, and every value
     Show {
         /// The preset's name
@@ -33,7 +36,8 @@ enum Action {
 
 pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
     match &arguments.action {
-        None | Some(Action::List) => list(&arguments.table),
+        Some(Action::List { table }) if table.is_given() => list(table),
+        None | Some(Action::List { .. }) => list(&arguments.table),
         Some(Action::Show { .. })
             if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
         {

@@ -71,6 +71,11 @@ impl TableArguments {
         }
     }
 
+    /// Whether a table is wanted, or JSON.
+    pub(super) fn is_given(&self) -> bool {
+        self.json || self.csv.is_some()
+    }
+
     /// The handling of an existing file.
     pub(super) fn existing(&self) -> Existing {
         Existing::replaced(self.force)
