@@ -8,7 +8,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::table::TableArguments;
-use crate::cli::text::width;
+use crate::cli::text::{chart_size, width};
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
@@ -140,7 +140,7 @@ fn counts(page: &mut String, report: &Report) {
 fn chart(report: &Report) -> String {
     error_over_time(report).map_or_else(
         || "no method gave a result to compare\n".to_owned(),
-        |chart| draw::chart(&chart, SIZE, Theme::PLAIN),
+        |chart| draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
     )
 }
 

@@ -11,7 +11,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{Answer, StudyArguments};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::at_top;
-use crate::cli::text::{hanging, width};
+use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
@@ -240,7 +240,7 @@ fn map_page(name: &str, map: &Map) -> String {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
-    page.push_str(&draw::map(&drawn, MAP));
+    page.push_str(&draw::map(&drawn, chart_size(MAP)));
     line_of_one(&mut page, map);
     page
 }

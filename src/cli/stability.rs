@@ -147,7 +147,7 @@ fn map_page(map: &Map, scene: &str) -> String {
     let largest = map
         .largest_stable_dt_s
         .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
-    let picture = draw::map(&tables::picture(map), draw::MAP);
+    let picture = draw::map(&tables::picture(map), text::chart_size(draw::MAP));
     format!(
         "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
         map.method.name(),
