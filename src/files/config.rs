@@ -22,7 +22,7 @@ pub struct Config {
 
 /// One key or several.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "write a key, \"U\", or several, [\"u\", \"U\"]")]
 pub enum Keys {
     /// A single key.
     One(String),
@@ -74,6 +74,9 @@ mod tests {
         let config = load(&path).unwrap();
         assert_eq!(config.characters.as_deref(), Some("ascii"));
         assert_eq!(config.wanted_keys()["run"], ["r", "F5"]);
+        std::fs::write(&path, "[keys]\nundo = 3\n").unwrap();
+        let refused = load(&path).unwrap_err();
+        assert!(refused.contains("line 2: write a key, \"U\""), "{refused}");
         std::fs::write(&path, "colour = \"none\"\n").unwrap();
         let refused = load(&path).unwrap_err();
         assert!(refused.contains("line 1") && refused.contains("colours"), "{refused}");
