@@ -79,10 +79,18 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
+fn topics() -> Vec<&'static str> {
+    TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect()
+}
+
+/// The topics and the commands.
+pub(super) fn names() -> Vec<&'static str> {
+    [topics(), commands::names()].concat()
+}
+
 fn unknown(name: &str) -> CliError {
-    let topics: Vec<&str> = TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect();
-    let cure = did_you_mean(name, &[topics.clone(), commands::names()].concat())
-        .unwrap_or_else(|| format!("the topics are {}", topics.join(", ")));
+    let cure = did_you_mean(name, &names())
+        .unwrap_or_else(|| format!("the topics are {}", topics().join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
 
@@ -98,9 +106,23 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::sweep;
+    use crate::cli::{completions, sweep};
 
     const COLUMNS: usize = 80;
+
+    #[test]
+    fn completion_offers_topics_and_commands() {
+        let script = completions::script(clap_complete::Shell::Bash);
+        let script = String::from_utf8(script).unwrap();
+        for (command, word) in [("help", "mechanisms"), ("help", "limit"), ("man", "limit")] {
+            let at = script
+                .find(&format!("        cmra__{command})"))
+                .or_else(|| script.find(&format!("        cmra__subcmd__{command})")))
+                .unwrap();
+            let words = script[at..].lines().nth(1).unwrap();
+            assert!(words.contains(word), "{command}: {words}");
+        }
+    }
 
     /// The examples of all pages, without what is said beside them.
     fn examples() -> Vec<&'static str> {
