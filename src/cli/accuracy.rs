@@ -8,7 +8,7 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::cli::table::{TableArguments, at_top};
-use crate::cli::text::width;
+use crate::cli::text::{chart_size, width};
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
 use crate::model::contact_phase::Ending;
@@ -80,7 +80,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let only = scenes.first().filter(|_| scenes.len() == 1);
     let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));
     let table = arguments.table.of_scene(name, &arguments.changes, scene);
-    table.deliver_report(&page, &json, &accuracy::table(&reports))?;
+    table.deliver_report(&page, json, accuracy::table(&reports))?;
     let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
     for failure in &failures {
         output::note(failure);
@@ -110,6 +110,9 @@ fn page_of(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: error against run time of the first contact\n\n");
     page.push_str(&chart(report));
     page.push_str(&table_of(report));
+    if !report.is_complete {
+        return page + "\nnot complete: no answer is drawn from these points\n";
+    }
     answers(&mut page, report);
     references(&mut page, report);
     refusals(&mut page, report);
@@ -134,12 +137,12 @@ fn counts(page: &mut String, report: &Report) {
 fn chart(report: &Report) -> String {
     error_over_time(report).map_or_else(
         || "no method gave a result to compare\n".to_owned(),
-        |chart| draw::chart(&chart, SIZE, Theme::PLAIN),
+        |chart| draw::chart(&chart, chart_size(SIZE), Theme::PLAIN),
     )
 }
 
 fn table_of(report: &Report) -> String {
-    let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
+    let pick = report.cheapest(TARGETS[1]).filter(|_| report.is_complete).map(|pick| pick.method);
     let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
     let table = methods(&report.methods).with("cheapest", "", "", mark);
     format!("\n{}", table.page(&KEYS, width()))

@@ -1,5 +1,7 @@
 //! The command line that makes a table again, with the scene read from the file beside it.
 
+use std::path::Path;
+
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
 
@@ -10,7 +12,7 @@ use crate::files::export;
 /// Options that the sidecar's scene already contains.
 const CHANGES: [&str; 4] = ["set", "threat", "material", "absorber"];
 /// Options that say where results go.
-const RESULTS: [&str; 8] = ["csv", "force", "csv-style", "meta", "json", "svg", "plain", "glyphs"];
+const RESULTS: [&str; 7] = ["csv", "force", "meta", "json", "svg", "plain", "glyphs"];
 
 /// The comment line with the command that was typed. `scene` takes the place of SCENE; without one the scene and its changes stay as
 /// they were typed.
@@ -25,13 +27,19 @@ pub(super) fn comment(scene: Option<&str>) -> String {
 /// with the values as they were typed.
 fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
     let mut words = vec!["cmra".to_owned()];
-    let Some((name, typed)) = typed.subcommand() else { return words.remove(0) };
-    words.push(name.to_owned());
-    let command = program.find_subcommand(name).unwrap_or(program);
+    let (mut command, mut typed) = (program, typed);
+    while let Some((name, inner)) = typed.subcommand() {
+        words.push(name.to_owned());
+        (command, typed) = (command.find_subcommand(name).unwrap_or(command), inner);
+    }
+    let is_elsewhere = scene.is_some() && has_folder(typed);
     for argument in command.get_positionals() {
-        match scene.filter(|_| matches!(argument.get_id().as_str(), "scene" | "scenes")) {
+        let is_scene = matches!(argument.get_id().as_str(), "scene" | "scenes");
+        match scene.filter(|_| is_scene) {
             Some(scene) => words.push(shell_word(scene)),
-            None => words.extend(values(typed, argument).iter().map(|it| shell_word(it))),
+            None => words.extend(
+                occurrences(typed, argument).concat().iter().map(|it| found(it, is_elsewhere)),
+            ),
         }
     }
     // In the order in which they were typed; groups have an id too.
@@ -39,21 +47,35 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
     for option in typed.ids().filter_map(option) {
         let Some(long) = option.get_long() else { continue };
         let is_dropped = RESULTS.contains(&long) || scene.is_some() && CHANGES.contains(&long);
-        for value in values(typed, option).iter().filter(|_| !is_dropped) {
+        for values in occurrences(typed, option).iter().filter(|_| !is_dropped) {
             words.push(format!("--{long}"));
-            words.extend(option.get_action().takes_values().then(|| shell_word(value)));
+            // Values that commas separated.
+            words.extend(option.get_action().takes_values().then(|| shell_word(&values.join(","))));
         }
     }
     words.push("--csv -".to_owned());
     words.join(" ")
 }
 
-/// What was typed for an argument: a text for each time, in which values that commas separate are together again.
-fn values(typed: &ArgMatches, argument: &Arg) -> Vec<String> {
+/// The values that were typed for an argument, each time.
+fn occurrences(typed: &ArgMatches, argument: &Arg) -> Vec<Vec<String>> {
     let id = argument.get_id().as_str();
     let is_typed = typed.value_source(id) == Some(ValueSource::CommandLine);
     let times = typed.get_raw_occurrences(id).filter(|_| is_typed).into_iter().flatten();
-    times.map(|all| all.map(|it| it.to_string_lossy()).collect::<Vec<_>>().join(",")).collect()
+    times.map(|all| all.map(|it| it.to_string_lossy().into_owned()).collect()).collect()
+}
+
+/// Whether the table goes into another folder, from which the command is to run again.
+fn has_folder(typed: &ArgMatches) -> bool {
+    let csv = typed.try_get_raw("csv").ok().flatten().and_then(|mut all| all.next());
+    csv.and_then(|csv| Path::new(csv).parent()).is_some_and(|folder| folder != Path::new(""))
+}
+
+/// A word, which is found from another folder where it names a file.
+fn found(word: &str, is_elsewhere: bool) -> String {
+    let path = Path::new(word);
+    let whole = std::path::absolute(path).ok().filter(|_| is_elsewhere && path.exists());
+    shell_word(&whole.map_or_else(|| word.into(), |whole| whole.to_string_lossy().into_owned()))
 }
 
 #[cfg(test)]
@@ -68,6 +90,7 @@ mod tests {
             let found = program.try_get_matches_from_mut(words).unwrap();
             line(&program, &found, scene)
         };
+        let shots = std::path::absolute("Cargo.toml").unwrap().display().to_string();
         for (typed, scene, expected) in [
             (
                 "limit thin --seed 4 --set h=1mm --csv a.csv --force",
@@ -99,6 +122,16 @@ mod tests {
                 "./a.toml",
                 "compare ./a.toml --map v_i,gamma",
             ),
+            (
+                "run thin --dt 1us --csv a.csv --csv-style crlf",
+                "./a.toml",
+                "run ./a.toml --dt 1us --csv-style crlf",
+            ),
+            ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
+            ("design shot thin --set h=1mm --csv a.csv", "", "design shot thin --set h=1mm"),
+            ("design principles --csv a.csv", "", "design principles"),
+            // Relative to the folder of the scene.
+            ("fit Cargo.toml thin --csv x/a.csv", "./a.toml", &format!("fit {shots} ./a.toml")),
             (
                 "stability --quick --map k --csv a.csv",
                 "./a.toml",

@@ -11,7 +11,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{Answer, StudyArguments};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::at_top;
-use crate::cli::text::{hanging, width};
+use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
@@ -129,7 +129,7 @@ impl CompareArguments {
         let page = at_top(&map_page(name, &map), &warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, &tables::map_table(name, &map))?;
+            table.deliver(&page, tables::map_table(name, &map))?;
         }
         let drawn = || tables::picture(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.study.table, drawn)?;
@@ -229,7 +229,7 @@ fn map_page(name: &str, map: &Map) -> String {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
-    page.push_str(&draw::map(&drawn, MAP));
+    page.push_str(&draw::map(&drawn, chart_size(MAP)));
     line_of_one(&mut page, map);
     page
 }
@@ -242,8 +242,11 @@ fn line_of_one(page: &mut String, map: &Map) {
     let last = y.count() - 1;
     let rows = LINE_ROWS.min(y.count());
     for row in (0..rows).map(|row| row * last / (rows - 1)) {
-        let crossings: Vec<String> =
+        let mut crossings: Vec<String> =
             map.line_of_one(row).iter().map(|at| significant(*at, 4)).collect();
+        if map.cell(x.count() - 1, row).is_none() {
+            crossings.push("the rest not computed".to_owned());
+        }
         let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
         let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row), 4));
     }

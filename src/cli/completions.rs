@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command};
 use clap_complete::Shell;
 
-use crate::cli::{CliError, commands, output};
+use crate::cli::{CliError, commands, help, output};
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset;
@@ -51,6 +51,8 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
         "subject_to" => quantities("<="),
         "name" if owner == "show" => presets(),
         "name" if owner == "explain" => [symbols(""), quantities("")].concat(),
+        "topic" => help::names().into_iter().map(str::to_owned).collect(),
+        "subcommand" => commands::names().into_iter().map(str::to_owned).collect(),
         "threat" => entries(Library::Threats),
         "material" => entries(Library::Materials),
         "absorber" => entries(Library::Absorbers),

@@ -86,7 +86,7 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
-    arguments.table.alone().deliver(&at_top(&page, &warnings), &rows.with_warnings(&warnings))
+    arguments.table.alone().deliver(&at_top(&page, &warnings), rows.with_warnings(&warnings))
 }
 
 /// A value by a formula, and where that is from.
@@ -172,7 +172,7 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
             place.rank, concept.name, place.total, concept.preset
         );
     }
-    arguments.table.alone().deliver(&page, &thesis::screening(&weights))
+    arguments.table.alone().deliver(&page, thesis::screening(&weights))
 }
 
 fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
@@ -190,5 +190,5 @@ fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
             let _ = writeln!(page, "      preset     {preset}");
         }
     }
-    arguments.table.alone().deliver(&page, &thesis::principles())
+    arguments.table.alone().deliver(&page, thesis::principles())
 }

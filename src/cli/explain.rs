@@ -28,7 +28,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let name = arguments.name.trim();
     if name == ALL {
         let all: Vec<&Quantity> = QUANTITIES.iter().collect();
-        return table.alone().deliver(&list(), &quantity_rows(&all));
+        return table.alone().deliver(&list(), quantity_rows(&all));
     }
     let spelled = name.replace([' ', '-'], "_");
     let is_quantity = [name, &spelled].into_iter().any(|it| quantities::find(it).is_some());
@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
                 quantities::nearest(name)
             ))
         })?;
-        return table.alone().deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
+        return table.alone().deliver(&quantity_page(quantity), quantity_rows(&[quantity]));
     };
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
     let mut line = |label: &str, text: &str| {
@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     line("used", &used_when(variable));
     line("source", variable.source);
     line("for example", &format!("--set {}={}", variable.symbol, example(variable)));
-    table.alone().deliver(&page, &variables::rows(std::slice::from_ref(variable)))
+    table.alone().deliver(&page, variables::rows(std::slice::from_ref(variable)))
 }
 
 /// A value to write: the default, or the first that is allowed.

@@ -64,7 +64,7 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
         Some((preset, _)) => arguments.table.of(&arguments.scene, &preset.scene),
         None => arguments.table.alone(),
     };
-    table.deliver_report(&page, &object, &tables::table(&report))?;
+    table.deliver_report(&page, object, tables::table(&report))?;
     Ok(progress::exit_code(calibration.is_none_or(|it| it.from_limit_pa.is_some())))
 }
 

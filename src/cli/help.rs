@@ -76,10 +76,18 @@ pub(super) fn run(arguments: &HelpArguments) -> Result<(), CliError> {
     output::print(&text)
 }
 
+fn topics() -> Vec<&'static str> {
+    TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect()
+}
+
+/// The topics and the commands.
+pub(super) fn names() -> Vec<&'static str> {
+    [topics(), commands::names()].concat()
+}
+
 fn unknown(name: &str) -> CliError {
-    let topics: Vec<&str> = TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect();
-    let cure = did_you_mean(name, &[topics.clone(), commands::names()].concat())
-        .unwrap_or_else(|| format!("the topics are {}", topics.join(", ")));
+    let cure = did_you_mean(name, &names())
+        .unwrap_or_else(|| format!("the topics are {}", topics().join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
 
@@ -95,8 +103,45 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::{completions, sweep};
 
     const COLUMNS: usize = 80;
+
+    #[test]
+    fn completion_offers_topics_and_commands() {
+        let script = completions::script(clap_complete::Shell::Bash);
+        let script = String::from_utf8(script).unwrap();
+        for (command, word) in [("help", "mechanisms"), ("help", "limit"), ("man", "limit")] {
+            let at = script
+                .find(&format!("        cmra__{command})"))
+                .or_else(|| script.find(&format!("        cmra__subcmd__{command})")))
+                .unwrap();
+            let words = script[at..].lines().nth(1).unwrap();
+            assert!(words.contains(word), "{command}: {words}");
+        }
+    }
+
+    /// The examples of all pages, without what is said beside them.
+    fn examples() -> Vec<&'static str> {
+        let lines = TOPICS.iter().flat_map(|topic| topic.text.lines());
+        let examples = lines.filter_map(|line| line.strip_prefix("  cmra "));
+        examples.map(|line| line.split("  ").next().unwrap().trim_end_matches(" \\")).collect()
+    }
+
+    #[test]
+    fn every_example_is_accepted() {
+        assert!(examples().len() > 15, "{:?}", examples());
+        for example in examples() {
+            let words = std::iter::once("cmra").chain(example.split(' '));
+            let typed = commands::whole().try_get_matches_from(words).expect(example);
+            let (name, typed) = typed.subcommand().unwrap();
+            // Those of a cluster are for its own files.
+            if name == "sweep" && !example.contains('$') {
+                let arguments: sweep::SweepArguments = commands::read(typed).unwrap();
+                assert_eq!(arguments.problem(), None, "{example}");
+            }
+        }
+    }
 
     #[test]
     fn pages_fit_80_columns() {

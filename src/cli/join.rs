@@ -12,8 +12,7 @@ use crate::files::join::Whole;
 #[derive(Debug, Args)]
 #[command(
     after_help = "The parts may be named in any order. Each needs the .toml file beside it, which says what part it is.\n\
-                  Missing, repeated and incomplete parts, parts of another sweep, and rows that are not those of their points, are errors.\n\
-                  Other fields of a row are taken as they are.\n\
+                  Missing, repeated and incomplete parts, parts of another sweep, and parts that were changed by a single byte, are errors.\n\
                   `cmra help sweeps` shows how parts are computed."
 )]
 pub(super) struct JoinArguments {

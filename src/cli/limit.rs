@@ -10,7 +10,7 @@ use crate::cli::amount::{count, deviation, part};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{Answer, Random, StudyArguments};
 use crate::cli::table::choice;
-use crate::cli::text::hanging;
+use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw, progress};
 use crate::model::mechanism::Mechanism;
 use crate::model::units::velocity;
@@ -105,7 +105,7 @@ fn page(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
     if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s, None) {
-        page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
+        page.push_str(&draw::chart(&chart, chart_size((WIDTH, HEIGHT)), Theme::PLAIN));
     }
     page.push('\n');
     for remark in remarks(report) {

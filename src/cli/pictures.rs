@@ -48,6 +48,14 @@ impl PictureArguments {
             }
             atomic::check(path, table.existing())?;
         }
+        if let (Some(path), Target::File(to)) = (&self.svg, table.target())
+            && to.has(path)
+        {
+            let path = path.display();
+            return Err(CliError::Option(format!(
+                "--svg {path}: --csv writes to the same file, or its scene; choose another name"
+            )));
+        }
         Ok(())
     }
 

@@ -22,7 +22,10 @@ pub(super) struct PresetsArguments {
 #[derive(Debug, Subcommand)]
 enum Action {
     /// List the presets
-    List,
+    List {
+        #[command(flatten)]
+        table: TableArguments,
+    },
     /// Print a preset's file: where its numbers come from, what to expect, and every value
     Show {
         /// The preset's name
@@ -32,7 +35,8 @@ enum Action {
 
 pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
     match &arguments.action {
-        None | Some(Action::List) => list(&arguments.table),
+        Some(Action::List { table }) if table.is_given() => list(table),
+        None | Some(Action::List { .. }) => list(&arguments.table),
         Some(Action::Show { .. })
             if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
         {
@@ -58,7 +62,7 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let row = format!("{:width$}  {title}", preset.name);
         let _ = writeln!(text, "{}", row.trim_end());
     }
-    table.alone().deliver(&text, &table_of(&presets))?;
+    table.alone().deliver(&text, table_of(&presets))?;
     for one in unreadable {
         output::note(&format!("not listed: {}", one.error));
     }

@@ -26,7 +26,8 @@ use crate::study::sweep::grid::{Grid, PIECE};
 pub(super) struct ReportArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Where to write the report: FILE.html has its charts as SVG, FILE.md as text
+    /// Where to write the report: FILE.html has its charts as SVG, FILE.md as text; `-` writes Markdown to standard
+    /// output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Replace an existing file
@@ -40,12 +41,16 @@ pub(super) struct ReportArguments {
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
-    let format = Format::of(path).ok_or_else(|| {
+    let is_stdout = path.as_os_str() == "-";
+    let format = if is_stdout { Some(Format::Markdown) } else { Format::of(path) };
+    let format = format.ok_or_else(|| {
         let (path, html) = (path.display(), path.with_extension("html"));
         let example = html.display();
         CliError::Option(format!("-o {path}: a report is .html or .md, for example -o {example}"))
     })?;
-    atomic::check(path, existing)?;
+    if !is_stdout {
+        atomic::check(path, existing)?;
+    }
     let preset = arguments.scene.load()?;
     let scene = Arc::new(preset.scene.clone());
     let Computed { preset, run, .. } = run::compute(preset)?;
@@ -54,14 +59,19 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let limit =
         progress::study(threads, "shots or so", |context| limit::find(&scene, effort, context))?;
     let sweep = own_sweep(&scene, threads)?;
-    if progress::exit_code(true) != ExitCode::SUCCESS {
-        output::note("no report was written");
+    if progress::was_interrupted() {
+        output::note("interrupted: no report was written");
         return Ok(ExitCode::FAILURE);
     }
     let (name, sweep) = (preset.name.as_str(), sweep.as_ref());
     let subject = Subject { name, scene: &scene, run: &run, limit: &limit, sweep };
-    atomic::write(path, subject.text(format, draw::picture).as_bytes(), existing)?;
-    output::note_written(std::slice::from_ref(path));
+    let text = subject.text(format, draw::picture);
+    if is_stdout {
+        output::print(&text)?;
+    } else {
+        atomic::write(path, text.as_bytes(), existing)?;
+        output::note_written(std::slice::from_ref(path));
+    }
     Ok(run::exit_code(&run))
 }
 

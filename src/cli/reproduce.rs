@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     let is_whole = arguments.only.is_none() && !was_interrupted();
     let differences = if is_whole { thesis::differences(&shown) } else { thesis::changed(&shown) };
     let page = page(&shown, differences.len());
-    arguments.table.alone().deliver(&page, &tables::claims(&shown))?;
+    arguments.table.alone().deliver(&page, tables::claims(&shown))?;
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }
@@ -109,12 +109,12 @@ fn summary(report: &[Row], differences: usize) -> String {
         .filter(|(_, count)| *count > 0)
         .map(|(verdict, count)| format!("{count} {}", verdict.words()))
         .collect();
-    let stored = if differences == 0 {
-        "Every verdict is the one stored with this program.".to_owned()
-    } else {
-        format!(
+    let stored = match (progress::not_complete(), differences) {
+        (Some(missing), _) => missing,
+        (None, 0) => "Every verdict is the one stored with this program.".to_owned(),
+        (None, _) => format!(
             "{differences} verdicts differ from those stored with this program (listed on standard error)."
-        )
+        ),
     };
     let [computed, read, none] = [Basis::Computed, Basis::Read, Basis::None].map(on);
     let (rows, verdicts) = (report.len(), verdicts.join(", "));

@@ -13,8 +13,8 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, at_top, choice};
-use crate::cli::text::{fitted, labelled, width};
+use crate::cli::table::{TableArguments, Target, at_top, choice, missing_line};
+use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
 use crate::files::export::RunTable;
@@ -125,15 +125,14 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check_stdout()?;
+    arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
     if let Some(what) = arguments.compare {
-        arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
         let found = compare(&preset.scene, what, &mut clock::processor_s)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
         let table = arguments.table.of(&arguments.scene, &preset.scene);
-        return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
+        return table.deliver(&page, tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
     let computed = match arguments.dt {
         None => compute(arguments.scene.load()?)?,
@@ -144,6 +143,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         runs: named(&computed),
         columns: Vec::new(),
         style: arguments.table.csv_style,
+        comments: missing_line() + &again::comment(None),
     };
     match arguments.table.target() {
         Target::None => {}
@@ -232,7 +232,9 @@ fn drawn(run: &Run, glyphs: Glyphs) -> String {
     let glyphs = glyphs.chosen().unwrap_or(GlyphSet::Ascii);
     let theme = Theme { glyphs, depth: ColourDepth::None };
     let charts = response(run).into_iter().chain(mechanism(run));
-    charts.fold(String::new(), |text, chart| text + "\n" + &draw::chart(&chart, SIZE, theme))
+    charts.fold(String::new(), |text, chart| {
+        text + "\n" + &draw::chart(&chart, chart_size(SIZE), theme)
+    })
 }
 
 fn summary(computed: &Computed) -> String {

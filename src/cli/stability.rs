@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = arguments.study.run("scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let (page, object) = (battery_page(&rows, took_s, text::width()), tables::json(&rows));
-    arguments.study.table.alone().deliver_report(&page, &object, &table(&rows))?;
+    arguments.study.table.alone().deliver_report(&page, object, table(&rows))?;
     let failures: Vec<String> = failures(&rows).collect();
     for failure in &failures {
         output::note(failure);
@@ -119,6 +119,10 @@ compare with
 ";
 
 fn summary(text: &mut String, rows: &[Row], took_s: f64) {
+    if let Some(missing) = progress::not_complete() {
+        let _ = writeln!(text, "{missing}");
+        return;
+    }
     let short: Vec<&str> =
         rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
     let without = rows.iter().filter(|row| row.basis == Basis::None).count();
@@ -137,7 +141,7 @@ fn map_page(map: &Map, scene: &str) -> String {
     let largest = map
         .largest_stable_dt_s
         .map_or_else(|| "no limit".to_owned(), |value| engineering(value, "s", 3));
-    let picture = draw::map(&tables::picture(map), draw::MAP);
+    let picture = draw::map(&tables::picture(map), text::chart_size(draw::MAP));
     let (method, symbol) = (map.method.name(), map.axis.symbol());
     format!(
         "{method} on {scene}: time step against {symbol}\n\n{picture}\nlargest stable dt of this scene: {largest}\n"

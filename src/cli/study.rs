@@ -63,7 +63,7 @@ impl StudyArguments {
         let Answer { warnings, page, mut object, rows } = answer;
         object["warnings"] = warnings.as_slice().into();
         let (page, rows) = (at_top(&page, &warnings), rows.with_warnings(&warnings));
-        self.table.of(&self.scene, scene).deliver_report(&page, &object, &rows)
+        self.table.of(&self.scene, scene).deliver_report(&page, object, rows)
     }
 }
 

@@ -19,13 +19,14 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::table::{TableArguments, Target, at_top};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, output, progress};
+use crate::cli::{CliError, again, output, progress};
 use crate::files::atomic::Growing;
+use crate::files::error::FileError;
 use crate::files::export::Meta;
 use crate::files::preset::Preset;
-use crate::files::shard::Part;
+use crate::files::shard::{Checksum, Part, Written};
 use crate::model::scene::Scene;
-use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet};
+use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
 use crate::study::quantities;
 use crate::study::sweep::grid::{Grid, PIECE};
@@ -60,6 +61,15 @@ pub(super) struct SweepArguments {
     pictures: PictureArguments,
     #[command(flatten)]
     table: TableArguments,
+}
+
+#[cfg(test)]
+impl SweepArguments {
+    /// Why it could not run.
+    pub(super) fn problem(&self) -> Option<String> {
+        let planned = self.scene.load().and_then(|preset| self.points.plan(&preset, true));
+        planned.err().map(|error| error.to_string())
+    }
 }
 
 /// Runs the sweep; exit status 1 when a point failed or the sweep was interrupted.
@@ -113,6 +123,26 @@ impl Job<'_> {
         self.shard.of(self.plan.points())
     }
 
+    fn count(&self) -> u64 {
+        let points = self.points();
+        points.end - points.start
+    }
+
+    /// That points are missing after an interrupt, in words; `None` where every point was computed.
+    fn missing(&self, ended: &Summary) -> Option<String> {
+        let (done, all) = (ended.points(), self.count());
+        (done < all).then(|| format!("not complete: {done} of {all} points"))
+    }
+
+    /// The lines at the head of the table, with `--meta inline`.
+    fn comments(&self) -> String {
+        let part = match self.shard {
+            Shard::WHOLE => String::new(),
+            shard => format!("# shard: {shard}\n"),
+        };
+        again::comment(None) + &page::comments(self.preset, self.plan) + &part
+    }
+
     /// Say what it came to beside the result; 0 where every point was computed.
     fn ended(
         &self,
@@ -121,9 +151,8 @@ impl Job<'_> {
         table: &TableArguments,
         start: Instant,
     ) -> ExitCode {
-        let (done, all) = (ended.points(), self.points());
-        if done < all.end - all.start {
-            let all = all.end - all.start;
+        if self.missing(ended).is_some() {
+            let (done, all) = (ended.points(), self.count());
             output::note(&format!(
                 "interrupted: {done} of {all} points were finished and are kept"
             ));
@@ -137,7 +166,7 @@ impl Job<'_> {
         }
         if !matches!(table.target(), Target::None) && !table.json {
             let took = page::duration(start.elapsed().as_secs_f64());
-            output::note(&format!("{done} points in {took}: {}", ended.outcomes));
+            output::note(&format!("{} points in {took}: {}", ended.points(), ended.outcomes));
         }
         if ended.failed() > 0 {
             output::note(&format!("{} points failed: see the column `error`", ended.failed()));
@@ -149,7 +178,8 @@ impl Job<'_> {
     fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
         let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        at_top(&page::text(self.plan, &head, summary, kept), &warnings)
+        let missing = self.missing(summary).map_or_else(String::new, |it| it + "\n\n");
+        missing + &at_top(&page::text(self.plan, &head, summary, kept), &warnings)
     }
 
     /// Computes all points, and writes their rows where they are to go.
@@ -164,8 +194,10 @@ impl Job<'_> {
         let (has_csv, has_json) = (!matches!(target, Target::None), arguments.table.json);
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
-        let style = arguments.table.csv_style;
+        let (style, is_inline) = (arguments.table.csv_style, arguments.table.meta == Meta::Inline);
+        let mut checksum = Checksum::default();
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            checksum.add(csv);
             match &mut file {
                 Some(file) => file.add(csv)?,
                 None => output::print_bytes(csv)?,
@@ -173,15 +205,12 @@ impl Job<'_> {
             output::print_bytes(json.as_bytes())
         };
         if self.shard.is_first() && has_csv {
-            let comments = match arguments.table.meta {
-                Meta::Beside => String::new(),
-                Meta::Inline => page::comments(self.preset, self.plan),
-            };
+            let comments = if is_inline { self.comments() } else { String::new() };
             write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
         }
         write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
-        let summary = self.stream(&sheet, |piece| {
+        let streamed = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
                 grid.extend(&piece.rows);
             }
@@ -189,12 +218,23 @@ impl Job<'_> {
                 write(b"", ",\n")?;
             }
             write(&style.rows(piece.csv.as_bytes())?, &piece.json)
-        })?;
-        write(b"", if has_json { JSON_TAIL } else { "" })?;
+        });
+        let summary = match (streamed, &target) {
+            (Err(CliError::File(problem)), Target::File(to)) => {
+                return Err(to.kept(file, problem).into());
+            }
+            (streamed, _) => streamed?,
+        };
+        let missing = self.missing(&summary);
+        if let Some(missing) = missing.as_ref().filter(|_| has_csv && is_inline) {
+            // The head was written before anybody knew.
+            write(&style.rows(format!("# {missing}\n").as_bytes())?, "")?;
+        }
+        if has_json {
+            write(b"", &json_tail(summary.points(), missing.is_none()))?;
+        }
         output::print("")?;
         if let (Some(file), Target::File(to)) = (file, target) {
-            let (done, all) = (summary.points(), self.points().end - self.points().start);
-            let missing = (done < all).then(|| format!("{done} of {all} points"));
             let part = Part {
                 shard: self.shard,
                 design: self.plan.design(),
@@ -203,9 +243,14 @@ impl Job<'_> {
             };
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let beside = part.beside(&scene, missing.as_deref());
-            let written = to.placed(missing.is_none()).finish(file, &[beside]);
-            output::note_written(&written?);
+            let beside = part.beside(&scene, Written { missing: missing.as_deref(), checksum });
+            // Another program may have taken the name meanwhile.
+            let taken = if missing.is_none() { to.check().err() } else { None };
+            let placed = to.placed(missing.is_none() && taken.is_none());
+            output::note_written(&placed.finish(file, &[beside])?);
+            if let Some(problem) = taken.map(Box::new) {
+                return Err(FileError::Kept { path: placed.path, problem }.into());
+            }
         }
         Ok(summary)
     }

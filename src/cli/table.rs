@@ -7,7 +7,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde_json::Value;
 
-use crate::cli::progress::was_interrupted;
+use crate::cli::progress::not_complete;
 use crate::cli::scene::{Changes, SceneArguments};
 use crate::cli::{CliError, again, output, text};
 use crate::files::atomic::Existing;
@@ -69,6 +69,11 @@ impl TableArguments {
                 meta: self.meta,
             }),
         }
+    }
+
+    /// Whether a table is wanted, or JSON.
+    pub(super) fn is_given(&self) -> bool {
+        self.json || self.csv.is_some()
     }
 
     /// The handling of an existing file.
@@ -140,7 +145,8 @@ struct Source<'a> {
 
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
-    pub(super) fn deliver<R>(&self, page: &str, table: &Table<'_, R>) -> Result<(), CliError> {
+    pub(super) fn deliver<R>(&self, page: &str, table: Table<'_, R>) -> Result<(), CliError> {
+        let table = marked(table);
         self.deliver_texts(page, &|| table.json(), &|| table.csv())
     }
 
@@ -148,10 +154,15 @@ impl Delivery<'_> {
     pub(super) fn deliver_report<R>(
         &self,
         page: &str,
-        object: &Value,
-        rows: &Table<'_, R>,
+        mut object: Value,
+        rows: Table<'_, R>,
     ) -> Result<(), CliError> {
-        self.deliver_texts(page, &|| pretty(object), &|| rows.csv())
+        if let Value::Object(keys) = &mut object {
+            let is_complete = keys.get("complete").and_then(Value::as_bool).unwrap_or(true);
+            keys.insert("complete".to_owned(), (is_complete && not_complete().is_none()).into());
+        }
+        let rows = marked(rows);
+        self.deliver_texts(page, &|| pretty(&object), &|| rows.csv())
     }
 
     fn deliver_texts(
@@ -169,7 +180,9 @@ impl Delivery<'_> {
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
-        output::print(&if table.json { object() } else { text::fitted(&(changed() + page)) })?;
+        let missing = || not_complete().map_or_else(String::new, |missing| missing + "\n\n");
+        let whole = || text::fitted(&(missing() + &changed() + page));
+        output::print(&if table.json { object() } else { whole() })?;
         Ok(written?)
     }
 
@@ -181,22 +194,32 @@ impl Delivery<'_> {
         let scene = self.source.and_then(|source| Some((source.name, source.scene?)));
         let scene =
             scene.map(|(name, scene)| export::inline_scene(("scene", name), scene, |_| true));
-        again::comment(None) + &scene.unwrap_or_default()
+        missing_line() + &again::comment(None) + &scene.unwrap_or_default()
     }
 
     /// The name of an incomplete table after an interrupt.
     fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
-        let missing = if was_interrupted() { "# not complete: interrupted\n" } else { "" };
+        let missing = missing_line();
         let scene = self.source.and_then(|source| source.scene);
         let beside = scene.map(|scene| Beside {
             run: None,
             scene,
-            notes: Box::new(|own| missing.to_owned() + &again::comment(Some(own))),
+            notes: Box::new(|own| missing.clone() + &again::comment(Some(own))),
         });
         let to = to.placed(missing.is_empty());
         output::note_written(&to.write(text.as_bytes(), beside.as_slice())?);
         Ok(())
     }
+}
+
+/// The comment line of an incomplete table; empty for a complete one.
+pub(super) fn missing_line() -> String {
+    not_complete().map_or_else(String::new, |missing| format!("# {missing}\n"))
+}
+
+/// The rows of an incomplete table say so.
+fn marked<R>(table: Table<'_, R>) -> Table<'_, R> {
+    if not_complete().is_some() { table.with("complete", "", "", |_| false) } else { table }
 }
 
 /// A page with warnings below its first line.

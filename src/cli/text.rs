@@ -2,6 +2,7 @@
 
 use std::io::{self, IsTerminal as _};
 
+use crate::cli::draw;
 use crate::tui::app::status::wrap;
 
 /// Columns of a page that is not a terminal's, and the most and the fewest of any.
@@ -15,6 +16,11 @@ pub(super) fn width() -> usize {
     }
     let size = crossterm::terminal::size().map_or(USUAL, |size| usize::from(size.0));
     size.clamp(WIDTHS.0, WIDTHS.1)
+}
+
+/// The size of a chart where the page is narrower: its lines cannot be wrapped.
+pub(super) fn chart_size((columns, rows): draw::Size) -> draw::Size {
+    (columns.min(u16::try_from(width()).unwrap_or(columns)), rows)
 }
 
 /// A text after a lead, in as many lines as it needs; those after the first are indented.

@@ -26,7 +26,7 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let report = progress::study(arguments.threads.count(), "measurements", validation::report)?;
-    arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
+    arguments.table.alone().deliver(&page(&report), tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
     for id in &missing {
@@ -82,8 +82,7 @@ fn page(report: &[Row]) -> String {
         text::labelled_each(&mut page, &lines);
         page.push('\n');
     }
-    page.push_str(&summary(report));
-    page
+    page + &progress::not_complete().map_or_else(|| summary(report), |missing| missing + "\n")
 }
 
 /// Points from which a class has a scatter.

@@ -11,7 +11,7 @@ use crate::report::table::Table;
 
 pub(super) fn run(table: &TableArguments) -> Result<(), CliError> {
     table.check()?;
-    table.alone().deliver(&page(), &rows(&VARIABLES))
+    table.alone().deliver(&page(), rows(&VARIABLES))
 }
 
 /// Variables with everything that is known of them, a row each.

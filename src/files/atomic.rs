@@ -177,6 +177,8 @@ pub struct Growing {
     /// What a link of that name points to.
     target: PathBuf,
     place: Place,
+    /// Bytes of the pieces that were added whole.
+    length: u64,
 }
 
 enum Place {
@@ -210,7 +212,12 @@ impl Growing {
                 return Err(FileError::special(path));
             }
             if !found.is_file() {
-                return Ok(Self { path: path.to_owned(), target, place: Place::Direct(None) });
+                return Ok(Self {
+                    path: path.to_owned(),
+                    target,
+                    place: Place::Direct(None),
+                    length: 0,
+                });
             }
         }
         if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
@@ -230,7 +237,7 @@ impl Growing {
             // Not by the builder: the user's mask would be taken off once more.
             file.as_file().set_permissions(found.permissions()).map_err(failed)?;
         }
-        Ok(Self { path: path.to_owned(), target, place: Place::Beside(file) })
+        Ok(Self { path: path.to_owned(), target, place: Place::Beside(file), length: 0 })
     }
 
     /// Add a piece.
@@ -246,7 +253,22 @@ impl Growing {
                 opened.and_then(|file| device.insert(file).write_all(content))
             }
         };
-        written.map_err(|source| FileError::write(&self.path, source))
+        written.map_err(|source| FileError::write(&self.path, source))?;
+        self.length += content.len() as u64;
+        Ok(())
+    }
+
+    /// Keep the pieces that were added whole under another, free name in the same folder: they need no more room on the disk.
+    ///
+    /// # Errors
+    /// Whatever forbids it.
+    pub fn keep(self, path: &Path) -> io::Result<()> {
+        let (Place::Beside(file), 1..) = (self.place, self.length) else {
+            return Err(io::ErrorKind::Unsupported.into());
+        };
+        file.as_file().set_len(self.length)?;
+        let target = self.target.with_file_name(path.file_name().unwrap_or_default());
+        file.persist_noclobber(target).map(drop).map_err(|error| error.error)
     }
 
     /// Give it its name, or another one in the same folder, and write the files that belong to it.

@@ -24,7 +24,7 @@ pub struct Config {
 /// One key or several by each name.
 fn lists<'de, D: Deserializer<'de>>(file: D) -> Result<BTreeMap<String, Vec<String>>, D::Error> {
     #[derive(Deserialize)]
-    #[serde(untagged)]
+    #[serde(untagged, expecting = "write a key, \"U\", or several, [\"u\", \"U\"]")]
     enum Keys {
         One(String),
         Several(Vec<String>),
@@ -70,6 +70,9 @@ mod tests {
         let config = load(&path).unwrap();
         assert_eq!(config.characters.as_deref(), Some("ascii"));
         assert_eq!(config.keys["run"], ["r", "F5"]);
+        std::fs::write(&path, "[keys]\nundo = 3\n").unwrap();
+        let refused = load(&path).unwrap_err();
+        assert!(refused.contains("line 2: write a key, \"U\""), "{refused}");
         std::fs::write(&path, "colour = \"none\"\n").unwrap();
         let refused = load(&path).unwrap_err();
         assert!(refused.contains("line 1") && refused.contains("colours"), "{refused}");

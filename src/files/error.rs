@@ -46,6 +46,14 @@ pub enum FileError {
     /// The file exists already and was not replaced.
     #[error("`{}` already exists: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
+    /// The file could not be finished, and what was made before is in another one.
+    #[error("{problem}; what was computed is kept in `{}`", shown(.path))]
+    Kept {
+        /// The other file.
+        path: PathBuf,
+        /// Why it could not be finished.
+        problem: Box<Self>,
+    },
     /// A preset is to be replaced whose file is not a readable scene; what is in it would be lost.
     #[error("`{}` is not a readable scene and was not replaced: correct it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {

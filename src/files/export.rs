@@ -58,6 +58,8 @@ pub struct RunTable {
     pub columns: Vec<String>,
     /// CSV dialect.
     pub style: Style,
+    /// Comment lines at the head of a table with its scene in it.
+    pub comments: String,
 }
 
 enumeration! {
@@ -135,8 +137,24 @@ impl Destination {
     /// # Errors
     /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
-        self.check_beside()?;
+        self.check()?;
         Growing::begin(&self.path, self.existing)
+    }
+
+    /// The error of a table that cannot be written further; its whole rows are kept under the name of an incomplete one.
+    pub fn kept(&self, file: Option<Growing>, problem: FileError) -> FileError {
+        let path = partial_path(&self.path);
+        match file.map(|file| file.keep(&path)) {
+            Some(Ok(())) => FileError::Kept { path, problem: Box::new(problem) },
+            Some(Err(_)) | None => problem,
+        }
+    }
+
+    /// Whether this file is the table or the scene beside it.
+    pub fn has(&self, other: &Path) -> bool {
+        let real = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path)).ok();
+        let is_own = |own: &Path| real(own) == real(other);
+        is_own(&self.path) || self.has_beside() && is_own(&sidecar_path(&self.path, None))
     }
 
     /// Give such a table its name; as [`Destination::write`].
@@ -189,7 +207,10 @@ impl RunTable {
         let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
         let comments = match meta {
             Meta::Beside => String::new(),
-            Meta::Inline => self.runs.iter().map(|(name, run)| inline(name, run)).collect(),
+            Meta::Inline => {
+                let runs = self.runs.iter().map(|(name, run)| inline(name, run));
+                std::iter::once(self.comments.clone()).chain(runs).collect()
+            }
         };
         self.style.file(&comments, &table)
     }
@@ -343,6 +364,31 @@ mod tests {
         let partial = whole.placed(false);
         assert_eq!(partial.path, folder.path().join("a.partial.csv"));
         assert_eq!(partial.existing, Existing::Keep);
+    }
+
+    #[test]
+    fn whole_rows_of_a_table_that_cannot_grow_are_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let to = Destination { path, existing: Existing::Keep, meta: Meta::Beside };
+        let mut file = to.begin().unwrap();
+        file.add(b"1\n2\n").unwrap();
+        let error = to.kept(Some(file), FileError::NoHome).to_string();
+        assert!(error.ends_with("a.partial.csv`"), "{error}");
+        assert_eq!(fs::read(folder.path().join("a.partial.csv")).unwrap(), b"1\n2\n");
+        assert!(!to.path.exists());
+    }
+
+    #[test]
+    fn the_files_of_a_table_are_known_by_any_path() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let to = Destination { path, existing: Existing::Keep, meta: Meta::Beside };
+        for (name, is_own) in [("./a.csv", true), ("a.toml", true), ("a.svg", false)] {
+            assert_eq!(to.has(&folder.path().join(name)), is_own, "{name}");
+        }
+        let inline = Destination { meta: Meta::Inline, ..to };
+        assert!(!inline.has(&folder.path().join("a.toml")));
     }
 
     #[test]

@@ -1,23 +1,19 @@
 //! Joins the parts of a sweep into the file that one run would have written.
 //!
-//! Each part is checked against the sidecar beside it: every row must be the row of its point. Parts of different sweeps, gaps
-//! and doubles are refused.
+//! Each part is checked against the checksum in the sidecar beside it. Changed parts, parts of different sweeps, gaps and doubles
+//! are refused.
 
 use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::Read;
 use std::path::{Path, PathBuf};
-
-use csv::ReaderBuilder;
 
 use crate::files::error::{FileError, shown};
 use crate::files::export::{self, Beside};
 use crate::files::read::{self, Accepts};
-use crate::files::shard::Part;
-use crate::files::style::Style;
+use crate::files::shard::{Checksum, Part, Written};
 use crate::model::scene::Scene;
-use crate::model::units;
 use crate::model::variables::VARIABLES;
-use crate::study::sweep::{Axis, Plan, Shard};
+use crate::study::sweep::{Axis, Shard};
 
 const PIECE: usize = 1 << 16;
 
@@ -34,6 +30,7 @@ struct Found {
     path: PathBuf,
     part: Part,
     scene: Scene,
+    sidecar: String,
     version: String,
 }
 
@@ -56,13 +53,7 @@ impl Whole {
             }
         }
         each_once(&found)?;
-        let sweep = first.scene.sweep.clone().unwrap_or_default();
-        let axes = Axis::all_of(&sweep);
-        let plan = axes.and_then(|axes| Plan::new(&first.scene, axes, first.part.design, &[""; 0]));
-        let plan = plan.map_err(|error| refuse(format!("`{}`: {error}", shown(&first.path))))?;
-        for one in &found {
-            check_rows(one, &plan)?;
-        }
+        found.iter().try_for_each(check_bytes)?;
         let parts = found.iter().map(|one| one.path.clone()).collect();
         let first = found.swap_remove(0);
         let joined = Part { shard: Shard::WHOLE, ..first.part };
@@ -82,24 +73,12 @@ impl Whole {
         &self,
         mut take: impl FnMut(&[u8]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut piece = vec![0; PIECE];
-        for path in &self.parts {
-            let failed = |source| FileError::read(path, source);
-            let mut file = File::open(path).map_err(failed)?;
-            loop {
-                let count = file.read(&mut piece).map_err(failed)?;
-                if count == 0 {
-                    break;
-                }
-                take(&piece[..count])?;
-            }
-        }
-        Ok(())
+        self.parts.iter().try_for_each(|path| each_piece_of(path, &mut take))
     }
 
     /// The scene that one run would have written beside this table.
     pub fn beside(&self) -> Beside<'_> {
-        self.joined.beside(&self.scene, None)
+        self.joined.beside(&self.scene, Written::default())
     }
 }
 
@@ -121,7 +100,7 @@ fn found(path: &Path) -> Result<Found, FileError> {
         Part::read(&text).map_err(|problem| refuse(format!("`{}`: {problem}", shown(path))))?;
     let scene = read::scene(&text, &shown(&beside)).map_err(FileError::Scene)?;
     let version = text.split_whitespace().nth(4).unwrap_or_default().to_owned();
-    Ok(Found { path: path.to_owned(), part, scene, version })
+    Ok(Found { path: path.to_owned(), part, scene, sidecar: text, version })
 }
 
 /// The difference of two sweeps, in words; `None` for parts of one sweep.
@@ -183,39 +162,36 @@ fn each_once(found: &[Found]) -> Result<(), FileError> {
     }
 }
 
-/// Whether every row of a part is the row of its point.
-fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
-    let (path, style, shard) = (shown(&one.path), one.part.style, one.part.shard);
-    let failed = |source| FileError::read(&one.path, source);
-    let mut file = BufReader::new(File::open(&one.path).map_err(failed)?);
-    let has_head = shard.is_first();
-    if has_head {
-        file.seek(SeekFrom::Start(style.head().len() as u64)).map_err(failed)?;
-    }
-    let delimiter = if style == Style::ExcelEu { b';' } else { b',' };
-    let mut reader = ReaderBuilder::new()
-        .has_headers(has_head)
-        .delimiter(delimiter)
-        .flexible(true)
-        .from_reader(file);
-    let points = shard.of(plan.points());
-    let (mut row, mut next) = (csv::StringRecord::new(), points.start);
-    while reader.read_record(&mut row)? {
-        let is_own = |axis: usize| {
-            let value = units::shortest(plan.coordinate(next, axis));
-            row.get(axis).is_some_and(|field| field.replace(',', ".") == value)
-        };
-        if next >= points.end || !(0..plan.axes().len()).all(is_own) {
-            let row = next - points.start + 1;
-            return Err(refuse(format!(
-                "`{path}`: row {row} is not the row of its point: the file was changed after it was written; compute part {shard} again"
-            )));
-        }
-        next += 1;
-    }
-    if next == points.end {
+/// Whether a part is, to the byte, as it was written.
+fn check_bytes(one: &Found) -> Result<(), FileError> {
+    let mut checksum = Checksum::default();
+    each_piece_of(&one.path, |piece| {
+        checksum.add(piece);
+        Ok::<(), FileError>(())
+    })?;
+    if one.part.is_as_written(&one.sidecar, checksum) {
         return Ok(());
     }
-    let (found, all) = (next - points.start, points.end - points.start);
-    Err(refuse(format!("`{path}` has {found} of the {all} rows of part {shard}: compute it again")))
+    Err(refuse(format!(
+        "`{}` or the `{}` beside it was changed after it was written: compute part {2} again, with --shard {2}",
+        shown(&one.path),
+        shown(&export::sidecar_path(&one.path, None)),
+        one.part.shard
+    )))
+}
+
+/// Give away the bytes of a file, piece by piece.
+fn each_piece_of<E: From<FileError>>(
+    path: &Path,
+    mut take: impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
+    let failed = |source| FileError::read(path, source);
+    let mut file = File::open(path).map_err(failed)?;
+    let mut piece = vec![0; PIECE];
+    loop {
+        match file.read(&mut piece).map_err(failed)? {
+            0 => return Ok(()),
+            count => take(&piece[..count])?,
+        }
+    }
 }

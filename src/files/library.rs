@@ -82,7 +82,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     let list = format!("`cmra libraries` lists the {}", library.file());
     let mut hint = format!("{} ({list})", nearest(name, &names, "use one of"));
     for problem in problems {
-        hint = format!("{hint}\n{problem}");
+        hint = format!("{hint}; {}", problem.to_string().replace('\n', "; "));
     }
     let (name, word) = (clean::line(name), library.word());
     Err(FileError::Refused(format!("`{name}` is not one of the {word}s: {hint}")))

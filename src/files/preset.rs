@@ -117,7 +117,8 @@ fn resolve_by(name: &str, paths: Option<&Paths>, accepts: Accepts) -> Result<Pre
         && check_name(name).is_ok()
     {
         let path = paths.preset_file(name);
-        if path.is_file() {
+        // What is no file is refused in its own words.
+        if fs::symlink_metadata(&path).is_ok() {
             return from_own(name.to_owned(), path);
         }
     }
@@ -378,6 +379,10 @@ mod tests {
         fs::write(paths.presets.join(format!("{long}.toml")), "format = 1\n").unwrap();
         fs::write(paths.presets.join("notes.txt"), "no preset").unwrap();
         assert_eq!(problems().len(), 1);
+        fs::create_dir(paths.preset_file("folder")).unwrap();
+        let error = resolve("folder", Some(&paths)).unwrap_err().to_string();
+        assert!(error.contains("folder.toml`: is a directory"), "{error}");
+        fs::remove_dir(paths.preset_file("folder")).unwrap();
         assert!(
             problems()[0].contains(&long) && problems()[0].contains("1 to 64"),
             "{}",

@@ -65,7 +65,7 @@ pub fn text_from(source: impl Read, path: &Path, bytes_max: u64) -> Result<Strin
         .map_err(|source| FileError::read(path, source))?;
     if bytes.len() as u64 > bytes_max {
         return Err(FileError::Refused(format!(
-            "`{}` has more than {bytes_max} bytes, which no scene has: is this the right file?",
+            "`{}` has more than {bytes_max} bytes, the most that is read: is this the right file?",
             shown(path)
         )));
     }

@@ -88,23 +88,37 @@ fn unit(heading: &str, quantity: Quantity) -> Option<f64> {
     units::parse(&format!("1 {unit}"), quantity, Bare::Stored).ok().filter(|_| !unit.is_empty())
 }
 
-fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
-    const SHOWN_MAX: usize = 80;
-    let name = path.to_string_lossy();
-    let shown = clean::line(&name);
+/// The rows of a CSV text, each with its line, with any number of fields; `name` is that of the file, for errors.
+///
+/// # Errors
+/// In words, what cannot be read.
+pub(super) fn csv_rows(text: &str, name: &str) -> Result<Vec<(u64, csv::StringRecord)>, String> {
+    // The line after a row is known where each ends in LF.
+    let text: String =
+        text.trim_start_matches('\u{feff}').lines().flat_map(|line| [line, "\n"]).collect();
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
+    let (mut rows, mut row) = (Vec::new(), csv::StringRecord::new());
+    let broken = |error| format!("cannot read `{name}` as CSV: {error}");
+    while reader.read_record(&mut row).map_err(broken)? {
+        rows.push((reader.position().line() - 1, row.clone()));
+    }
+    Ok(rows)
+}
+
+fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
+    const SHOWN_MAX: usize = 80;
+    let name = path.to_string_lossy();
+    let shown = clean::line(&name);
     let mut points = Vec::new();
     let mut units = [1.0; 2];
-    for (index, row) in reader.records().enumerate() {
-        let row = row.map_err(|error| format!("cannot read `{shown}` as CSV: {error}"))?;
+    for (index, (line, row)) in csv_rows(text, &shown)?.iter().enumerate() {
         let finite = |number: &f64| number.is_finite();
         let field = |at: usize| row.get(at).and_then(|field| field.parse().ok()).filter(finite);
-        let line = row.position().map_or(index as u64 + 1, csv::Position::line);
         match (field(0), field(1)) {
             (Some(x), Some(force)) => points.push([units[0] * x, units[1] * force]),
             (None, None) if index == 0 => {
@@ -177,6 +191,9 @@ mod tests {
             let error = points(heading).unwrap_err();
             assert!(error.contains(told), "{error}");
         }
+        let wrong = "# measured\r\nx_mm,F_kN\r\n\r\n1,2\r\n3,four\r\n";
+        let error = points_in(wrong, Path::new("F.csv")).unwrap_err();
+        assert!(error.contains("line 5: `3,four`"), "{error}");
         assert!(points("F_kN,x_mm").unwrap_err().contains("write displacement first"));
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use crate::files::clean;
 use crate::files::export::{self, Beside};
 use crate::files::style::Style;
+use crate::files::write;
 use crate::model::scene::Scene;
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Design, Sampling, Shard};
@@ -23,15 +24,62 @@ pub struct Part {
     pub style: Style,
 }
 
+/// The FNV-1a hash of bytes, by which a changed file is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Checksum(u64);
+
+impl Default for Checksum {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Checksum {
+    /// Take in further bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+/// How a table that goes beside its scene was written.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Written<'a> {
+    /// That the table is not complete, and how much of it there is.
+    pub missing: Option<&'a str>,
+    /// The checksum of its bytes.
+    pub checksum: Checksum,
+}
+
 impl Part {
     /// The scene that goes beside this part: what makes the rows again, and, for a part, what it takes to join it. The scene has
     /// its `[sweep]`.
-    pub fn beside<'a>(&'a self, scene: &'a Scene, missing: Option<&'a str>) -> Beside<'a> {
-        let notes = move |own: &str| self.notes(own, scene, missing);
+    pub fn beside<'a>(&'a self, scene: &'a Scene, written: Written<'a>) -> Beside<'a> {
+        let notes = move |own: &str| self.notes(own, scene, written);
         Beside { run: None, scene, notes: Box::new(notes) }
     }
 
-    fn notes(&self, own: &str, scene: &Scene, missing: Option<&str>) -> String {
+    /// Whether a part with this sidecar and a table of this checksum is as it was written. Comments may change, and names of files.
+    pub fn is_as_written(&self, sidecar: &str, table: Checksum) -> bool {
+        note(sidecar, "checksum") == Some(self.seal(sidecar, table).as_str())
+    }
+
+    /// The checksum of the table, of the lines that `join` reads, and of the scene.
+    fn seal(&self, scene: &str, mut checksum: Checksum) -> String {
+        let of_scene = scene.lines().filter(|line| !line.starts_with('#'));
+        for line in self.lines().iter().map(String::as_str).chain(of_scene) {
+            checksum.add(line.trim_end().as_bytes());
+        }
+        format!("{:016x}", checksum.0)
+    }
+
+    fn notes(
+        &self,
+        own: &str,
+        scene: &Scene,
+        Written { missing, checksum }: Written<'_>,
+    ) -> String {
         let mut again = format!("cmra sweep {}", clean::shell_word(own));
         let Design { sampling, points, seed } = self.design;
         if sampling != Sampling::Factorial {
@@ -41,10 +89,16 @@ impl Part {
         if self.shard != Shard::WHOLE {
             let _ = write!(again, " --shard {}", self.shard);
         }
+        if self.style != Style::default() {
+            let _ = write!(again, " --csv-style {}", self.style.word());
+        }
         again += " --csv -";
-        let missing = missing.map(|it| format!("not complete: {it}"));
+        let missing = missing.map(str::to_owned);
+        let is_part = self.shard != Shard::WHOLE;
+        let seal =
+            is_part.then(|| format!("checksum: {}", self.seal(&write::fresh(scene), checksum)));
         let mut text = String::new();
-        for note in missing.into_iter().chain(self.lines()).chain(warnings(scene)) {
+        for note in missing.into_iter().chain(self.lines()).chain(seal).chain(warnings(scene)) {
             let _ = writeln!(text, "# {note}");
         }
         text + &export::again(&again)
@@ -69,10 +123,7 @@ impl Part {
     /// # Errors
     /// The error in words.
     pub fn read(sidecar: &str) -> Result<Self, String> {
-        let note = |key: &str| {
-            let head = format!("# {key}: ");
-            sidecar.lines().find_map(|line| line.strip_prefix(head.as_str())).map(str::trim)
-        };
+        let note = |key: &str| note(sidecar, key);
         if let Some(missing) = note("not complete") {
             return Err(format!("it is not complete ({missing}): compute it again"));
         }
@@ -87,6 +138,7 @@ impl Part {
         };
         let style =
             note("style").and_then(|word| Style::ALL.into_iter().find(|it| it.word() == word));
+        note("checksum").ok_or_else(|| broken("checksum"))?;
         Ok(Self {
             shard: Shard::parse(shard).map_err(|_not_one| broken("shard"))?,
             design: design().ok_or_else(|| broken("design"))?,
@@ -96,10 +148,31 @@ impl Part {
     }
 }
 
+/// The value of a line `# KEY: VALUE` of a sidecar.
+fn note<'s>(sidecar: &'s str, key: &str) -> Option<&'s str> {
+    let head = format!("# {key}: ");
+    sidecar.lines().find_map(|line| line.strip_prefix(head.as_str())).map(str::trim)
+}
+
 /// Warnings about the rows, as lines of a sidecar.
 fn warnings(scene: &Scene) -> Vec<String> {
     let axes = scene.sweep.as_ref().and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().0).collect();
     let warnings = validity::of_axes(&scene_with(scene, &axes, &ends), &axes);
     warnings.iter().map(|warning| format!("warning: {}", clean::line(warning))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values of the authors of FNV.
+    #[test]
+    fn valid_the_checksum_is_fnv_1a() {
+        for (text, expected) in [("", 0xcbf2_9ce4_8422_2325), ("foobar", 0x8594_4171_f739_67e8)] {
+            let mut checksum = Checksum::default();
+            checksum.add(text.as_bytes());
+            assert_eq!(checksum, Checksum(expected), "{text}");
+        }
+    }
 }

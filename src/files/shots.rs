@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::read::{self, Accepts};
+use crate::files::read_table;
 use crate::study::fit::Shot;
 
 /// The columns that are read; the first two are needed.
@@ -31,12 +32,8 @@ pub fn read(path: &Path) -> Result<Table, FileError> {
 
 fn parse(text: &str, name: &str) -> Result<Table, String> {
     let name = clean::line(name);
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let broken = |error: csv::Error| format!("cannot read `{name}` as CSV: {error}");
-    let header = reader.headers().map_err(broken)?.clone();
+    let mut rows = read_table::csv_rows(text, &name)?.into_iter();
+    let (_, header) = rows.next().unwrap_or_default();
     let place = |column: &str| header.iter().position(|it| it.eq_ignore_ascii_case(column));
     let places = COLUMNS.map(place);
     for (column, found) in COLUMNS.iter().zip(places).take(2) {
@@ -58,9 +55,14 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
         })
         .collect();
     let mut shots = Vec::new();
-    for (index, row) in reader.records().enumerate() {
-        let row = row.map_err(broken)?;
-        let line = row.position().map_or(index as u64 + 2, csv::Position::line);
+    for (line, row) in rows {
+        if row.len() != header.len() {
+            return Err(format!(
+                "`{name}`, line {line}: it has {} fields, and the first line names {} columns: write each, empty where unknown",
+                row.len(),
+                header.len()
+            ));
+        }
         let field = |at: usize| places[at].and_then(|place| row.get(place)).unwrap_or_default();
         let wrong = |at: usize, allowed: &str| {
             let shown: String = clean::line(field(at)).chars().take(SHOWN_MAX).collect();
@@ -139,6 +141,7 @@ mod tests {
             let text = told(&format!("{head}{row}\n"));
             assert!(text.contains(said), "{row}: {text}");
         }
-        assert!(told(&format!("{head}1,1\n")).contains("cannot read `a.csv` as CSV"));
+        let short = told(&format!("{head}300,1,,\r\n\r\n1,1\r\n"));
+        assert!(short.contains("line 4: it has 2 fields, and the first line names 4"), "{short}");
     }
 }

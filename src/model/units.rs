@@ -171,11 +171,12 @@ pub fn one_bare_end(low: &str, high: &str, quantity: Quantity) -> Option<String>
     let range = |unit: &str| {
         if bare == low { format!("{bare} {unit}..{high}") } else { format!("{low}..{bare} {unit}") }
     };
-    Some(format!(
-        "`{bare}` has no unit and `{other}` has one: write `{}` or `{}`",
-        range(unit),
-        range(quantity.unit())
-    ))
+    let or = if unit == quantity.unit() {
+        String::new()
+    } else {
+        format!(" or `{}`", range(quantity.unit()))
+    };
+    Some(format!("`{bare}` has no unit and `{other}` has one: write `{}`{or}", range(unit)))
 }
 
 /// Read what may also be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].

@@ -157,7 +157,8 @@ fn scene(named: &Named) -> Value {
     json!({
         "scene": name,
         "references": references.collect::<Vec<_>>(),
-        "answers": answers,
+        "complete": report.is_complete,
+        "answers": report.is_complete.then_some(answers),
         "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
         WARNINGS: warnings(report),
     })

@@ -159,8 +159,10 @@ pub fn grid_csv(scene: &str, grid: &Grid) -> String {
     sheet.table(&points, &rows, &[]).csv()
 }
 
-/// The end of the JSON, after the rows.
-pub const JSON_TAIL: &str = "\n  ]\n}\n";
+/// The end of the JSON, after the rows: how many there are, and whether these are all.
+pub fn json_tail(rows: u64, is_complete: bool) -> String {
+    format!("\n  ],\n  \"points_done\": {rows},\n  \"complete\": {is_complete}\n}}\n")
+}
 
 fn axis_json(axis: &Axis) -> Value {
     if axis.spacing() == Spacing::Listed {

@@ -87,7 +87,13 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
         Err(text) => return app.say(Severity::Warning, text),
     };
     match Keymap::remapped(&config.keys) {
-        Ok(keymap) => app.keymap = keymap,
+        Ok(keymap) => {
+            app.keymap = keymap;
+            for (name, _) in config.keys.iter().filter(|(_, keys)| keys.is_empty()) {
+                let text = format!("[keys] {name} = []: no key does it now; `:{name}` does");
+                app.say(Severity::Warning, format!("{}: {text}", path.display()));
+            }
+        }
         Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
     }
     if let (None, Some(word)) = (glyphs, &config.characters) {

@@ -185,6 +185,8 @@ fn errors_of_the_command_line_have_one_line() {
         ("run thesis-basline", &["did you mean `thesis-baseline`?"]),
         ("run no/such.toml", &["no such file"]),
         ("run .", &["cannot read `.`"]),
+        ("montecarlo --vary v_i=normal", &["`normal` has no width: write normal:2%"]),
+        ("sweep --over v_i=10..20m/s:3", &["write `10 m/s..20m/s`\n"]),
         ("presets show cockd", &["did you mean `cocked`"]),
         ("man swep", &["`swep` is not a subcommand", "did you mean `sweep`?"]),
         ("swep cocked --over gamma=1..2:3", &["`swep` is not a subcommand", "`sweep`"]),
@@ -418,6 +420,7 @@ fn presets_are_listed_and_shown() {
     let place = Place::new();
     let list = place.cmra("presets");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
+    assert_eq!(place.json("presets list --json"), place.json("presets --json"));
     for preset in cmra::files::bundled::BUNDLED {
         let row = list.out.lines().find(|line| line.split_whitespace().next() == Some(preset.name));
         assert!(row.is_some(), "{}", preset.name);

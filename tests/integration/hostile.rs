@@ -250,6 +250,20 @@ fn a_limit_on_the_size_of_files_is_an_error() {
         String::from_utf8_lossy(&output.stderr).contains("cannot write `a.csv`: file too large")
     );
     assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+    // A sweep keeps the whole rows that there was room for.
+    let what = "sweep --over gamma=1..2:20000 --outputs final_penetration_m --csv a.csv";
+    let told = format!("ulimit -f 300; exec '{}' {what}", env!("CARGO_BIN_EXE_cmra"));
+    let mut sh = std::process::Command::new("sh");
+    let output = sh.args(["-c", &told]).current_dir(place.path()).output().unwrap();
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{error}");
+    assert!(
+        error.contains("file too large; what was computed is kept in `a.partial.csv`"),
+        "{error}"
+    );
+    let rows = fs::read_to_string(place.path().join("a.partial.csv")).unwrap();
+    assert!(rows.lines().count() > 1000 && rows.ends_with('\n'));
+    assert!(rows.lines().all(|row| row.matches(',').count() == 3), "{rows}");
 }
 
 /// Text from a file shows on every way out, and neither breaks a line nor commands a terminal.

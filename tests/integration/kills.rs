@@ -35,6 +35,7 @@ fn table_of(run: Arc<Run>) -> RunTable {
         runs: vec![("now".to_owned(), run)],
         columns: Vec::new(),
         style: Style::Plain,
+        comments: String::new(),
     }
 }
 

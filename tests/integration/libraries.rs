@@ -262,4 +262,7 @@ fn own_entries_are_found_and_wrong_ones_reported() {
     assert_eq!(code, Some(0));
     let found: Value = serde_json::from_str(&json).unwrap();
     assert_eq!(found["variables"]["target.yield_pa"], 3e8);
+    let (code, _, error) = with("run", &["--material", "bad"]);
+    assert_eq!((code, error.lines().count()), (Some(2), 1), "{error}");
+    assert!(!error.contains('\u{fffd}') && error.contains("materials.toml:"), "{error}");
 }

@@ -135,6 +135,9 @@ fn a_report_is_one_file_that_links_to_nothing() {
     let markdown = fs::read_to_string(place.path().join("report.md")).unwrap();
     assert!(markdown.starts_with("# own.toml: \\<b\\> & co\n"), "{markdown}");
     assert!(!markdown.contains("](") && markdown.contains("## Ballistic limit"));
+    let file = fs::read_to_string(place.path().join("report.md")).unwrap();
+    let done = cmra(place.path(), "report own.toml -o -");
+    assert_eq!((done.code, done.out.lines().next()), (0, file.lines().next()), "{}", done.err);
     let done = cmra(place.path(), "report -o report.pdf");
     assert_eq!(done.code, 2);
     assert!(

@@ -16,7 +16,8 @@ fn interrupted(arguments: &[&str], words: &str) -> (String, Terminal) {
     let status = terminal.wait_exit(PATIENCE);
     assert_eq!(status.exit_code(), 1);
     let page = terminal.screen().contents();
-    assert!(!page.contains(words), "the line is taken away: {page}");
+    let is_gone = !page.contains(" %: ") && !page.contains(" s after ");
+    assert!(is_gone, "the line is taken away: {page}");
     (page, terminal)
 }
 
@@ -41,6 +42,33 @@ fn every_long_computation_reports_its_progress() {
         let arguments: Vec<&str> = words.split(' ').collect();
         let (page, _) = interrupted(&arguments, said);
         assert!(page.contains("interrupted: "), "{words}: {page}");
+    }
+}
+
+/// A table goes where the screen does not cut it.
+#[test]
+fn what_is_cut_short_says_so_and_draws_no_conclusion() {
+    for (words, said, marked, conclusion) in [
+        ("reproduce --csv a.csv", " rows", "not complete: interrupted after ", "Every verdict"),
+        ("stability --json", " scenes", "\"complete\": false", "\"complete\": true"),
+        (
+            "accuracy --set interface=plastic",
+            " of 89 points",
+            "no answer is drawn from these points",
+            "<- cheapest",
+        ),
+        ("compare --map v_i,gamma --csv a.csv", " points", "the rest not computed", "   -\n"),
+    ] {
+        let arguments: Vec<&str> = words.split(' ').collect();
+        let (page, terminal) = interrupted(&arguments, said);
+        assert!(page.contains(marked), "{words}: {page}");
+        assert!(!page.contains(conclusion), "{words}: {page}");
+        if words.ends_with("a.csv") {
+            let rows = std::fs::read_to_string(terminal.file("a.partial.csv")).unwrap();
+            let mut ends = rows.lines().map(|line| line.rsplit(',').next().unwrap());
+            assert_eq!(ends.next(), Some("complete"), "{words}");
+            assert!(ends.all(|end| end == "false"), "{words}: {rows}");
+        }
     }
 }
 

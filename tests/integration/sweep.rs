@@ -170,7 +170,8 @@ fn json_is_one_object_with_the_same_rows() {
     assert_eq!(value["axes"][0]["name"], "b");
     assert_eq!(value["rows"].as_array().unwrap().len(), 5);
     // A reader of JSON would not see a key that is there twice.
-    for key in ["scene", "design", "points", "axes", "outputs", "version", "rows"] {
+    assert_eq!((&value["complete"], &value["points_done"]), (&true.into(), &5.into()));
+    for key in ["scene", "design", "points", "axes", "outputs", "version", "rows", "complete"] {
         assert_eq!(done.out.matches(&format!("\n  \"{key}\":")).count(), 1, "{key}");
     }
     // Nothing stops the free plate.
@@ -308,24 +309,76 @@ fn an_interrupt_keeps_the_finished_rows() {
     interrupted(&format!("{what} --outputs percent_of_baseline"));
 }
 
-/// What a sweep says on standard error that is interrupted after its first rows.
 #[cfg(unix)]
-fn interrupted(what: &str) -> String {
+#[test]
+fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
+    let place = tempfile::tempdir().unwrap();
+    let what =
+        "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --json --meta inline --csv x.csv";
+    let child = begun(place.path(), what);
+    stop(&child);
+    let done = child.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(1));
+    let json = fs::read(place.path().join("out.txt")).unwrap();
+    let value: Value = serde_json::from_slice(&json).unwrap();
+    let rows = value["rows"].as_array().unwrap().len();
+    assert_eq!((&value["complete"], &value["points_done"]), (&false.into(), &rows.into()));
+    let table = fs::read_to_string(place.path().join("x.partial.csv")).unwrap();
+    let last = format!("# not complete: {rows} of 10000000 points");
+    assert_eq!(table.lines().last(), Some(last.as_str()));
+    assert!(table.lines().any(|line| line.starts_with("# again: cmra sweep --over")));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_that_is_taken_meanwhile_costs_no_row() {
+    let place = tempfile::tempdir().unwrap();
+    let child = begun(place.path(), "sweep --over gamma=0.8..7:40000 --csv x.csv");
+    fs::write(place.path().join("x.csv"), "mine").unwrap();
+    let done = child.wait_with_output().unwrap();
+    let err = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{err}");
+    assert!(
+        err.contains("`x.csv` already exists") && err.contains("is kept in `x.partial.csv`"),
+        "{err}"
+    );
+    assert_eq!(fs::read_to_string(place.path().join("x.csv")).unwrap(), "mine");
+    assert_eq!(
+        rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap()).len(),
+        40_001
+    );
+}
+
+#[test]
+fn one_file_for_two_results_is_refused_before_anything_runs() {
+    let place = tempfile::tempdir().unwrap();
+    for (csv, svg) in [("a.csv", "./a.csv"), ("a.csv", "a.toml")] {
+        let what = format!("--over gamma=1..2:3 --csv {csv} --svg {svg} --force");
+        let done = sweep(place.path(), &what);
+        assert_eq!(done.code, 2, "{}", done.err);
+        assert!(done.err.contains("--csv writes to the same file"), "{}", done.err);
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+    }
+    // The table is not written either.
+    fs::write(place.path().join("a.toml"), "# exported by cmra").unwrap();
+    let done = sweep(place.path(), "--over gamma=1..2:3 --csv a.csv");
+    assert_eq!(done.code, 2, "{}", done.err);
+    assert!(!place.path().join("a.csv").exists());
+}
+
+/// A sweep that has written its first rows.
+#[cfg(unix)]
+fn begun(place: &Path, what: &str) -> std::process::Child {
     use std::process::Stdio;
     use std::time::{Duration, Instant};
-    let place = tempfile::tempdir().unwrap();
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_cmra"));
-    let mut child = command
-        .current_dir(place.path())
-        .env_clear()
-        .env("HOME", place.path())
-        .args(what.split(' '))
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    command.current_dir(place).env_clear().env("HOME", place).args(what.split(' '));
+    // A pipe would fill.
+    let out = fs::File::create(place.join("out.txt")).unwrap();
+    let child = command.stdout(out).stderr(Stdio::piped()).spawn().unwrap();
     let start = Instant::now();
     let written = || {
-        let entries = fs::read_dir(place.path()).unwrap();
+        let entries = fs::read_dir(place).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().map_or(0, |found| found.len()));
         sizes.sum::<u64>()
     };
@@ -333,8 +386,21 @@ fn interrupted(what: &str) -> String {
         assert!(start.elapsed() < Duration::from_secs(60), "nothing was written");
         std::thread::yield_now();
     }
+    child
+}
+
+#[cfg(unix)]
+fn stop(child: &std::process::Child) {
     let pid = rustix::process::Pid::from_raw(i32::try_from(child.id()).unwrap()).unwrap();
     rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+}
+
+/// What a sweep says on standard error that is interrupted after its first rows.
+#[cfg(unix)]
+fn interrupted(what: &str) -> String {
+    let place = tempfile::tempdir().unwrap();
+    let mut child = begun(place.path(), what);
+    stop(&child);
     let status = child.wait().unwrap();
     let mut err = String::new();
     std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut err).unwrap();

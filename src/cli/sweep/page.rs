@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::cli::draw;
-use crate::cli::text::width;
+use crate::cli::text::{chart_size, width};
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::model::units::{self, engineering};
@@ -100,7 +100,7 @@ fn drawn(page: &mut String, grid: &Grid, output: usize) {
         let _ = writeln!(page, "{}: no value anywhere on this {where_to}\n", column.title());
         return;
     };
-    page.push_str(&draw::picture(&picture));
+    page.push_str(&draw::within(&picture, chart_size(draw::MAP).0));
     let points = grid.counts().0;
     let gone = (0..points).filter(|at| grid.cell(*at, 0, output).value().is_none()).count();
     if gone > 0 && is_axis {

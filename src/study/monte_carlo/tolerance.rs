@@ -132,6 +132,9 @@ impl Tolerance {
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
         let own = Self::new(name, blank).map_err(|error| error.to_string())?;
+        if let kind @ ("normal" | "lognormal" | "uniform" | "triangular") = text.trim() {
+            return Err(format!("`{kind}` has no width: write {kind}:2%"));
+        }
         let (kind, rest) = text.split_once(':').unwrap_or(("normal", text));
         let nominal = (own.number.get)(scene);
         let about = || {

@@ -230,7 +230,7 @@ pub(super) fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
         columns.clear();
     }
     let rows = (KINDS[what].rows)(grid);
-    Ok(RunTable { rows, runs, columns, style: choices.style() })
+    Ok(RunTable { rows, runs, columns, style: choices.style(), comments: String::new() })
 }
 
 /// The number of rows typed; all runs together have no more than [`GRID_ROWS_MAX`].

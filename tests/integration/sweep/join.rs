@@ -57,6 +57,18 @@ fn gaps_doubles_mixtures_and_changed_parts_are_refused_in_one_line() {
     copy("p2", "short", |text| text.split_inclusive('\n').take(2).collect());
     copy("p2", "swapped", |text| text.split_inclusive('\n').rev().collect());
     copy("p2", "again", str::to_owned);
+    copy("p2", "fused", |text| text.replacen('\n', "", 1));
+    copy("p2", "unended", |text| text.trim_end().to_owned());
+    copy("p2", "wider", |text| text.replacen('\n', ",1\n", 1));
+    copy("p2", "blank", |text| text.replacen('\n', "\n\n", 1));
+    copy("p2", "crlf", |text| text.replace('\n', "\r\n"));
+    copy("p2", "bom", |text| format!("\u{feff}{text}"));
+    copy("p2", "edited", |text| text.replacen("arrested", "separated", 1));
+    copy("p1", "headed", |text| text.replacen("outcome", "ending", 1));
+    copy("p2", "moved", str::to_owned);
+    let moved = place.path().join("moved.toml");
+    let text = fs::read_to_string(&moved).unwrap();
+    fs::write(moved, text.replace("# shard: 2/3", "# shard: 3/3")).unwrap();
     for (named, fragments) in [
         ("p1 p3", &["part 2/3 is missing", "--shard 2/3"][..]),
         ("p1 p2 p3 again", &["`p2.csv` and `again.csv` are both part 2/3"]),
@@ -65,8 +77,17 @@ fn gaps_doubles_mixtures_and_changed_parts_are_refused_in_one_line() {
         ("half p2 p3", &["different sweeps", "the number of parts is 2 in one and 3"]),
         ("p1 inline p3", &["`inline.csv` has no `inline.toml` beside it"]),
         ("p1 whole p3", &["`whole.csv`: not a part of a sweep"]),
-        ("p1 short p3", &["`short.csv` has 2 of the 5 rows of part 2/3"]),
-        ("p1 swapped p3", &["`swapped.csv`: row 1 is not the row of its point"]),
+        ("p1 short p3", &["`short.csv`", "was changed after it was written", "--shard 2/3"]),
+        ("p1 swapped p3", &["`swapped.csv`", "was changed"]),
+        ("p1 fused p3", &["`fused.csv`", "was changed"]),
+        ("p1 unended p3", &["`unended.csv`", "was changed"]),
+        ("p1 wider p3", &["`wider.csv`", "was changed"]),
+        ("p1 blank p3", &["`blank.csv`", "was changed"]),
+        ("p1 crlf p3", &["`crlf.csv`", "was changed"]),
+        ("p1 bom p3", &["`bom.csv`", "was changed"]),
+        ("p1 edited p3", &["`edited.csv`", "was changed"]),
+        ("headed p2 p3", &["`headed.csv`", "was changed", "--shard 1/3"]),
+        ("p1 p2 moved", &["`moved.toml` beside it was changed"]),
         ("p1 none p3", &["`none.csv`", "no such file"]),
     ] {
         let files: Vec<String> = named.split(' ').map(|name| format!("{name}.csv")).collect();
