@@ -209,17 +209,14 @@ fn label(view: &RunView<'_>) -> String {
 
 fn title(app: &App, quantity: Quantity) -> String {
     let is_difference = app.charts.difference && quantity.is_over_time();
-    match app.reference_pin().filter(|_| is_difference) {
-        Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
-        None => {
-            let first = app.visible_runs().iter().map(|view| of_first(view.run)).max();
-            let first = first.unwrap_or_default();
-            // The unit stands behind it, and is to have room.
-            let is_short = !first.is_empty() && app.size.0 < NARROW;
-            let name = if is_short { "" } else { quantity.title() };
-            format!("{name} {}{first}", quantity.symbol()).trim_start().to_owned()
-        }
+    if let Some(pin) = app.reference_pin().filter(|_| is_difference) {
+        return format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter);
     }
+    let first = app.visible_runs().iter().map(|view| of_first(view.run)).max().unwrap_or_default();
+    // The unit stands behind it, and is to have room.
+    let is_short = !first.is_empty() && app.size.0 < NARROW;
+    let name = if is_short { "" } else { quantity.title() };
+    format!("{name} {}{first}", quantity.symbol()).trim_start().to_owned()
 }
 
 /// Two rows: the values at the crosshair, and those at the first arrest (or what the window shows).
