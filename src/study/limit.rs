@@ -23,6 +23,7 @@ mod closures;
 pub mod fit;
 pub mod monte_carlo;
 mod search;
+pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
 
