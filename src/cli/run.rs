@@ -27,7 +27,7 @@ use crate::model::units::{Quantity, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
-use crate::report::run::page::{computation, energy, events, results, sentence};
+use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
 use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
 use crate::study::models::{Comparison, Row, What, compare};
@@ -255,7 +255,7 @@ fn summary(computed: &Computed) -> String {
     }
     let sections = [
         ("energy", energy(&run.ledger)),
-        ("events", events(run)),
+        ("events", events_in_brief(run)),
         ("computation", computation(run, Some(computed.took))),
     ];
     for (heading, lines) in sections.into_iter().filter(|(_, lines)| !lines.is_empty()) {

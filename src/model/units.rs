@@ -32,6 +32,8 @@ pub enum Quantity {
     Damping,
     SpringCoefficient,
     DamperCoefficient,
+    Twist,
+    Inertia,
 }
 
 impl Quantity {
@@ -54,6 +56,8 @@ impl Quantity {
             Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
             Self::SpringCoefficient => ("N/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
             Self::DamperCoefficient => ("N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::Twist => ("rad/m", table::TWIST_UNITS, "50 rad/m"),
+            Self::Inertia => ("kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
         }
     }
 
@@ -140,10 +144,10 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
         find_unit(unit, quantity).ok_or_else(|| {
             let before = trimmed.chars().count() - rest.trim_start().chars().count();
             let (column, accepted) = (column + before, quantity.accepted());
-            let bare = if needs_unit {
-                String::new()
-            } else {
-                format!(", or no unit for {}", quantity.unit())
+            let bare = match quantity.unit() {
+                _ if needs_unit => String::new(),
+                "" => ", or no unit".to_owned(),
+                stored => format!(", or no unit for {stored}"),
             };
             let unit = quoted(unit);
             QuantityError(format!(
@@ -467,6 +471,13 @@ mod tests {
             ("1 ft lbf", Quantity::Energy, lbf * 0.3048),
             ("0.098 lb/in3", Quantity::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
             ("20 J/g", Quantity::SpecificEnergy, 20_000.0),
+            // One kilobar is 100 MPa, one N/mm2 is 1 MPa, and a turn is 2 pi rad or 360 deg.
+            ("15.2 kbar", Quantity::Pressure, 1.52e9),
+            ("276 N/mm2", Quantity::Pressure, 276e6),
+            ("2.71 t/m3", Quantity::Density, 2710.0),
+            ("50 rad/m", Quantity::Twist, 50.0),
+            ("360 deg/mm", Quantity::Twist, 2000.0 * std::f64::consts::PI),
+            ("5 kg cm2", Quantity::Inertia, 5e-4),
         ];
         for (text, quantity, expected) in cases {
             let value = parse(text, quantity, Bare::Si).unwrap();
@@ -511,6 +522,13 @@ mod tests {
         for (text, fragment) in cases {
             let error = parse(text, Quantity::Length, Bare::Stored).unwrap_err().to_string();
             assert!(error.contains(fragment), "{text}: {error}");
+        }
+        for (quantity, cure) in [
+            (Quantity::Number, "use %, or no unit"),
+            (Quantity::Twist, "use rad/m, rad/mm, deg/m, deg/mm, or no unit for rad/m"),
+        ] {
+            let error = parse("5 lb", quantity, Bare::Si).unwrap_err().to_string();
+            assert!(error.ends_with(cure), "{error}");
         }
     }
 

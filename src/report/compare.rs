@@ -179,7 +179,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     };
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (absence.letter(), absence.words())).collect();
+        absences.map(|absence| (absence.letter(), absence.brief())).collect();
     marks.sort();
     marks.dedup_by_key(|mark| mark.0);
     let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;

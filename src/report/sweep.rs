@@ -12,7 +12,7 @@ use crate::model::scene::{Scene, Sweep};
 use crate::model::variables;
 use crate::report::table::{Object, Table, pretty};
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Evaluator, Plan, PointOutcome, Rows, Shard, Spacing};
+use crate::study::sweep::{Axis, Evaluator, Plan, Rows, Shard, Spacing};
 use crate::study::validity;
 
 /// Which columns stand after the axes.
@@ -125,10 +125,7 @@ impl Sheet<'_> {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });
         }
-        table.with("error", "", "", |row| {
-            let PointOutcome::Failed(failure) = rows.outcome(*row) else { return None };
-            Some(failure.words())
-        })
+        table.with("error", "", "", |row| rows.reason(*row))
     }
 
     /// The head of the JSON: the sweep itself, up to the rows.

@@ -217,8 +217,12 @@ impl Report {
         Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
     }
 
-    /// What measurements say against the limits, and so against the mass efficiency; see [`Limit::caution`].
+    /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
+        let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
+        if let Some(absence @ Absence::Undecided { .. }) = own {
+            return Some(absence.words());
+        }
         self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
     }
 

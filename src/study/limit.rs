@@ -23,6 +23,7 @@ mod closures;
 pub mod fit;
 pub mod monte_carlo;
 mod search;
+pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
 
@@ -263,10 +264,14 @@ pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, Var
     Ok(Range { scene, criterion: Criterion::default(), context }.whole_limit())
 }
 
-/// The limit velocity of a scene, m/s; `None` where there is none.
-pub fn velocity_m_s(scene: &Scene) -> Option<f64> {
+/// The limit velocity of a scene, m/s.
+///
+/// # Errors
+/// Why there is none.
+pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
-    limit.ok()?.velocity_m_s()
+    let limit = limit.map_err(|error| error.to_string())?;
+    limit.velocity_m_s().ok_or_else(|| limit.absence().unwrap_or_default())
 }
 
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another

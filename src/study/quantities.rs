@@ -11,7 +11,7 @@ use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, engineering};
 use crate::study::compare::load::impulse_n_s;
 use crate::study::compare::{
-    Hardware, WIDTH, areal_mass_of_run, mass_efficiency, plates_kg, system_mass_of_run,
+    Absence, Hardware, WIDTH, areal_mass_of_run, mass_efficiency, plates_kg, system_mass_of_run,
 };
 use crate::study::limit;
 use crate::study::sweep::kernel::Answer;
@@ -57,7 +57,8 @@ enum Source {
     Run(fn(&Run) -> Option<f64>),
     /// From a run with its course in time, where the scene needs that.
     Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
-    Shots(fn(&Scene) -> Option<f64>),
+    /// From many shots, or why not.
+    Shots(fn(&Scene) -> Result<f64, String>),
 }
 
 /// How a quantity follows from the first contact of a shot that this decides.
@@ -227,7 +228,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
     quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Source::Shots(limit::velocity_m_s)).short("limit"),
-    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).ok())).short("efficiency"),
+    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).map_err(Absence::words))).short("efficiency"),
     quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
     quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole().stack(Plates(Sum)),
     quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole().stack(Plates(Sum)),
@@ -322,11 +323,22 @@ impl Quantity {
     /// Its value for a run; `None` where it does not exist, never a number that is not finite.
     pub fn value(&self, run: &Run) -> Option<f64> {
         let own = |run: &Run| match self.source {
-            Source::Scene(get) | Source::Shots(get) => get(&run.scene),
+            Source::Scene(get) => get(&run.scene),
+            Source::Shots(get) => get(&run.scene).ok(),
             Source::Run(get) | Source::Course(get, _) => get(run),
         };
         let value = if run.stack.is_some() { self.of_stack.value(run, own) } else { own(run) };
         value.filter(|value| value.is_finite())
+    }
+
+    /// The same, or why the many shots that it needs do not give it; empty where there is nothing to say.
+    pub(in crate::study) fn found(&self, run: &Run) -> Result<f64, String> {
+        match self.source {
+            Source::Shots(get) => get(&run.scene),
+            Source::Scene(_) | Source::Run(_) | Source::Course(..) => {
+                self.value(run).ok_or_else(String::new)
+            }
+        }
     }
 
     /// Its value for a shot that the first contact decides.

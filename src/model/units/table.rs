@@ -66,6 +66,8 @@ pub(super) const DENSITY_UNITS: &[Unit] = &[
     of("kg/m^3", 1.0),
     of("g/cm3", 1e3),
     of("g/cm^3", 1e3),
+    of("t/m3", 1e3),
+    of("t/m^3", 1e3),
     ratio("lb/in3", 453_592_370_000.0, 16_387_064.0),
 ];
 pub(super) const PRESSURE_UNITS: &[Unit] = &[
@@ -73,6 +75,10 @@ pub(super) const PRESSURE_UNITS: &[Unit] = &[
     of("kPa", 1e3),
     of("MPa", 1e6),
     of("GPa", 1e9),
+    of("N/mm2", 1e6),
+    of("N/mm^2", 1e6),
+    of("bar", 1e5),
+    of("kbar", 1e8),
     // A square inch is 6.4516e-4 m^2.
     ratio("psi", LBF, 6.4516e9),
     ratio("ksi", LBF, 6.4516e6),
@@ -114,3 +120,17 @@ pub(super) const DAMPING_UNITS: &[Unit] = &[
 ];
 pub(super) const SPECIFIC_ENERGY_UNITS: &[Unit] =
     &[of("J/kg", 1.0), of("kJ/kg", 1e3), of("MJ/kg", 1e6), of("J/g", 1e3)];
+pub(super) const TWIST_UNITS: &[Unit] = &[
+    of("rad/m", 1.0),
+    of("rad/mm", 1e3),
+    ratio("deg/m", 1.0, DEG_PER_RAD),
+    ratio("deg/mm", 1e3, DEG_PER_RAD),
+];
+pub(super) const INERTIA_UNITS: &[Unit] = &[
+    of("kg m2", 1.0),
+    of("kg m^2", 1.0),
+    ratio("kg cm2", 1.0, 1e4),
+    ratio("kg mm2", 1.0, 1e6),
+    ratio("g cm2", 1.0, 1e7),
+    ratio("g mm2", 1.0, 1e9),
+];

@@ -1,14 +1,17 @@
 //! The thinnest armour of a scene's kind that stops its shot, and the thinnest solid plate that does.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, Scene};
+use crate::model::units::fixed_significant;
 use crate::numerics::{larger, smaller};
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::thickness_of_limit_m;
 use crate::study::compare::{elements, face_m2, is_held};
-use crate::study::plain_run;
+use crate::study::limit::Criterion;
+use crate::study::limit::verdict::{Gap, ONE_POINT, Verdict, decide};
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
@@ -19,7 +22,7 @@ const WIDENED_MAX: usize = 20;
 pub(super) const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Absence {
     /// No solid plate has this limit velocity: no strength, or another contact model.
     NoSolid,
@@ -27,6 +30,13 @@ pub enum Absence {
     NoThickness,
     /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
     EveryThickness,
+    /// Runs at thicknesses between two end undecided, however long they are followed.
+    Undecided {
+        /// The thickest plate below that is known to be perforated, m.
+        perforated_m: Option<f64>,
+        /// The thinnest plate above that is known to stop the shot, m.
+        stopped_m: f64,
+    },
     /// Nothing stops plate and projectile.
     NothingStops,
     /// The spring's mass is not known.
@@ -41,9 +51,18 @@ impl Absence {
         match self {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
+            Self::Undecided { .. } => 'O',
             Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
+        }
+    }
+
+    /// In words that hold for all points with its letter.
+    pub fn brief(self) -> String {
+        match self {
+            Self::Undecided { .. } => "least thickness not decided".to_owned(),
+            _ => self.words(),
         }
     }
 
@@ -56,6 +75,12 @@ impl Absence {
                 "even the thinnest plate within the model's range stops the shot: there is no least thickness"
                     .to_owned()
             }
+            Self::Undecided { perforated_m, stopped_m } => format!(
+                "least thickness not decided: it lies above {} and below {} mm (stopped); runs between these thicknesses still \
+                 oscillate when they end",
+                perforated_m.map_or_else(|| "0".to_owned(), |it| format!("{} mm (perforated)", fixed_significant(1e3 * it, 6))),
+                fixed_significant(1e3 * stopped_m, 6),
+            ),
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
@@ -156,30 +181,27 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
 }
 
 struct Shot {
-    stopped: bool,
+    verdict: Verdict,
     demands: Vec<Demand>,
 }
 
 /// The shot at a scene, by the contact kernel where that is enough.
-fn shoot(scene: &Scene) -> Option<Shot> {
+fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = kernel::TOLERANCE_FRACTION * scene.run.tolerance;
-    if let Some(end) = kernel::contact(scene, Wanted::Displacement, tolerance) {
-        let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));
-        return Some(Shot { stopped: end.arrested, demands: vec![demand] });
+    if let Some(end) = kernel::contact(&scene, Wanted::Displacement, tolerance) {
+        let demand = Demand::of(&scene, kernel::max_displacement_m(&scene, &end));
+        let verdict = if end.arrested { Verdict::Stopped } else { Verdict::Perforated };
+        return Some(Shot { verdict, demands: vec![demand] });
     }
-    let run = plain_run(scene)?;
-    // An undecided run is not a proof that the plate stops the shot.
-    let stopped = match run.shot_outcome() {
-        Outcome::Arrested | Outcome::Separated => true,
-        Outcome::Moving => run.final_penetration_m.or(run.penetration_at_most_m).is_some(),
-        Outcome::Perforated => false,
-    };
-    Some(Shot { stopped, demands: Demand::of_run(&run, &elements(scene)) })
+    let elements = elements(&scene);
+    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let (run, verdict) = decide(&Arc::new(scene), Criterion::Passage, go_on)?;
+    Some(Shot { verdict, demands: Demand::of_run(&run, &elements) })
 }
 
 /// The least factor of the thicknesses that stops the shot, and that shot.
 fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
-    let try_out = |factor: f64| shoot(&scaled(scene, factor)).ok_or(Absence::NoThickness);
+    let search = Search { scene, width };
     let is_stack = scene.stack.base_thickness_m.is_some();
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit_m(scene, scene.projectile.velocity_m_s, true)
@@ -192,57 +214,93 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     } else {
         (free * (1.0 - width), solid * (1.0 + width))
     };
-    let mut stops = try_out(thick)?;
+    let mut stops = search.try_out(thick)?;
     for _ in 0..WIDENED_MAX {
-        if stops.stopped {
-            break;
+        match stops.verdict {
+            Verdict::Stopped => break,
+            Verdict::Perforated => thin = thick,
+            Verdict::Undecided => {}
         }
-        thin = thick;
         thick *= 2.0;
-        stops = try_out(thick)?;
+        stops = search.try_out(thick)?;
     }
-    if !stops.stopped {
+    if stops.verdict != Verdict::Stopped {
         return Err(Absence::NoThickness);
     }
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
     let thinnest = smaller(thin, THINNEST_M / scene.target.thickness_m);
     loop {
-        let shot = try_out(thin)?;
-        if !shot.stopped {
-            break;
+        let shot = search.try_out(thin)?;
+        match shot.verdict {
+            Verdict::Perforated => break,
+            Verdict::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
+            Verdict::Stopped => (thick, stops) = (thin, shot),
+            Verdict::Undecided if thin <= thinnest => return Err(search.undecided(None, thick)),
+            Verdict::Undecided => {}
         }
-        if thin <= thinnest {
-            return Err(Absence::EveryThickness);
-        }
-        (thick, stops) = (thin, shot);
         thin = larger(0.5 * thin, thinnest);
     }
-    close_in((thin, thick), stops, width, &try_out)
+    search.close_in(thin, thick, stops)
 }
 
-/// Closes in the least factor between one that is perforated and one that is not.
-fn close_in(
-    (mut thin, mut thick): (f64, f64),
-    mut stops: Shot,
+/// The search for the least factor of a scene's thicknesses, to a relative width.
+struct Search<'s> {
+    scene: &'s Scene,
     width: f64,
-    try_out: &dyn Fn(f64) -> Result<Shot, Absence>,
-) -> Result<(f64, Shot), Absence> {
-    // A soft spring hardly moves the limit of a free plate: the first steps keep near the thin end.
-    let mut step = 2.0 * width;
-    while thin * (1.0 + step) < 0.5 * (thin + thick) {
-        let near = thin * (1.0 + step);
-        let shot = try_out(near)?;
-        if shot.stopped {
-            (thick, stops) = (near, shot);
-            break;
+}
+
+impl Search<'_> {
+    fn try_out(&self, factor: f64) -> Result<Shot, Absence> {
+        shoot(scaled(self.scene, factor)).ok_or(Absence::NoThickness)
+    }
+
+    /// Closes in the least factor between one that is perforated and one that stops the shot.
+    fn close_in(
+        &self,
+        mut thin: f64,
+        mut thick: f64,
+        mut stops: Shot,
+    ) -> Result<(f64, Shot), Absence> {
+        // A soft spring hardly moves the limit of a free plate: the first steps keep near the thin end.
+        let mut step = Some(2.0 * self.width);
+        while thick - thin > self.width * thick {
+            let middle = 0.5 * (thin + thick);
+            let near = step.map(|step| thin * (1.0 + step)).filter(|near| *near < middle);
+            let next = near.unwrap_or(middle);
+            let shot = self.try_out(next)?;
+            step = near.and(step).map(|step| 32.0 * step);
+            match shot.verdict {
+                Verdict::Perforated => thin = next,
+                Verdict::Stopped => (thick, stops, step) = (next, shot, None),
+                Verdict::Undecided => return self.beside(thin, next, thick),
+            }
         }
-        thin = near;
-        step *= 32.0;
+        Ok((thick, stops))
     }
-    while thick - thin > width * thick {
-        let middle = 0.5 * (thin + thick);
-        let shot = try_out(middle)?;
-        if shot.stopped { (thick, stops) = (middle, shot) } else { thin = middle }
+
+    /// The least factor beside one that no run decides.
+    fn beside(&self, thin: f64, undecided: f64, thick: f64) -> Result<(f64, Shot), Absence> {
+        let width = larger(self.width, ONE_POINT);
+        let gap = Gap {
+            from: (thin, Verdict::Perforated),
+            undecided,
+            to: (Some(thick), Verdict::Stopped),
+            width,
+        };
+        let edges = gap.edges(|factor| Some(self.try_out(factor).ok()?.verdict));
+        let (thin, thick) = edges.ok_or(Absence::NoThickness)?;
+        let thick = thick.ok_or(Absence::NoThickness)?;
+        if thick - thin <= width * thick {
+            return Ok((thick, self.try_out(thick)?));
+        }
+        Err(self.undecided(Some(thin), thick))
     }
-    Ok((thick, stops))
+
+    fn undecided(&self, thin: Option<f64>, thick: f64) -> Absence {
+        let thickness_m = self.scene.target.thickness_m;
+        Absence::Undecided {
+            perforated_m: thin.map(|thin| thin * thickness_m),
+            stopped_m: thick * thickness_m,
+        }
+    }
 }

@@ -89,6 +89,33 @@ fn stroke_that_is_not_there_ends_the_armour() {
     assert!(close(own.limit_m_s.unwrap(), 10.0, 1e-2), "{:?}", own.limit_m_s);
 }
 
+/// Under the plastic interface runs of some thicker plates rattle on undecided. The thickness by another command:
+/// `cmra seek --set v_i=84 --set gamma=4 --set interface=plastic --over h=1.4mm..1.6mm:3 --goal limit_velocity_m_s=84`. Of the second
+/// every plate from 0.432 mm on is arrested.
+#[test]
+fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot() {
+    let sized =
+        |pairs: &str, width: f64| sized::sized(&scene(pairs), &Hardware::default(), width).unwrap();
+    let found = sized("interface=plastic v_i=84 gamma=4", WIDTH);
+    assert!((found.scene.target.thickness_m - 1.504_89e-3).abs() < 5e-8, "{found:?}");
+    assert!((found.mass_efficiency() - 0.670).abs() < 2e-3, "{}", found.mass_efficiency());
+    let found = sized("interface=plastic v_i=44 gamma=6", 1e-5);
+    assert!(found.scene.target.thickness_m < 0.432e-3 && found.mass_efficiency() > 1.04);
+}
+
+#[test]
+fn a_thickness_between_two_says_which_and_gives_no_verdict() {
+    let absence = Absence::Undecided { perforated_m: Some(1.5e-3), stopped_m: 1.6e-3 };
+    let text = absence.words();
+    assert!(
+        text.contains("above 1.50000 mm (perforated) and below 1.60000 mm (stopped)"),
+        "{text}"
+    );
+    let mut report = plain("k=1e5");
+    report.entries[0].sized = Err(absence);
+    assert_eq!((report.verdict(), report.caution()), (Verdict::Unknown, Some(text)));
+}
+
 #[test]
 fn a_merely_free_plate_never_meets_the_criterion() {
     let free = plain("k=0 b=0 v_i=10");

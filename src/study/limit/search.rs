@@ -3,12 +3,13 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, Outcome, Run, Warning, envelope};
+use crate::model::run::{EndReason, Outcome, Warning, envelope};
 use crate::model::scene::Scene;
-use crate::model::simulate::{Settings, follow, simulate};
+use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::Load;
 use crate::study::context::Context;
+use crate::study::limit::verdict::{Gap, ONE_POINT, Verdict, decide};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, JUST_BELOW, Limit, RANGE_M_S, SCAN,
     Shot, closed_form,
@@ -17,10 +18,6 @@ use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
-/// Undecided shots, each followed for about a second, that are spent on each edge of the velocities that no run decides, and the
-/// relative width of those up to which they are one limit for any purpose.
-const UNDECIDED_MAX: usize = 8;
-const ONE_POINT: f64 = 1e-8;
 /// Where the outcomes on either side of a limit are looked at, relative to it: all below are stopped and all above perforate, or it
 /// is no single limit.
 pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
@@ -28,48 +25,6 @@ pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
 const LOWER_MAX: usize = 4;
 /// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Verdict {
-    Perforated,
-    Stopped,
-    /// Its run ended before that was decided.
-    Undecided,
-}
-
-impl Verdict {
-    /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
-    /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
-    pub(super) fn of(run: &Run, criterion: Criterion) -> Self {
-        if let Some(stack) = &run.stack {
-            let is_base = stack.behind.len() == stack.elements;
-            let criterion = if is_base { criterion } else { Criterion::Passage };
-            return match stack.behind.last() {
-                _ if stack.outcome == Outcome::Separated => Self::Stopped,
-                Some(last) => Self::of_plate(last, criterion),
-                None => Self::of_plate(run, criterion),
-            };
-        }
-        Self::of_plate(run, criterion)
-    }
-
-    fn of_plate(run: &Run, criterion: Criterion) -> Self {
-        let thickness_m = match criterion {
-            Criterion::Passage => f64::INFINITY,
-            Criterion::Protrusion => run.scene.effective_thickness_m(),
-        };
-        let sure_m = run.final_penetration_m.or(run.at_least.penetration_m);
-        let most_m = run.final_penetration_m.or(run.penetration_at_most_m);
-        if run.outcome == Outcome::Perforated || sure_m.is_some_and(|depth| depth > thickness_m) {
-            return Self::Perforated;
-        }
-        match run.outcome {
-            Outcome::Arrested | Outcome::Separated | Outcome::Perforated => Self::Stopped,
-            Outcome::Moving if most_m.is_some_and(|depth| depth <= thickness_m) => Self::Stopped,
-            Outcome::Moving => Self::Undecided,
-        }
-    }
-}
-
 /// The range in which a limit is searched: between two velocities, at a given number of points at equal ratios, and then to a relative width.
 #[derive(Clone, Copy)]
 pub(super) struct Scan {
@@ -234,13 +189,13 @@ impl Range<'_, '_, '_> {
         undecided_m_s: f64,
         through_m_s: Option<f64>,
     ) -> Option<Limit> {
-        let stopped = self.edge(stopped_m_s, undecided_m_s, Verdict::Stopped)?;
-        let through = match through_m_s {
-            Some(through_m_s) => {
-                Some(self.edge(through_m_s, undecided_m_s, Verdict::Perforated)?)
-            }
-            None => None,
+        let gap = Gap {
+            from: (stopped_m_s, Verdict::Stopped),
+            undecided: undecided_m_s,
+            to: (through_m_s, Verdict::Perforated),
+            width: ONE_POINT,
         };
+        let (stopped, through) = gap.edges(|velocity_m_s| self.verdict(velocity_m_s))?;
         if let Some(through) = through.filter(|through| through - stopped <= ONE_POINT * stopped) {
             let (velocity_m_s, basis) = (0.5 * (stopped + through), Basis::Outcome);
             return Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s: None });
@@ -249,32 +204,29 @@ impl Range<'_, '_, '_> {
         Some(Limit::Between { stopped_m_s, perforated_m_s: through })
     }
 
-    /// From a velocity with this verdict as close to an undecided one as shots are decided.
-    fn edge(&mut self, known_m_s: f64, undecided_m_s: f64, verdict: Verdict) -> Option<f64> {
-        let (mut known, mut beyond, mut undecided) = (known_m_s, undecided_m_s, 0);
-        while (beyond - known).abs() > WIDTH * smaller(known, beyond) && undecided < UNDECIDED_MAX {
-            let middle = 0.5 * (known + beyond);
-            let found = self.verdict(middle)?;
-            undecided += usize::from(found == Verdict::Undecided);
-            if found == verdict { known = middle } else { beyond = middle }
-        }
-        Some(known)
-    }
-
     pub(super) fn search(&mut self, scan: Scan) -> Option<Limit> {
         let Scan { low_m_s: low, high_m_s, points, width } = scan;
         let ratio = (high_m_s / low).powf(1.0 / (points - 1) as f64);
-        let mut scan = Vec::new();
-        for point in 0..points {
-            let velocity = low * ratio.powf(point as f64);
-            scan.push((velocity, self.verdict(velocity)?));
+        let velocities: Vec<f64> =
+            (0..points).map(|point| low * ratio.powf(point as f64)).collect();
+        let mut scan: Vec<(f64, Verdict)> = Vec::new();
+        for (point, &velocity) in velocities.iter().enumerate() {
+            let found = self.verdict(velocity)?;
+            if found == Verdict::Undecided && scan.iter().all(|it| it.1 == Verdict::Stopped) {
+                let stopped_m_s = scan.last().map_or(low, |it| it.0);
+                // The least from which on all perforate, looked for from above: undecided shots take long.
+                let mut through_m_s = None;
+                for &above in velocities[point + 1..].iter().rev() {
+                    if self.verdict(above)? != Verdict::Perforated {
+                        break;
+                    }
+                    through_m_s = Some(above);
+                }
+                return self.between(stopped_m_s, velocity, through_m_s);
+            }
+            scan.push((velocity, found));
         }
         let first = scan.iter().position(|point| point.1 == Verdict::Perforated);
-        let below = &scan[..first.unwrap_or(scan.len())];
-        if let Some(undecided) = below.iter().position(|point| point.1 == Verdict::Undecided) {
-            let stopped_m_s = if undecided > 0 { scan[undecided - 1].0 } else { low };
-            return self.between(stopped_m_s, scan[undecided].0, first.map(|first| scan[first].0));
-        }
         let Some(first) = first else { return Some(Limit::Never) };
         if first == 0 {
             // What is stopped only above a range in which everything perforates has no limit velocity either.
@@ -314,27 +266,19 @@ pub(super) fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
     Arc::new(own)
 }
 
-/// A shot at a scene with another impact velocity; one that is left undecided is followed for longer.
+/// A shot at a scene with another impact velocity.
 fn shoot(
     scene: &Scene,
     criterion: Criterion,
     impact_m_s: f64,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> (Shot, Verdict) {
-    let own = aimed(scene, impact_m_s);
-    let mut run = simulate(&own, &Settings::BARE, observer);
-    if run
-        .as_ref()
-        .is_ok_and(|run| run.stack.is_none() && Verdict::of(run, criterion) == Verdict::Undecided)
-    {
-        run = follow(&own, observer);
-    }
     // The scene has been found valid, and so is any velocity above zero.
-    run.map_or(
+    decide(&aimed(scene, impact_m_s), criterion, observer).map_or(
         (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
-        |run| {
+        |(run, verdict)| {
             let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());
-            (Shot { impact_m_s, outcome, residual_m_s }, Verdict::of(&run, criterion))
+            (Shot { impact_m_s, outcome, residual_m_s }, verdict)
         },
     )
 }

@@ -1,7 +1,8 @@
 //! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
 
 use super::monte_carlo::ModelError;
-use super::search::{Scan, Verdict};
+use super::search::Scan;
+use super::verdict::Verdict;
 use std::ops::ControlFlow;
 
 use super::*;

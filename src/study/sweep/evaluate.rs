@@ -3,6 +3,7 @@
 //! An evaluator belongs to one thread and takes a piece of the sweep at once: first the contacts that decide their points, all of
 //! them together; then the other points one by one. Neither the piece's size nor its neighbours change a digit.
 
+use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -104,6 +105,7 @@ pub struct Rows {
     outputs: usize,
     outcomes: Vec<PointOutcome>,
     values: Vec<f64>,
+    reasons: BTreeMap<usize, String>,
 }
 
 impl Rows {
@@ -131,6 +133,14 @@ impl Rows {
     pub fn value(&self, row: usize, output: usize) -> Option<f64> {
         let value = self.values[row * self.outputs + output];
         (!value.is_nan()).then_some(value)
+    }
+
+    /// Why a row has no result, or lacks one that takes many shots.
+    pub fn reason(&self, row: usize) -> Option<&str> {
+        match self.outcomes[row] {
+            PointOutcome::Failed(failure) => Some(failure.words()),
+            _ => self.reasons.get(&row).map(String::as_str),
+        }
     }
 
     pub(super) fn push(
@@ -231,12 +241,21 @@ impl<'p> Evaluator<'p> {
             Ok(run) => PointOutcome::of(run),
             Err(failure) => PointOutcome::Failed(*failure),
         };
-        rows.push(outcome, values.into_iter());
+        let reasons: Vec<&str> = values
+            .iter()
+            .filter_map(|it| it.as_ref().err())
+            .map(String::as_str)
+            .filter(|it| !it.is_empty())
+            .collect();
+        if !reasons.is_empty() {
+            rows.reasons.insert(rows.len(), reasons.join("; "));
+        }
+        rows.push(outcome, values.into_iter().map(Result::ok));
         Some((outcome, run))
     }
 
     /// The full simulation of a point, without a series, and its outputs where it came to its end.
-    fn run(&mut self, index: u64) -> Result<(Run, Vec<Option<f64>>), Failure> {
+    fn run(&mut self, index: u64) -> Result<(Run, Vec<Result<f64, String>>), Failure> {
         // The last run's scene is gone by now, so nothing is copied.
         self.plan.place(Arc::make_mut(&mut self.scene), index);
         let (stop, mut steps, most) = (self.stop, 0, self.plan.steps_max);
@@ -254,7 +273,7 @@ impl<'p> Evaluator<'p> {
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;
             let known = outputs.iter().filter(|_| run.end.is_complete());
-            let values = known.map(|it| it.value(&run)).collect();
+            let values = known.map(|it| it.found(&run)).collect();
             Some((run, values))
         };
         // Each point begins again, so a panic at one leaves nothing behind for the next.

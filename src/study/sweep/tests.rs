@@ -41,6 +41,19 @@ fn the_last_axis_runs_fastest() {
     }
 }
 
+/// Nothing stops a plate without spring; no shot in range perforates 5 m of it.
+#[test]
+fn a_row_says_why_many_shots_give_no_value() {
+    let outputs = ["limit_velocity_m_s", "mass_efficiency"];
+    let axes = vec![axis("h", 0.0254, 5.0, 2)];
+    let plan = Plan::new(&scene("k=0 b=0"), axes, Design::FACTORIAL, &outputs).unwrap();
+    let rows = rows(&plan);
+    let reasons = [0, 1].map(|row| rows.reason(row).unwrap().to_owned());
+    assert_eq!(reasons[0], "nothing stops plate and projectile");
+    assert!(reasons[1].contains("beyond 3000 m/s"), "{reasons:?}");
+    assert!((rows.value(0, 0).unwrap() - 347.708_052).abs() < 5e-7, "the model page");
+}
+
 /// What the command line can ask for is refused in its own test, `bad_sweeps_are_refused_before_anything_runs`.
 #[test]
 fn a_bad_plan_is_refused_before_anything_runs() {

@@ -10,10 +10,10 @@ parts! {
     pub struct Helix {
         pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",
             number(Stiffness, NonNegative).log().from(NO_VALUES);
-        pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement, rad/m", number(Number, Any);
+        pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement", number(Twist, Any);
         pub inertia_kg_m2: f64 = 5e-6 => "I_z", "inertia",
-            "moment of inertia of what turns, kg m2: the plate gains I_z twist^2",
-            number(Number, NonNegative).log().from("thesis section 6.2.7; values are assumptions");
+            "moment of inertia of what turns: the plate gains I_z twist^2",
+            number(Inertia, NonNegative).log().from("thesis section 6.2.7; values are assumptions");
     }
 }
 

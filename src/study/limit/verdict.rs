@@ -1,0 +1,170 @@
+//! Whether a shot goes through, and the edges of what no run decides: the same rule for velocities and for thicknesses.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::run::{Outcome, Run};
+use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, follow, simulate};
+use crate::numerics::smaller;
+use crate::study::limit::Criterion;
+
+/// Relative width up to which undecided shots are one limit for any purpose, and that to which their edges are closed in.
+pub(in crate::study) const ONE_POINT: f64 = 1e-8;
+const WIDTH: f64 = 1e-10;
+/// Undecided shots, each followed for about a second, that are spent on each edge: of one point, and of anything wider.
+const UNDECIDED_MAX: usize = 8;
+const UNDECIDED_WIDE: usize = 3;
+
+/// Whether a shot goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::study) enum Verdict {
+    Perforated,
+    Stopped,
+    /// Its run ended before that was decided.
+    Undecided,
+}
+
+impl Verdict {
+    /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
+    /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
+    pub(in crate::study) fn of(run: &Run, criterion: Criterion) -> Self {
+        if let Some(stack) = &run.stack {
+            let is_base = stack.behind.len() == stack.elements;
+            let criterion = if is_base { criterion } else { Criterion::Passage };
+            return match stack.behind.last() {
+                _ if stack.outcome == Outcome::Separated => Self::Stopped,
+                Some(last) => Self::of_plate(last, criterion),
+                None => Self::of_plate(run, criterion),
+            };
+        }
+        Self::of_plate(run, criterion)
+    }
+
+    fn of_plate(run: &Run, criterion: Criterion) -> Self {
+        let thickness_m = match criterion {
+            Criterion::Passage => f64::INFINITY,
+            Criterion::Protrusion => run.scene.effective_thickness_m(),
+        };
+        let sure_m = run.final_penetration_m.or(run.at_least.penetration_m);
+        let most_m = run.final_penetration_m.or(run.penetration_at_most_m);
+        if run.outcome == Outcome::Perforated || sure_m.is_some_and(|depth| depth > thickness_m) {
+            return Self::Perforated;
+        }
+        match run.outcome {
+            Outcome::Arrested | Outcome::Separated | Outcome::Perforated => Self::Stopped,
+            Outcome::Moving if most_m.is_some_and(|depth| depth <= thickness_m) => Self::Stopped,
+            Outcome::Moving => Self::Undecided,
+        }
+    }
+}
+
+/// A shot and its verdict; one that is left undecided is followed for longer. `None` for a scene that makes no physical sense.
+pub(in crate::study) fn decide(
+    scene: &Arc<Scene>,
+    criterion: Criterion,
+    observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Option<(Run, Verdict)> {
+    let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
+    if run.stack.is_none() && Verdict::of(&run, criterion) == Verdict::Undecided {
+        run = follow(scene, observer).ok()?;
+    }
+    let verdict = Verdict::of(&run, criterion);
+    Some((run, verdict))
+}
+
+/// A value at which no run is decided, between two with known verdicts.
+pub(in crate::study) struct Gap {
+    /// The side from which an answer is looked for.
+    pub(in crate::study) from: (f64, Verdict),
+    pub(in crate::study) undecided: f64,
+    /// The other side; `None`: nothing is known there.
+    pub(in crate::study) to: (Option<f64>, Verdict),
+    /// Relative width up to which it is one point.
+    pub(in crate::study) width: f64,
+}
+
+impl Gap {
+    /// From either side as close to the undecided value as shots are decided. Both edges lie beside each other where the verdict
+    /// changes before anything is undecided. `None` when stopped.
+    pub(in crate::study) fn edges(
+        &self,
+        mut look: impl FnMut(f64) -> Option<Verdict>,
+    ) -> Option<(f64, Option<f64>)> {
+        let mut undecided_max = UNDECIDED_MAX;
+        for (known, verdict) in [(Some(self.from.0), self.from.1), self.to] {
+            let side = |known: f64| self.width * (known - self.undecided).signum();
+            let near = known.map(|known| self.undecided * (1.0 + side(known)));
+            // Decided this near on both sides it may be one point, which takes more shots to close in.
+            if near.map_or(Some(Verdict::Undecided), &mut look)? != verdict {
+                undecided_max = UNDECIDED_WIDE;
+                break;
+            }
+        }
+        let mut edge = |(mut known, verdict): (f64, Verdict)| {
+            let (mut beyond, mut undecided) = ((self.undecided, Verdict::Undecided), 0);
+            while (beyond.0 - known).abs() > WIDTH * smaller(known, beyond.0)
+                && undecided < undecided_max
+            {
+                let middle = 0.5 * (known + beyond.0);
+                let found = look(middle)?;
+                undecided += usize::from(found == Verdict::Undecided);
+                if found == verdict { known = middle } else { beyond = (middle, found) }
+            }
+            Some((known, beyond))
+        };
+        let (from, beyond) = edge(self.from)?;
+        let (to, verdict) = self.to;
+        Some(match to {
+            _ if beyond.1 == verdict => (from, Some(beyond.0)),
+            Some(to) => (from, Some(edge((to, verdict))?.0)),
+            None => (from, None),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Verdict::{Perforated, Stopped, Undecided};
+
+    /// The edges between 1 (stopped) and 2 (perforated) of shots that are undecided at 1.5, and how many were undecided.
+    fn edges(verdict: impl Fn(f64) -> Verdict) -> ((f64, Option<f64>), usize) {
+        let (from, to) = ((1.0, Stopped), (Some(2.0), Perforated));
+        let mut undecided = 0;
+        let look = |value: f64| {
+            undecided += usize::from(verdict(value) == Undecided);
+            Some(verdict(value))
+        };
+        let found = Gap { from, undecided: 1.5, to, width: ONE_POINT }.edges(look);
+        (found.unwrap(), undecided)
+    }
+
+    fn outside(low: f64, high: f64) -> impl Fn(f64) -> Verdict {
+        move |value| match value {
+            _ if value < low => Stopped,
+            _ if value > high => Perforated,
+            _ => Undecided,
+        }
+    }
+
+    #[test]
+    fn one_point_is_closed_in_and_a_wide_gap_takes_few_shots() {
+        let ((stopped, through), _) = edges(outside(1.5 - 1e-9, 1.5 + 1e-9));
+        assert!(through.unwrap() - stopped < 1.5 * ONE_POINT, "{stopped} {through:?}");
+        let ((stopped, through), undecided) = edges(outside(1.4, 1.6));
+        assert!(stopped < 1.4 && through.unwrap() > 1.6, "{stopped} {through:?}");
+        assert!(stopped > 1.3 && through.unwrap() < 1.7 && undecided <= 7, "{undecided}");
+    }
+
+    #[test]
+    fn a_gap_beyond_the_change_of_the_verdict_does_not_count() {
+        let pocket = |value: f64| match value {
+            _ if value < 1.2 => Stopped,
+            _ if (1.4..1.6).contains(&value) => Undecided,
+            _ => Perforated,
+        };
+        let ((stopped, through), _) = edges(pocket);
+        assert!((stopped - 1.2).abs() < 1e-9 && through.unwrap() - stopped < 1e-9);
+    }
+}
