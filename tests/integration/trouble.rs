@@ -153,7 +153,7 @@ fn a_table_is_renamed_where_its_name_is_taken_and_paths_are_completed() {
     terminal.send("e\x15tak\t");
     terminal.wait_for("taken.csv");
     terminal.send("\r");
-    terminal.wait_for("[r]ename");
+    terminal.wait_for("r rename");
     terminal.send("r\r");
     terminal.wait_for("written: ");
     assert_eq!(fs::read_to_string(terminal.file("taken.csv")).unwrap(), "mine");

@@ -64,6 +64,8 @@ worded! {
         Stop = "rigid stop",
         /// The load of a fused interface.
         Interface = "interface",
+        /// The load of a fused interface on the way back, after the run.
+        Rebound = "rebound",
     }
 }
 
@@ -80,7 +82,7 @@ impl Check {
             Self::Spring => "k",
             Self::SpringMass => "own_mass",
             Self::Stop => "x_stop",
-            Self::Interface => "interface",
+            Self::Interface | Self::Rebound => "interface",
         }
     }
 }
@@ -408,9 +410,8 @@ fn check_of(warning: &Warning) -> Option<(Check, f64)> {
         Warning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
         Warning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
         // The grip is an assumption: a push is the surer of the two.
-        Warning::InterfacePull { .. } | Warning::InterfaceRebound { .. } => {
-            Some((Check::Interface, 0.0))
-        }
+        Warning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
+        Warning::InterfaceRebound { ratio } => Some((Check::Rebound, *ratio)),
         _ => None,
     }
 }

@@ -113,12 +113,12 @@ impl fmt::Display for Warning {
                 t_s * 1e3
             ),
             Self::InterfaceRebound { ratio } if !ratio.is_finite() => f.write_str(
-                "after this run the plate swings back and pulls at the fused interface, which has no grip (g = 0): the projectile would \
+                "after this run the plate comes back and pulls at the fused interface, which has no grip (g = 0): the projectile would \
                  be pulled out; try interface = plastic",
             ),
             Self::InterfaceRebound { ratio } => write!(
                 f,
-                "after this run the plate swings back and pulls at the fused interface with {ratio:.3} times its strength g A S_y (grip g \
+                "after this run the plate comes back and pulls at the fused interface with {ratio:.3} times its strength g A S_y (grip g \
                  is an assumption): the projectile would be pulled out, and may strike again; try interface = plastic",
             ),
             Self::InterfaceWithoutStrength => {

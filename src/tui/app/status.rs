@@ -298,9 +298,7 @@ fn plain(severity: Severity, lines: Vec<String>) -> Vec<(Severity, String)> {
 /// A warning with the key that acts on it, where there is one.
 pub fn warning_text(warning: &Warning) -> String {
     match warning {
-        Warning::InterfacePush { .. }
-        | Warning::InterfacePull { .. }
-        | Warning::InterfaceRebound { .. } => {
+        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
             format!("{warning} (interface law: key <options>)")
         }
         _ => warning.to_string(),

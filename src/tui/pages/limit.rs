@@ -30,7 +30,7 @@ pub const SETUP: Pane = Pane::of(Tab::Limit, 3);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "V50 and its spread, for the uncertainties in the setup: of all inputs but v_i"),
+        key(A::View, "V50", "V50 and its spread, by the setup (v_i is exact)"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),

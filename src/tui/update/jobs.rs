@@ -188,6 +188,8 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
     let new: Vec<String> = run
         .warnings
         .iter()
+        // What comes after the run is for the status row and the Log tab: it would take the place of the answer.
+        .filter(|warning| !matches!(warning, Warning::InterfaceRebound { .. }))
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
         .map(warning_text)
         .collect();

@@ -1,4 +1,4 @@
-//! What the way back asks of a fused interface, after the end of a run: the plate swings back, and beyond neutral its mechanism
+//! What the way back asks of a fused interface, after the end of a run: the plate comes back, and beyond neutral its mechanism
 //! holds it by the projectile's inertia.
 
 use super::Body;
