@@ -97,7 +97,8 @@ fn tension(problem: &Problem, record: &Record<'_>) -> Option<f64> {
 /// has been before.
 fn rebound(problem: &Problem, simulation: &Simulation<'_>, farthest_m: f64) -> Option<f64> {
     let (body, record) = (&simulation.body, &simulation.record);
-    let is_asked = body.mode == Mode::Fused && !problem.plastic && record.pull_exceeded_s.is_none();
+    let is_exceeded = record.push_exceeded_s.or(record.pull_exceeded_s).is_some();
+    let is_asked = body.mode == Mode::Fused && !problem.plastic && !is_exceeded;
     let strength_n = Some(body.interface_n()).filter(|strength_n| is_asked && *strength_n > 0.0)?;
     let pull = body.rebound_pull_n(farthest_m)? / strength_n;
     Some(tension_ratio(pull, problem.grip)).filter(|ratio| *ratio > 1.0)
