@@ -51,6 +51,20 @@ pub fn first_down_crossing(c: &[f64], end: f64) -> Option<f64> {
     None
 }
 
+/// Every s in (0, end) at which the polynomial passes from positive to zero or below, if it does so no more than once in each of
+/// eight parts.
+pub fn each_down_crossing(c: &[f64], end: f64, mut visit: impl FnMut(f64)) {
+    let (mut left, mut at_left) = (0.0, evaluate(c, 0.0));
+    for piece in 1..=PIECES {
+        let right = end * piece as f64 / PIECES as f64;
+        let at_right = evaluate(c, right);
+        if at_left > 0.0 && at_right <= 0.0 {
+            visit(bracketed(c, left, right));
+        }
+        (left, at_left) = (right, at_right);
+    }
+}
+
 /// A point between 0 and `right` where a polynomial whose first coefficient that is not zero is positive is still positive:
 /// there no later term reaches its fraction of the first one.
 fn positive_side(c: &[f64], right: f64) -> f64 {
@@ -198,6 +212,23 @@ mod tests {
             out[0] = out[0] * by + c;
         }
         out
+    }
+
+    #[test]
+    fn every_fall_of_a_polynomial_is_visited() {
+        // (s - 0.2)(s - 0.5)(s - 0.9) falls through zero at 0.5; its negative at 0.2 and 0.9.
+        let c = [-0.09, 0.73, -1.6, 1.0];
+        let down_crossings = |c: &[f64]| {
+            let mut found = Vec::new();
+            each_down_crossing(c, 1.0, |s| found.push(s));
+            found
+        };
+        let near = |found: &[f64], exact: &[f64]| {
+            found.len() == exact.len()
+                && found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-14)
+        };
+        assert!(near(&down_crossings(&c), &[0.5]));
+        assert!(near(&down_crossings(&c.map(|c| -c)), &[0.2, 0.9]));
     }
 
     #[test]

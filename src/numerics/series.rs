@@ -113,6 +113,15 @@ pub(crate) fn evaluate_slope(c: &[f64], s: f64) -> f64 {
     sum
 }
 
+/// The derivative's coefficients; the last one is zero.
+pub(crate) fn slope<const N: usize>(c: &[f64; N]) -> [f64; N] {
+    let mut d = [0.0; N];
+    for j in 1..N {
+        d[j - 1] = j as f64 * c[j];
+    }
+    d
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,5 +191,6 @@ mod tests {
         let e = exponential();
         assert!((evaluate(&e, 0.5) - 0.5f64.exp()).abs() < 1e-15);
         assert!((evaluate_slope(&e, 0.5) - 0.5f64.exp()).abs() < 1e-15);
+        assert!((evaluate(&slope(&e), 0.5) - 0.5f64.exp()).abs() < 1e-15);
     }
 }

@@ -4,6 +4,8 @@ use crate::model::impact::body::Body;
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
+use crate::numerics::root::each_down_crossing;
+use crate::numerics::series::{evaluate, slope};
 use crate::numerics::{larger, maximum};
 
 /// Points drawn within each Taylor step, its end included.
@@ -11,6 +13,9 @@ const POINTS_PER_STEP: usize = 8;
 
 /// Rows after which only the solver's own steps are kept: as many as its work allows.
 const POINTS_MAX: usize = 20_000;
+
+/// Part of a series' variation by which it may miss its quantity at the end of a step.
+const CONVERGED: f64 = 1e-7;
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
@@ -258,14 +263,17 @@ const RECIPROCALS: [f64; TERMS_MAX] = {
     reciprocals
 };
 
-/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known. Where its series
-/// cannot turn on the way, or cannot exceed that, the ends say it.
+/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where
+/// the slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that
+/// has not converged, although those of the state have, says nothing.
 fn greatest<const N: usize>(
     series: &[f64; N],
     span: f64,
     known: f64,
     value: impl Fn(f64) -> f64,
 ) -> f64 {
+    let (start, end) = (series[0], value(span));
+    let best = larger(start, end);
     // The most by which series and slope may vary.
     let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
     for (j, c) in series.iter().enumerate().skip(1) {
@@ -273,8 +281,14 @@ fn greatest<const N: usize>(
         power *= span;
         size += (c * power).abs();
     }
-    if bend <= series[1].abs() || series[0] + size <= known {
-        return larger(series[0], value(span));
+    let is_converged = (evaluate(series, span) - end).abs() <= CONVERGED * size;
+    if !is_converged {
+        return larger(maximum::greatest(0.0, span, known, &value), best);
     }
-    maximum::greatest(0.0, span, known, value)
+    let does_not_matter = bend <= series[1].abs() || start + size <= known;
+    let mut most = best;
+    if !does_not_matter {
+        each_down_crossing(&slope(series), span, |s| most = larger(value(s), most));
+    }
+    most
 }

@@ -231,8 +231,8 @@ impl Simulation<'_> {
         let taken = Taken { simulation: self, variable, whole: stretch };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
-            let rough = |part: f64| value(&taken.dense(part));
-            maximum::greatest_of(0.0, 1.0, known, rough, |part| value(&taken.exact(part)))
+            let close = |part: f64| value(&taken.dense(part));
+            maximum::greatest_at(0.0, 1.0, known, close, |part| value(&taken.exact(part)))
         });
         self.record = record;
         if self.body.mode != Mode::Fused || self.body.problem.plastic {
