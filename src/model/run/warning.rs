@@ -118,7 +118,7 @@ impl fmt::Display for Warning {
             ),
             Self::InterfaceRebound { ratio } => write!(
                 f,
-                "after this run the plate comes back and pulls at the fused interface with {ratio:.3} times its strength g A S_y (grip g \
+                "after this run the plate comes back and pulls at the fused interface with {ratio:.2} times its strength g A S_y (grip g \
                  is an assumption): the projectile would be pulled out, and may strike again; try interface = plastic",
             ),
             Self::InterfaceWithoutStrength => {

@@ -4,8 +4,8 @@
 use super::Body;
 use crate::numerics::larger;
 
-/// Steps of the way back; the greatest tension comes out right to about a hundredth.
-const STEPS: u32 = 128;
+/// Steps of the way back; the greatest tension comes out right to some hundredths.
+const STEPS: u32 = 32;
 
 impl Body<'_> {
     /// The greatest tension of the fused interface on the way back from the greatest displacement, N; `None` where no such way is
@@ -20,39 +20,41 @@ impl Body<'_> {
         let at_most_n = self.pull_at(self.energy_j());
         let is_damped = !mechanism.damper.is_absent() || mechanism.elastic_stop().is_some();
         let is_little = at_most_n <= self.interface_limits_n().1;
-        Some(if is_little || !is_damped { at_most_n } else { self.damped_pull_n(farthest_m) })
+        let fraction = self.problem.interface_fraction;
+        let is_known = is_little || !is_damped;
+        Some(if is_known { at_most_n } else { fraction * self.damped_pull_n(farthest_m) })
     }
 
-    /// The same of a plate that its damper slows down, by its energy from place to place.
+    /// The greatest pull on a plate that its damper slows down, N, by its energy from place to place.
     fn damped_pull_n(&self, farthest_m: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let from_m = if self.state.plate_m_s < 0.0 { self.state.plate_m } else { farthest_m };
         let mut energy_j = larger(self.energy_j(), self.potential_j(from_m));
         let back_m = mechanism.spring.backward(from_m, energy_j);
         if !back_m.is_finite() {
-            return self.pull_at(energy_j);
+            return self.pull_at(energy_j) / self.problem.interface_fraction;
         }
         let step_m = (from_m + back_m) / f64::from(STEPS);
-        let mut pull_n = 0.0;
-        for step in 1..=STEPS {
-            let x_m = from_m - f64::from(step) * step_m;
+        let (mut pull_n, mut lost_j, mut creeps) = (0.0, 0.0, false);
+        for step in 0..STEPS {
+            // In the middle of the step, where the last one has lost half as much again.
+            let x_m = from_m - (f64::from(step) + 0.5) * step_m;
             let spring_n = mechanism.spring.force(x_m);
-            let moving_j = larger(energy_j - self.potential_j(x_m), 0.0);
-            let speed_m_s = (2.0 * moving_j / self.moving_kg()).sqrt();
-            let damper_n = mechanism.damper.force(speed_m_s);
-            let lost_j = damper_n * step_m;
+            let moving_j = larger(energy_j - 0.5 * lost_j - self.potential_j(x_m), 0.0);
+            let damper_n = mechanism.damper.force((2.0 * moving_j / self.moving_kg()).sqrt());
+            lost_j = damper_n * step_m;
             if lost_j < moving_j {
                 pull_n = larger(pull_n, damper_n - spring_n);
-                energy_j -= lost_j;
-            } else if spring_n <= 0.0 {
-                pull_n = larger(pull_n, -spring_n);
-                break;
+                (energy_j, creeps) = (energy_j - lost_j, false);
+            } else if spring_n > 0.0 {
+                // Spring and damper hold each other.
+                (energy_j, lost_j, creeps) = (self.potential_j(x_m), 0.0, true);
             } else {
-                // It creeps: spring and damper hold each other.
-                energy_j = self.potential_j(x_m);
+                // What creeps comes to rest at neutral; what does not has gone as far back as it can.
+                return if creeps { pull_n } else { larger(pull_n, -spring_n) };
             }
         }
-        self.problem.interface_fraction * pull_n
+        pull_n
     }
 }
 
@@ -88,7 +90,7 @@ mod tests {
             let expected = pull_of_oscillator_n(1e5, b);
             // Whatever is asked: little strength, so that no bound comes before.
             let found = pull_n(&format!("k=1e5 b={b} S_y=1e6")).unwrap();
-            assert!((found / expected - 1.0).abs() < 0.02, "b={b}: {found} {expected}");
+            assert!((found / expected - 1.0).abs() < 0.04, "b={b}: {found} {expected}");
         }
     }
 
