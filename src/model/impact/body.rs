@@ -14,6 +14,7 @@ mod omission;
 mod outcome;
 mod rebound;
 
+pub(super) use active_events::Noted;
 pub(super) use energy::NO_ENERGY;
 pub(super) use outcome::MaximumDisplacement;
 

@@ -8,7 +8,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::event_function::{ActiveEvents, EventId};
-use crate::model::impact::body::Body;
+use crate::model::impact::body::{Body, Noted};
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
@@ -100,7 +100,7 @@ impl<'a> Simulation<'a> {
 
     pub(super) fn active_events(&self) -> ActiveEvents {
         let Record { push_exceeded_s, pull_exceeded_s, .. } = &self.record;
-        let noted = [push_exceeded_s, pull_exceeded_s].map(Option::is_some);
+        let noted = Noted { push: push_exceeded_s.is_some(), pull: pull_exceeded_s.is_some() };
         self.body.active_events(self.control.stiff, noted)
     }
 

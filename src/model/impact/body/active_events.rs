@@ -7,12 +7,18 @@ use crate::model::run::Mode;
 /// Part of the other forces on the plate below which one is lost in their rounding.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
+/// Which excesses of the fused interface are noted already, and need not be found again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(in crate::model::impact) struct Noted {
+    pub(in crate::model::impact) push: bool,
+    pub(in crate::model::impact) pull: bool,
+}
+
 impl Body<'_> {
-    /// `noted`: whether an excess of push and of pull through the fused interface is noted already, and need not be found again.
     pub(in crate::model::impact) fn active_events(
         &self,
         stiff: bool,
-        noted: [bool; 2],
+        noted: Noted,
     ) -> ActiveEvents {
         let mut events = self.contact_events();
         if self.mode == Mode::Fused && !self.is_still() {
@@ -33,12 +39,12 @@ impl Body<'_> {
         events
     }
 
-    fn add_interface_events(&self, events: &mut ActiveEvents, noted: [bool; 2]) {
+    fn add_interface_events(&self, events: &mut ActiveEvents, noted: Noted) {
         let (push, pull) = self.interface_limits_n();
         let fraction = self.problem.interface_fraction;
         for (event, offset, mechanism, noted) in [
-            (EventId::PushLimit, push, -fraction, noted[0]),
-            (EventId::PullLimit, pull, fraction, noted[1]),
+            (EventId::PushLimit, push, -fraction, noted.push),
+            (EventId::PullLimit, pull, fraction, noted.pull),
         ] {
             if self.problem.plastic || (self.interface_n() > 0.0 && !noted) {
                 events.add(event, EventFunction { offset, mechanism, ..EventFunction::default() });

@@ -20,20 +20,18 @@ impl Body<'_> {
         let at_most_n = self.pull_at(self.energy_j());
         let is_damped = !mechanism.damper.is_absent() || mechanism.elastic_stop().is_some();
         let is_little = at_most_n <= self.interface_limits_n().1;
-        let fraction = self.problem.interface_fraction;
-        let is_known = is_little || !is_damped;
-        Some(if is_known { at_most_n } else { fraction * self.damped_pull_n(farthest_m) })
+        let damped_n = if is_little || !is_damped { None } else { self.damped_pull_n(farthest_m) };
+        Some(damped_n.map_or(at_most_n, |pull_n| self.problem.interface_fraction * pull_n))
     }
 
-    /// The greatest pull on a plate that its damper slows down, N, by its energy from place to place.
-    fn damped_pull_n(&self, farthest_m: f64) -> f64 {
+    /// The greatest pull on a plate that its damper slows down, N, by its energy from place to place; `None` where no spring ends
+    /// its way.
+    fn damped_pull_n(&self, farthest_m: f64) -> Option<f64> {
         let mechanism = &self.problem.mechanism;
         let from_m = if self.state.plate_m_s < 0.0 { self.state.plate_m } else { farthest_m };
         let mut energy_j = larger(self.energy_j(), self.potential_j(from_m));
         let back_m = mechanism.spring.backward(from_m, energy_j);
-        if !back_m.is_finite() {
-            return self.pull_at(energy_j) / self.problem.interface_fraction;
-        }
+        let back_m = Some(back_m).filter(|back_m| back_m.is_finite())?;
         let step_m = (from_m + back_m) / f64::from(STEPS);
         let (mut pull_n, mut lost_j, mut creeps) = (0.0, 0.0, false);
         for step in 0..STEPS {
@@ -51,10 +49,10 @@ impl Body<'_> {
                 (energy_j, lost_j, creeps) = (self.potential_j(x_m), 0.0, true);
             } else {
                 // What creeps comes to rest at neutral; what does not has gone as far back as it can.
-                return if creeps { pull_n } else { larger(pull_n, -spring_n) };
+                return Some(if creeps { pull_n } else { larger(pull_n, -spring_n) });
             }
         }
-        pull_n
+        Some(pull_n)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Tables of the events that are watched and missed in each mode, of projections onto them, of energy bounds and outcomes.
 
-use super::{Body, MaximumDisplacement};
+use super::{Body, MaximumDisplacement, Noted};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::simulation::Simulation;
@@ -36,12 +36,13 @@ fn each_mode_watches_its_own_events() {
     ];
     for (pairs, mode, expected) in cases {
         let problem = Problem::with(pairs);
-        let events = body(&problem, mode, slip).active_events(false, [false; 2]);
+        let events = body(&problem, mode, slip).active_events(false, Noted::default());
         let found: Vec<E> = events.iter().map(|(event, _)| *event).collect();
         assert_eq!(found, expected, "{pairs} {mode:?}");
     }
     let problem = Problem::with("k=1e5");
-    let events = body(&problem, Mode::Fused, slip).active_events(false, [true; 2]);
+    let noted = Noted { push: true, pull: true };
+    let events = body(&problem, Mode::Fused, slip).active_events(false, noted);
     assert_eq!(events.iter().count(), 1);
 }
 
