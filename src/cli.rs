@@ -30,7 +30,6 @@ mod limit;
 mod man;
 mod monte_carlo;
 mod optimise;
-mod outlook;
 mod output;
 mod paths;
 mod pictures;

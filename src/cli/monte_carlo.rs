@@ -12,7 +12,7 @@ use crate::model::scene::Scene;
 use crate::report::limit::few_samples;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
-    Report, Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
+    Report, Task, Tolerance, USUAL_DEVIATION, sample, usual_tolerances,
 };
 use crate::study::quantities;
 use crate::study::validity;
@@ -75,7 +75,6 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
-    arguments.study.announce_if_long(&space(&preset.scene, &task)?, task.samples as u64);
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = validity::of_scene(&preset.scene);

@@ -21,7 +21,7 @@ use crate::study::search::front::{
     Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
 };
 use crate::study::search::nsga::Effort;
-use crate::study::sweep::{Axis, Plan, Spacing};
+use crate::study::sweep::{Axis, Spacing};
 use crate::study::validity;
 
 /// Designs of a front that are listed.
@@ -139,12 +139,6 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
-    let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-    // The slower law stands for both.
-    let mut slowest = preset.scene.clone();
-    slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let space = Plan::for_designs(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
-    arguments.study.announce_if_long(&space, task.runs() as u64);
     let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let known: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();

@@ -27,6 +27,10 @@ static REACHED: Mutex<String> = Mutex::new(String::new());
 const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
+/// When the rate of a computation tells how long it will take, and what is so long that it is announced, on a terminal or not.
+const JUDGED_AFTER: Duration = Duration::from_secs(1);
+const LONG_S: f64 = 60.0;
+
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
     start: Instant,
@@ -66,7 +70,8 @@ impl ProgressLine {
     }
 }
 
-/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate.
+/// Runs a study on this number of threads, and shows how many of its items are done, and the remaining time at this rate, which is
+/// announced where it is long.
 pub(super) fn study<P: ?Sized, T>(
     threads: usize,
     what: &str,
@@ -74,13 +79,29 @@ pub(super) fn study<P: ?Sized, T>(
 ) -> T {
     let mut line = ProgressLine::begin();
     let mut reached = Progress::default();
+    let mut judged = false;
     let watch = &mut |now: Progress, _: Option<&P>| {
         reached = now;
         let Progress { done, total } = now;
+        let left_s =
+            |elapsed_s: f64| elapsed_s * total.saturating_sub(done) as f64 / done.max(1) as f64;
+        if !judged && line.start.elapsed() > JUDGED_AFTER {
+            judged = true;
+            let left_s = left_s(line.start.elapsed().as_secs_f64());
+            if left_s > LONG_S {
+                line.clear();
+                output::note(&format!(
+                    "{total} {what}: about {} left at this rate; an interrupt keeps what is finished",
+                    duration(left_s)
+                ));
+            }
+        }
         line.update(|elapsed_s| {
             let percent = 100.0 * done as f64 / total.max(1) as f64;
-            let left_s = elapsed_s * (total - done) as f64 / done.max(1) as f64;
-            format!("{percent:.0} %: {done} of {total} {what}, {} left", duration(left_s))
+            format!(
+                "{percent:.0} %: {done} of {total} {what}, {} left",
+                duration(left_s(elapsed_s))
+            )
         })
     };
     let found = study(&mut Context::new(threads, watch));

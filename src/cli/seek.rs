@@ -12,7 +12,7 @@ use crate::model::units::{shortest, significant};
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
 use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
-use crate::study::sweep::{Plan, Spacing};
+use crate::study::sweep::Spacing;
 use crate::study::validity;
 
 #[derive(Debug, Args)]
@@ -56,8 +56,6 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.study.load()?;
     let law = on_plastic(&arguments.study.scene, &mut preset.scene);
-    let space = Plan::for_designs(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
-    arguments.study.announce_if_long(&space, goal.axis.count());
     let report = arguments.study.run("runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     if let Some(law) = &law {

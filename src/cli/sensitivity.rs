@@ -14,7 +14,6 @@ use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::study::sensitivity::{Effort, Report, study};
-use crate::study::sweep::Plan;
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -61,9 +60,6 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     };
     let preset = arguments.study.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
-    if let Ok(space) = Plan::for_designs(&preset.scene, axes.clone(), &[&arguments.output]) {
-        arguments.study.announce_if_long(&space, effort.runs(axes.len()) as u64);
-    }
     let report = arguments
         .study
         .run("runs", |context| study(&preset.scene, axes, &arguments.output, effort, context))?;

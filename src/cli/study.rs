@@ -3,7 +3,6 @@
 use clap::Args;
 use serde_json::Value;
 
-use crate::cli::outlook::announce_if_long;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
@@ -15,7 +14,7 @@ use crate::study::context::Context;
 use crate::study::parallel::cores;
 use crate::study::search::seek::has_unlimited_interface;
 use crate::study::sensitivity::thesis_axes;
-use crate::study::sweep::{Axis, COUNTS, Plan};
+use crate::study::sweep::{Axis, COUNTS};
 
 /// What every study of a scene takes.
 #[derive(Debug, Args)]
@@ -42,11 +41,6 @@ impl StudyArguments {
     pub(super) fn load(&self) -> Result<Preset, CliError> {
         self.table.check_beside()?;
         self.scene.load()
-    }
-
-    /// Announces the time of that many runs within the bounds, if it is long.
-    pub(super) fn announce_if_long(&self, space: &Plan, runs: u64) {
-        announce_if_long(space, runs, "runs", self.threads.count());
     }
 
     /// Runs a study, and shows its progress.

@@ -12,7 +12,6 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::outlook::announce_if_long;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
@@ -97,7 +96,6 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         Target::None | Target::Stdout => None,
     };
     let points = job.points();
-    announce_if_long(&plan, points.end - points.start, "points", threads);
     let start = Instant::now();
     let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &points);
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };

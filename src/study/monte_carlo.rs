@@ -179,11 +179,8 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
     Ok(report)
 }
 
-/// Where the samples are evaluated: for asking how long it will take, too.
-///
-/// # Errors
-/// As [`sample`].
-pub fn space(scene: &Scene, task: &Task) -> Result<Plan, SweepError> {
+/// Where the samples are evaluated.
+fn space(scene: &Scene, task: &Task) -> Result<Plan, SweepError> {
     if task.tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";
         return Err(SweepError(text.to_owned()));
