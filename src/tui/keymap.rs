@@ -10,6 +10,7 @@ use crate::tui::dialogs::options::OptionRow;
 use crate::tui::pages::{self, TAB_KEYS, Tab};
 use Action as A;
 use OptionRow as O;
+use Scope::{Everywhere, Listed, With};
 
 /// A pane: what can have the focus, by its tab and its place among the tab's panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -38,7 +39,7 @@ pub struct PaneSpec {
 impl PaneSpec {
     /// Whether an action means something in the pane.
     pub fn knows(&self, action: Action) -> bool {
-        let line = LINES.iter().find(|line| line.keys.iter().any(|(one, _, _)| *one == action));
+        let line = LINES.iter().find(|line| line.keys.iter().any(|(one, ..)| *one == action));
         line.is_none_or(|line| line.works_in(self))
     }
 }
@@ -167,17 +168,25 @@ impl Key {
         format!("{control}{shift}{name}")
     }
 
-    /// Reads a key as people write it; `None` where it is none.
+    /// Reads a key as people write it; `None` where it is none. Characters have no Shift: a capital letter is one of its own.
     pub fn parse(text: &str) -> Option<Self> {
-        let lower = text.to_ascii_lowercase();
-        let (modifiers, name) = match lower.strip_prefix("ctrl-") {
-            Some(_) => (KeyModifiers::CONTROL, &text["ctrl-".len()..]),
-            None => (KeyModifiers::NONE, text),
+        let named = |name: &str| {
+            let found = Self::NAMED.iter().find(|(_, known)| known.eq_ignore_ascii_case(name));
+            found.map(|(code, _)| *code)
         };
-        let named = Self::NAMED.iter().find(|(_, known)| known.eq_ignore_ascii_case(name));
+        let shifts = |name| named(name).is_some_and(|code| !matches!(code, C::Char(_) | C::Tab));
+        let (modifiers, name) = match text.split_once('-') {
+            Some((word, name)) if word.eq_ignore_ascii_case("ctrl") => {
+                (KeyModifiers::CONTROL, name)
+            }
+            Some((word, name)) if word.eq_ignore_ascii_case("shift") && shifts(name) => {
+                (KeyModifiers::SHIFT, name)
+            }
+            _ => (KeyModifiers::NONE, text),
+        };
         let mut letters = name.chars();
-        let code = match (named, letters.next(), letters.next()) {
-            (Some((code, _)), _, _) => *code,
+        let code = match (named(name), letters.next(), letters.next()) {
+            (Some(code), _, _) => code,
             (None, Some(c), None) if !c.is_control() => KeyCode::Char(c),
             (None, Some('f' | 'F'), Some(_)) => KeyCode::F(name[1..].parse().ok()?),
             (None, _, _) => return None,
@@ -204,8 +213,8 @@ pub struct Keymap {
 
 impl Default for Keymap {
     fn default() -> Self {
-        let bound = LINES.iter().flat_map(|line| line.keys);
-        Self { keys: bound.map(|(action, _, keys)| (*action, keys.to_vec())).collect() }
+        let read = |keys: &str| keys.split(' ').filter_map(Key::parse).collect();
+        Self { keys: bound().map(|(action, _, keys)| (*action, read(keys))).collect() }
     }
 }
 
@@ -214,8 +223,7 @@ impl Keymap {
     pub fn remapped(wanted: &BTreeMap<String, Vec<String>>) -> Result<Self, String> {
         let mut map = Self::default();
         for (name, keys) in wanted {
-            let bound = LINES.iter().flat_map(|line| line.keys).find(|(_, id, _)| id == name);
-            let Some((action, _, _)) = bound else {
+            let Some((action, _, _)) = bound().find(|(_, id, _)| id == name) else {
                 return Err(format!(
                     "[keys] {name}: no action has this name; `cmra keys` lists the names"
                 ));
@@ -263,8 +271,7 @@ impl Keymap {
         if !text.contains('<') {
             return text.to_owned();
         }
-        let bound = LINES.iter().flat_map(|line| line.keys);
-        bound.fold(text.to_owned(), |text, (action, id, _)| {
+        bound().fold(text.to_owned(), |text, (action, id, _)| {
             let mark = format!("<{id}>");
             if !text.contains(&mark) {
                 return text;
@@ -288,8 +295,7 @@ impl Keymap {
 }
 
 pub fn name(action: Action) -> &'static str {
-    let bound = LINES.iter().flat_map(|line| line.keys);
-    bound.clone().find(|(one, _, _)| *one == action).map_or("", |(_, name, _)| name)
+    bound().find(|(one, _, _)| *one == action).map_or("", |(_, name, _)| name)
 }
 
 /// Something that can be called by name.
@@ -369,8 +375,8 @@ pub enum Scope {
     Listed,
 }
 
-/// An action, its name in the configuration, and its keys, the one to show first.
-pub(crate) type Bound = (Action, &'static str, &'static [Key]);
+/// An action, its name in the configuration, and its keys as people write them, the one to show first.
+pub(crate) type Bound = (Action, &'static str, &'static str);
 
 pub struct Line {
     pub scope: Scope,
@@ -382,9 +388,9 @@ impl Line {
     /// Whether its keys mean something in a pane.
     pub fn works_in(&self, pane: &PaneSpec) -> bool {
         match self.scope {
-            Scope::Everywhere => true,
-            Scope::With(part) => pane.has.contains(&part),
-            Scope::Listed => pane
+            Everywhere => true,
+            With(part) => pane.has.contains(&part),
+            Listed => pane
                 .keys
                 .iter()
                 .any(|row| self.keys.iter().any(|(action, _, _)| *action == row.action)),
@@ -392,86 +398,53 @@ impl Line {
     }
 }
 
-const fn plain(c: char) -> Key {
-    Key(KeyCode::Char(c), KeyModifiers::NONE)
+const fn line(scope: Scope, keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope, keys, meaning }
 }
 
-const fn ctrl(c: char) -> Key {
-    Key(KeyCode::Char(c), KeyModifiers::CONTROL)
-}
-
-const fn special(code: KeyCode) -> Key {
-    Key(code, KeyModifiers::NONE)
-}
-
-const fn shifted(code: KeyCode) -> Key {
-    Key(code, KeyModifiers::SHIFT)
-}
-
-const fn everywhere(keys: &'static [Bound], meaning: &'static str) -> Line {
-    Line { scope: Scope::Everywhere, keys, meaning }
-}
-
-const fn with(part: Part, keys: &'static [Bound], meaning: &'static str) -> Line {
-    Line { scope: Scope::With(part), keys, meaning }
-}
-
-const fn listed(keys: &'static [Bound], meaning: &'static str) -> Line {
-    Line { scope: Scope::Listed, keys, meaning }
+/// All actions that have a name in the configuration.
+fn bound() -> impl Iterator<Item = &'static Bound> {
+    LINES.iter().flat_map(|line| line.keys)
 }
 
 #[rustfmt::skip]
 pub static LINES: &[Line] = &[
-    everywhere(TAB_KEYS, "go to the tab; again: its next page"),
-    everywhere(&[(A::TabPrevious, "previous-tab", &[plain('{')]), (A::TabNext, "next-tab", &[plain('}')])], "previous tab, next tab"),
-    everywhere(&[
-        (A::FocusNext, "next-pane", &[special(C::Tab)]),
-        (A::FocusPrevious, "previous-pane", &[special(C::BackTab)]),
-    ], "next pane, previous pane"),
-    everywhere(&[
-        (A::Left, "left", &[plain('h'), special(C::Left)]),
-        (A::Down, "down", &[plain('j'), special(C::Down)]),
-        (A::Up, "up", &[plain('k'), special(C::Up)]),
-        (A::Right, "right", &[plain('l'), special(C::Right)]),
-    ], "move the selection or cursor, as arrows do; h l change values"),
-    everywhere(&[
-        (A::FarLeft, "far-left", &[plain('H'), shifted(C::Left)]),
-        (A::FarRight, "far-right", &[plain('L'), shifted(C::Right)]),
-    ], "move or change by ten steps"),
-    everywhere(&[
-        (A::First, "first", &[plain('g'), special(C::Home)]),
-        (A::Last, "last", &[plain('G'), special(C::End)]),
-    ], "first, last"),
-    everywhere(&[(A::PageUp, "page-up", &[special(C::PageUp)]), (A::PageDown, "page-down", &[special(C::PageDown)])], "a page up, a page down"),
-    everywhere(&[(A::Enter, "enter", &[special(C::Enter)])], "edit, open, or load what is under the cursor into the scene"),
-    everywhere(&[(A::Back, "back", &[special(C::Esc)])], "close, or stop the job of this tab"),
-    everywhere(&[(A::Find, "find", &[plain('/')])], "find in this pane; of a table show the rows that match"),
-    everywhere(&[(A::Palette, "palette", &[plain(':')])], "find an action, preset, variable or page by name"),
-    everywhere(&[(A::Help, "help", &[plain('?')])], "keys of this pane, and what the selected row means"),
-    everywhere(&[(A::Undo, "undo", &[plain('u')]), (A::Redo, "redo", &[ctrl('r')])], "undo, redo: scene, setups, pins"),
-    everywhere(&[(A::Mark, "mark", &[plain(' ')])], "pin or unpin a run to compare with; mark a row of a table"),
-    everywhere(&[(A::View, "view", &[plain('v')])], "next view of this pane"),
-    everywhere(&[(A::Run, "run", &[plain('r')])], "run again what this page computes"),
-    everywhere(&[(A::Export, "export", &[plain('e')]), (A::Copy, "copy", &[plain('y')])], "export, copy what this page shows"),
-    everywhere(&[(A::Presets, "presets", &[plain('p')]), (A::Save, "save", &[plain('s')])], "presets, threats, materials and absorbers; save the scene"),
-    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, threads, models"),
-    everywhere(&[(A::FullPane, "full-pane", &[plain('z')])], "show this pane alone"),
-    everywhere(&[(A::Quit, "quit", &[plain('q')]), (A::QuitWithSummary, "quit-with-summary", &[plain('Q')])], "quit (the session is kept), quit and print a summary"),
-    everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),
-    everywhere(&[(A::Suspend, "suspend", &[ctrl('z')]), (A::Redraw, "redraw", &[ctrl('l')])], "suspend (`fg` resumes), redraw the screen"),
+    line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
+    line(Everywhere, &[(A::TabPrevious, "previous-tab", "{"), (A::TabNext, "next-tab", "}")], "previous tab, next tab"),
+    line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
+    line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; h l change values"),
+    line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
+    line(Everywhere, &[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
+    line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
+    line(Everywhere, &[(A::Enter, "enter", "Enter")], "edit, open, or load what is under the cursor into the scene"),
+    line(Everywhere, &[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
+    line(Everywhere, &[(A::Find, "find", "/")], "find in this pane; of a table show the rows that match"),
+    line(Everywhere, &[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
+    line(Everywhere, &[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
+    line(Everywhere, &[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r")], "undo, redo: scene, setups, pins"),
+    line(Everywhere, &[(A::Mark, "mark", "Space")], "pin or unpin a run to compare with; mark a row of a table"),
+    line(Everywhere, &[(A::View, "view", "v")], "next view of this pane"),
+    line(Everywhere, &[(A::Run, "run", "r")], "run again what this page computes"),
+    line(Everywhere, &[(A::Export, "export", "e"), (A::Copy, "copy", "y")], "export, copy what this page shows"),
+    line(Everywhere, &[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
+    line(Everywhere, &[(A::Options, "options", "o")], "options: characters, colours, mouse, threads, models"),
+    line(Everywhere, &[(A::FullPane, "full-pane", "z")], "show this pane alone"),
+    line(Everywhere, &[(A::Quit, "quit", "q"), (A::QuitWithSummary, "quit-with-summary", "Q")], "quit (the session is kept), quit and print a summary"),
+    line(Everywhere, &[(A::Cancel, "cancel", "Ctrl-c")], "cancel the job; pressed twice: quit"),
+    line(Everywhere, &[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 
-    with(Part::Form, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "change by a tenth of a step: less, more"),
-    with(Part::Form, &[(A::Reset, "reset", &[plain('d'), special(C::Delete)])], "reset this row"),
-    with(Part::Chart, &[(A::ZoomIn, "zoom-in", &[plain('+'), plain('=')]), (A::ZoomOut, "zoom-out", &[plain('-')])], "zoom in, zoom out"),
-    with(Part::Chart, &[(A::ZoomFit, "zoom-fit", &[plain('0')])], "show everything"),
-    with(Part::Chart, &[(A::PanLeft, "pan-left", &[plain('[')]), (A::PanRight, "pan-right", &[plain(']')])], "pan left, pan right"),
-    with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear x axis, y axis"),
-    listed(&[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
-    listed(&[(A::Window, "window", &[plain('c')])], "show the contact only, or the whole response"),
-    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "second axis at the right: next quantity, after the last none"),
-    listed(&[(A::Difference, "difference", &[plain('D')])], "show curves as differences to the first pinned run"),
-    listed(&[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
-    with(Part::Table, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
+    line(With(Part::Form), &[(A::FineLess, "fine-less", ","), (A::FineMore, "fine-more", ".")], "change by a tenth of a step: less, more"),
+    line(With(Part::Form), &[(A::Reset, "reset", "d Del")], "reset this row"),
+    line(With(Part::Chart), &[(A::ZoomIn, "zoom-in", "+ ="), (A::ZoomOut, "zoom-out", "-")], "zoom in, zoom out"),
+    line(With(Part::Chart), &[(A::ZoomFit, "zoom-fit", "0")], "show everything"),
+    line(With(Part::Chart), &[(A::PanLeft, "pan-left", "["), (A::PanRight, "pan-right", "]")], "pan left, pan right"),
+    line(With(Part::Chart), &[(A::LogX, "log-x", "X"), (A::LogY, "log-y", "Y")], "logarithmic or linear x axis, y axis"),
+    line(Listed, &[(A::EventNext, "next-event", "n"), (A::EventPrevious, "previous-event", "N")], "cursor to the next event, the previous one"),
+    line(Listed, &[(A::Window, "window", "c")], "show the contact only, or the whole response"),
+    line(Listed, &[(A::SecondAxis, "second-axis", "w")], "second axis at the right: next quantity, after the last none"),
+    line(Listed, &[(A::Difference, "difference", "D")], "show curves as differences to the first pinned run"),
+    line(Listed, &[(A::ShowHide, "show-hide", "V")], "show or hide this curve"),
+    line(With(Part::Table), &[(A::Sort, "sort", "S")], "sort by the next column"),
 ];
 
 #[cfg(test)]
@@ -493,24 +466,22 @@ mod tests {
     /// No key has two meanings, about twenty lines hold everywhere, and no pane has more than eight of its own.
     #[test]
     fn every_key_has_one_meaning_and_there_are_few_of_them() {
-        let mut seen: Vec<Key> = Vec::new();
-        for (_, name, keys) in LINES.iter().flat_map(|line| line.keys) {
-            for key in *keys {
-                assert!(!seen.contains(key), "{name}: {} has a second meaning", key.label());
-                seen.push(*key);
+        let mut seen: Vec<&str> = Vec::new();
+        for (_, name, keys) in bound() {
+            for key in keys.split(' ') {
+                assert!(!seen.contains(&key), "{name}: {key} has a second meaning");
+                seen.push(key);
             }
         }
-        let mut actions: Vec<Action> =
-            LINES.iter().flat_map(|line| line.keys).map(|it| it.0).collect();
+        let mut actions: Vec<Action> = bound().map(|it| it.0).collect();
         let count = actions.len();
         actions.sort();
         actions.dedup();
         assert_eq!(actions.len(), count, "an action stands in two lines");
-        let everywhere =
-            LINES.iter().filter(|line| matches!(line.scope, Scope::Everywhere)).count();
+        let everywhere = LINES.iter().filter(|line| line.scope == Everywhere).count();
         assert!(everywhere <= 24, "{everywhere} lines hold everywhere");
         for pane in all_panes() {
-            let own = LINES.iter().filter(|line| line.scope != Scope::Everywhere);
+            let own = LINES.iter().filter(|line| line.scope != Everywhere);
             assert!(own.filter(|line| line.works_in(pane)).count() <= 8, "{}", pane.label);
         }
     }
@@ -527,12 +498,12 @@ mod tests {
 
     #[test]
     fn keys_are_read_as_they_are_written() {
-        for (_, _, keys) in LINES.iter().flat_map(|line| line.keys) {
-            for key in keys.iter().filter(|key| !key.1.contains(KeyModifiers::SHIFT)) {
-                assert_eq!(Key::parse(&key.label()), Some(*key), "{}", key.label());
-            }
+        for key in bound().flat_map(|(_, _, keys)| keys.split(' ')) {
+            assert_eq!(Key::parse(key).map(Key::label).as_deref(), Some(key));
         }
-        assert_eq!(Key::parse("hyper"), None);
+        for unknown in ["hyper", "Shift-u", "Shift-Space"] {
+            assert_eq!(Key::parse(unknown), None, "{unknown}");
+        }
     }
 
     #[test]

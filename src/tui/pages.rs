@@ -34,11 +34,9 @@ pub(crate) mod prelude {
     pub(crate) use crate::worker::{Finding, ReportBody};
 }
 
-use crossterm::event::{KeyCode, KeyModifiers};
-
 use crate::model::scene::Scene;
 use crate::tui::app::jobs::{Kept, Running};
-use crate::tui::keymap::{Bound, Command, Key, PaneSpec};
+use crate::tui::keymap::{Bound, Command, PaneSpec};
 use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
@@ -292,7 +290,7 @@ macro_rules! pages {
             pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
 
             /// The key that leads there.
-            pub fn key(self) -> char {
+            pub fn key(self) -> &'static str {
                 match self {
                     $(Self::$tab => $key,)*
                 }
@@ -301,7 +299,7 @@ macro_rules! pages {
 
         /// The keys that lead to the tabs.
         pub(crate) const TAB_KEYS: &[Bound] = &[
-            $((Action::Tab(Tab::$tab), $id, &[Key(KeyCode::Char($key), KeyModifiers::NONE)]),)*
+            $((Action::Tab(Tab::$tab), $id, $key),)*
         ];
 
         pub(crate) fn of(tab: Tab) -> &'static dyn Page {
@@ -313,13 +311,13 @@ macro_rules! pages {
 }
 
 pages! {
-    Run, run::RunTab, "tab-run", '1', "One impact: variables, charts, runs.";
-    Explore, explore::ExploreTab, "tab-explore", '2', "Curves or a map of a quantity over one variable or two.", explore: explore::state::Sweeping;
-    Limit, limit::LimitTab, "tab-limit", '3', "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
-    Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
-    Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.", numerics: numerics::Numerics;
-    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::Thesis;
-    Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.", log: log::Log;
+    Run, run::RunTab, "tab-run", "1", "One impact: variables, charts, runs.";
+    Explore, explore::ExploreTab, "tab-explore", "2", "Curves or a map of a quantity over one variable or two.", explore: explore::state::Sweeping;
+    Limit, limit::LimitTab, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
+    Search, search::SearchTab, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
+    Numerics, numerics::NumericsTab, "tab-numerics", "5", "Accuracy and stability of the methods.", numerics: numerics::Numerics;
+    Thesis, thesis::ThesisTab, "tab-thesis", "6", "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::Thesis;
+    Log, log::LogTab, "tab-log", "7", "Warnings, events, energy, cost and messages.", log: log::Log;
 }
 
 impl Default for Tab {
