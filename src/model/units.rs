@@ -26,7 +26,6 @@ pub enum Quantity {
     Pressure,
     Time,
     Force,
-    Energy,
     SpecificEnergy,
     Stiffness,
     Damping,
@@ -50,7 +49,6 @@ impl Quantity {
             Self::Pressure => ("Pa", table::PRESSURE_UNITS, "151.6 MPa"),
             Self::Time => ("s", table::TIME_UNITS, "150 us"),
             Self::Force => ("N", table::FORCE_UNITS, "19kN"),
-            Self::Energy => ("J", table::ENERGY_UNITS, "150J"),
             Self::SpecificEnergy => ("J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
             Self::Stiffness => ("N/m", table::STIFFNESS_UNITS, "7.5MN/m"),
             Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
@@ -468,7 +466,6 @@ mod tests {
             ("1 lbf/in", Quantity::Stiffness, lbf / 0.0254),
             ("570lbf/in", Quantity::SpringCoefficient, 570.0 * lbf / 0.0254),
             ("1 lbf s/in", Quantity::Damping, lbf / 0.0254),
-            ("1 ft lbf", Quantity::Energy, lbf * 0.3048),
             ("0.098 lb/in3", Quantity::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
             ("20 J/g", Quantity::SpecificEnergy, 20_000.0),
             // One kilobar is 100 MPa, one N/mm2 is 1 MPa, and a turn is 2 pi rad or 360 deg.

@@ -4,8 +4,6 @@
 //! found by [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so
 //! it costs sweeps and searches nothing.
 
-pub mod numerical;
-
 use std::fmt;
 
 use crate::model::design::Rod;

@@ -93,13 +93,6 @@ pub(super) const TIME_UNITS: &[Unit] = &[
 ];
 pub(super) const FORCE_UNITS: &[Unit] =
     &[of("N", 1.0), of("kN", 1e3), of("MN", 1e6), ratio("lbf", LBF, LBF_OVER)];
-pub(super) const ENERGY_UNITS: &[Unit] = &[
-    of("J", 1.0),
-    ratio("mJ", 1.0, 1e3),
-    of("kJ", 1e3),
-    of("MJ", 1e6),
-    ratio("ft lbf", LBF * 0.3048, LBF_OVER),
-];
 pub(super) const STIFFNESS_UNITS: &[Unit] = &[
     of("N/m", 1.0),
     of("kN/m", 1e3),

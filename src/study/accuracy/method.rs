@@ -30,15 +30,6 @@ pub enum Knob {
 }
 
 impl Knob {
-    /// The column it is listed in: what it is.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::None => "",
-            Self::Step(_) => "dt",
-            Self::Tolerance(_) => "tol",
-        }
-    }
-
     /// Its value, if it has one.
     pub fn value(self) -> Option<f64> {
         match self {
