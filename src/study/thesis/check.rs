@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashMap};
 use crate::model::scene::Scene;
 use crate::model::variables::VARIABLES;
 use crate::study::thesis::claim::{CURVE, Claim};
-use crate::study::thesis::expression::{Evaluated, Query, Reader};
+use crate::study::thesis::expression::{Evaluated, Reader};
 use crate::study::thesis::runs::{Algorithm, Runs};
 use crate::study::thesis::text::{ends, filled};
 use crate::study::thesis::value::Value;
@@ -67,30 +67,27 @@ impl Evaluation<'_> {
 
     /// The ends of the claim's curve by both methods, with what its scene has of its own, and where the verdicts differ.
     fn trend(&self) -> Evaluated<(String, String)> {
-        let text = self.claim.trend.unwrap_or_default();
-        let query = Reader::new(self, text, Algorithm::Sound)?.only_query()?;
-        let Some((query, (_, condition))) = query.zip(self.claim.conditions().next()) else {
-            return Err("a trend is a quantity along a variable, with a condition".to_owned());
-        };
         let by = |method| {
-            let Value::Curve(curve) = self.named(CURVE, method)? else {
-                return Err("a trend is one curve".to_owned());
+            let Some((_, condition)) = self.claim.conditions().next() else {
+                return Err("a trend has a condition".to_owned());
             };
-            Ok((ends(&curve), self.value(condition, method)?.holds()?))
+            let Value::Curve(curve) = self.named(CURVE, method)? else {
+                return Err("a trend is one curve: a quantity along a variable".to_owned());
+            };
+            Ok((ends(&curve), self.value(condition, method)?.holds()?, curve.changes))
         };
-        let (sound, holds) = by(Algorithm::Sound)?;
-        let (printed, holds_too) = by(Algorithm::Printed)?;
+        let (sound, holds, changes) = by(Algorithm::Sound)?;
+        let (printed, holds_too, _) = by(Algorithm::Printed)?;
         let differs = match (holds_too, holds) {
             (true, false) => "; there it holds",
             (false, true) => "; there it fails",
             (true, true) | (false, false) => "",
         };
-        Ok((format!("{}{sound}", settings(&query)?), format!("{printed}{differs}")))
+        Ok((format!("{changes}{sound}"), format!("{printed}{differs}")))
     }
 
     fn value(&self, text: &str, method: Algorithm) -> Evaluated {
-        let value = Reader::new(self, text, method).and_then(Reader::value);
-        value.map_err(|problem| format!("`{text}`: {problem}"))
+        Reader::new(self, text, method).value().map_err(|problem| format!("`{text}`: {problem}"))
     }
 
     /// A value of the claim, which is computed once for a method.
@@ -110,17 +107,16 @@ impl Evaluation<'_> {
     }
 }
 
-/// How a curve's scene differs from the one of chapter 9's figures: `d = 0.25 m: `.
-fn settings(query: &Query) -> Evaluated<String> {
+/// How the scene of a curve differs from the one of chapter 9's figures: `d = 0.25 m: `.
+pub(super) fn changes(scene: &Scene) -> String {
     let base = Scene::default();
-    let scene = query.scene()?;
     let own: Vec<String> = VARIABLES
         .iter()
-        .filter(|it| it.value(&scene) != it.value(&base))
-        .map(|it| format!("{} = {} {}", it.symbol, it.show(&scene), it.unit()))
+        .filter(|it| it.value(scene) != it.value(&base))
+        .map(|it| format!("{} = {} {}", it.symbol, it.show(scene), it.unit()))
         .map(|text| text.trim_end().to_owned())
         .collect();
-    Ok(if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) })
+    if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) }
 }
 
 #[cfg(test)]
@@ -170,6 +166,7 @@ mod tests {
             ("100 * a | spaced %", "100.0 % 200.0 % 300.0 %"),
             ("a / 1e3 | mm", "1.0000 mm, 2.0000 mm, 3.0000 mm"),
             ("1500 | N", "1.500 kN"),
+            ("1e-3-2", "-1.999"),
         ] {
             assert_eq!(value(expression), expected, "{expression}");
         }
@@ -206,8 +203,9 @@ mod tests {
             ("depth(x=1..2)", "`:` is expected"),
             ("a[1.5]", "a whole number"),
             ("1 2", "not expected after"),
-            ("(1", "missing at the end"),
-            ("1 +", "missing at the end"),
+            ("1 ? 2", "not expected after"),
+            ("(1", "`)` is expected"),
+            ("1 +", "a value is expected"),
         ] {
             let text = format!("{{{wrong}}}");
             let values = ("values.b", "c");

@@ -4,23 +4,16 @@
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Variable};
-use crate::study::thesis::check::Evaluation;
+use crate::study::thesis::check::{Evaluation, changes};
 use crate::study::thesis::functions::FUNCTIONS;
 use crate::study::thesis::quantities::Quantity;
-use crate::study::thesis::runs::{Algorithm, Runs};
+use crate::study::thesis::runs::Algorithm;
 use crate::study::thesis::value::{Curve, Value, join};
 
 /// A value, or what is wrong with the expression.
 pub(super) type Evaluated<T = Value> = Result<T, String>;
 
-/// A quantity of one or more scenes, with variables changed.
-pub(super) struct Query {
-    quantity: Quantity,
-    scenes: Vec<Scene>,
-    /// Those with a list come before the one that makes a curve.
-    settings: Vec<Setting>,
-}
-
+/// A variable that a query changes.
 struct Setting {
     /// Which; `None` is the displacement that some quantities depend on.
     variable: Option<&'static Variable>,
@@ -45,154 +38,97 @@ struct Case {
 impl Case {
     fn with(&self, setting: &Setting, value: &Value) -> Evaluated<Self> {
         let mut own = self.clone();
-        match setting.variable {
-            Some(variable) => set(&mut own.scene, variable, value)?,
-            None => own.x_m = value.number()?,
-        }
+        let Some(variable) = setting.variable else {
+            own.x_m = value.number()?;
+            return Ok(own);
+        };
+        let value = match value {
+            Value::Text(word) => variable.parse(&own.scene, word, Bare::Si),
+            other => Ok(variables::Value::Number(other.number()?)),
+        };
+        let set = value.and_then(|value| variable.set(&mut own.scene, value));
+        set.map_err(|error| error.to_string())?;
         Ok(own)
     }
 }
 
-fn set(scene: &mut Scene, variable: &Variable, value: &Value) -> Evaluated<()> {
-    let value = match value {
-        Value::Text(word) => variable.parse(scene, word, Bare::Si),
-        other => Ok(variables::Value::Number(other.number()?)),
-    };
-    let set = value.and_then(|value| variable.set(scene, value));
-    set.map_err(|error| error.to_string())
-}
-
-impl Query {
-    fn value(&self, runs: &Runs<'_>, method: Algorithm) -> Evaluated {
-        let of = |scene: &Scene| {
-            let case = Case { scene: scene.clone(), x_m: f64::NAN };
-            self.along(&case, &self.settings, &|case| {
-                self.quantity.of(runs, method, &case.scene, case.x_m)
-            })
-        };
-        match self.scenes.as_slice() {
-            [scene] => of(scene),
-            scenes => Ok(Value::List(scenes.iter().map(of).collect::<Evaluated<_>>()?)),
-        }
-    }
-
-    /// The values of a query for the settings that are not yet made, a value for each combination.
-    fn along(&self, case: &Case, settings: &[Setting], of: &dyn Fn(&Case) -> Value) -> Evaluated {
-        let Some((setting, rest)) = settings.split_first() else { return Ok(of(case)) };
-        let with = |value: &Value| self.along(&case.with(setting, value)?, rest, of);
-        match &setting.values {
-            Values::Of(Value::List(list)) => {
-                Ok(Value::flat(list.iter().map(with).collect::<Evaluated<_>>()?))
-            }
-            Values::Of(value) => with(value),
-            Values::Range { from, to, count } => {
-                let mut points = Vec::new();
-                for i in 0..*count {
-                    let place = from + (to - from) * i as f64 / (count - 1) as f64;
-                    let value = with(&Value::Number(place))?.number()?;
-                    if value.is_finite() {
-                        points.push((place, value));
-                    }
-                }
-                let along = setting.variable.map_or("x", |it| it.symbol);
-                Ok(Value::Curve(Curve { points, along, unit: self.quantity.unit() }))
-            }
-        }
-    }
-
-    /// Its first scene with the variables that have one value.
-    pub(super) fn scene(&self) -> Evaluated<Scene> {
-        let mut scene = self.scenes[0].clone();
-        for setting in &self.settings {
-            if let (Values::Of(value), Some(variable)) = (&setting.values, setting.variable) {
-                set(&mut scene, variable, value)?;
-            }
-        }
-        Ok(scene)
-    }
-}
-
-/// The operators, what binds weakest first.
+/// The operators, what binds weakest first; longer ones before those they begin with.
 const LEVELS: [&[&str]; 5] =
     [&["or"], &["and"], &["==", "!=", "<=", ">=", "<", ">"], &["+", "-"], &["*", "/"]];
 
 /// The level that `not` stands before.
 const COMPARISONS: usize = 2;
 
-/// Longer ones before those they begin with.
-const SYMBOLS: [&str; 19] = [
-    "..", "==", "!=", "<=", ">=", "<", ">", "=", "+", "-", "*", "/", "^", "(", ")", "[", "]", ",",
-    ":",
-];
-
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Number(f64),
-    Word(String),
-    Text(String),
-    Symbol(&'static str),
-}
-
 /// Reads and computes one expression.
 pub(super) struct Reader<'a> {
     evaluation: &'a Evaluation<'a>,
     method: Algorithm,
-    tokens: Vec<Token>,
-    at: usize,
+    /// What is not read yet, without blanks before it.
+    rest: &'a str,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(
-        evaluation: &'a Evaluation<'a>,
-        text: &str,
-        method: Algorithm,
-    ) -> Evaluated<Self> {
-        Ok(Self { evaluation, method, tokens: tokens(text)?, at: 0 })
+    pub(super) fn new(evaluation: &'a Evaluation<'a>, text: &'a str, method: Algorithm) -> Self {
+        Self { evaluation, method, rest: text.trim_start() }
     }
 
     /// The value of the whole expression.
     pub(super) fn value(mut self) -> Evaluated {
         let value = self.level(0)?;
-        match self.tokens.get(self.at) {
-            None => Ok(value),
-            Some(token) => Err(format!("{token:?} is not expected after an expression")),
+        if self.rest.is_empty() {
+            return Ok(value);
         }
+        Err(format!("`{}` is not expected after an expression", self.rest))
     }
 
-    /// The query that the expression is; `None` where it is something else.
-    pub(super) fn only_query(mut self) -> Evaluated<Option<Query>> {
-        let Some(Token::Word(name)) = self.next() else { return Ok(None) };
-        match Quantity::find(&name) {
-            Some(quantity) if self.take("(") => self.query(&name, quantity).map(Some),
-            Some(_) | None => Ok(None),
-        }
-    }
-
-    fn next(&mut self) -> Option<Token> {
-        let next = self.tokens.get(self.at).cloned();
-        self.at += 1;
-        next
-    }
-
+    /// Takes an operator, a bracket or a whole word, if it stands next.
     fn take(&mut self, symbol: &str) -> bool {
-        let is_next = match self.tokens.get(self.at) {
-            Some(Token::Symbol(own)) => *own == symbol,
-            Some(Token::Word(own)) => own == symbol,
-            Some(Token::Number(_) | Token::Text(_)) | None => false,
-        };
-        self.at += usize::from(is_next);
-        is_next
+        let is_whole =
+            |rest: &&str| !(symbol.ends_with(is_of_word) && rest.starts_with(is_of_word));
+        let after = self.rest.strip_prefix(symbol).filter(is_whole);
+        self.rest = after.map_or(self.rest, str::trim_start);
+        after.is_some()
     }
 
     fn expect(&mut self, symbol: &str) -> Evaluated<()> {
         if self.take(symbol) {
             return Ok(());
         }
-        let found = self.tokens.get(self.at);
-        Err(found.map_or_else(
-            || format!("`{symbol}` is missing at the end"),
-            |token| format!("`{symbol}` is expected before {token:?}"),
-        ))
+        Err(format!("`{symbol}` is expected before `{}`", self.rest))
+    }
+
+    fn word(&mut self) -> Option<&'a str> {
+        let (word, rest) =
+            self.rest.split_at(self.rest.find(|c| !is_of_word(c)).unwrap_or(self.rest.len()));
+        word.starts_with(char::is_alphabetic).then(|| {
+            self.rest = rest.trim_start();
+            word
+        })
+    }
+
+    /// The longest number that stands next; two dots are those of a range.
+    fn number(&mut self) -> Option<f64> {
+        let before = self
+            .rest
+            .split("..")
+            .next()
+            .filter(|it| it.starts_with(|c: char| c.is_ascii_digit()))?;
+        let read = |length: usize| Some((before.get(..length)?.parse().ok()?, length));
+        let (number, length) = (1..=before.len()).rev().find_map(read)?;
+        self.rest = self.rest[length..].trim_start();
+        Some(number)
+    }
+
+    fn whole_number(&mut self) -> Evaluated<usize> {
+        let own = self.rest;
+        let number = self.number().and_then(|number| number.to_string().parse().ok());
+        number.ok_or_else(|| format!("a whole number is expected before `{own}`"))
+    }
+
+    fn text(&mut self) -> Option<&'a str> {
+        let (text, rest) = self.rest.strip_prefix('\'')?.split_once('\'')?;
+        self.rest = rest.trim_start();
+        Some(text)
     }
 
     fn level(&mut self, level: usize) -> Evaluated {
@@ -222,32 +158,26 @@ impl<'a> Reader<'a> {
         join("^", base, self.power()?)
     }
 
-    fn whole_number(&mut self) -> Evaluated<usize> {
-        let next = self.next();
-        match next {
-            Some(Token::Number(number)) => number.to_string().parse().ok(),
-            Some(Token::Word(_) | Token::Text(_) | Token::Symbol(_)) | None => None,
-        }
-        .ok_or_else(|| format!("a whole number is expected, not {next:?}"))
-    }
-
     fn atom(&mut self) -> Evaluated {
-        let Some(token) = self.next() else {
-            return Err("a value is missing at the end".to_owned());
-        };
-        match token {
-            Token::Number(number) => Ok(Value::Number(number)),
-            Token::Text(text) => Ok(Value::Text(text)),
-            Token::Symbol("(") => {
-                let inner = self.level(0)?;
-                self.expect(")")?;
-                Ok(inner)
-            }
-            Token::Symbol("[") => Ok(Value::List(self.until("]", |own| own.level(0))?)),
-            Token::Symbol(symbol) => Err(format!("`{symbol}` is not the beginning of a value")),
-            Token::Word(name) if self.take("(") => self.call(&name),
-            Token::Word(name) if name == "pi" => Ok(Value::Number(std::f64::consts::PI)),
-            Token::Word(name) => self.evaluation.named(&name, self.method),
+        if let Some(number) = self.number() {
+            return Ok(Value::Number(number));
+        }
+        if let Some(text) = self.text() {
+            return Ok(Value::Text(text.to_owned()));
+        }
+        if self.take("[") {
+            return Ok(Value::List(self.until("]", |own| own.level(0))?));
+        }
+        if self.take("(") {
+            let inner = self.level(0)?;
+            self.expect(")")?;
+            return Ok(inner);
+        }
+        match self.word() {
+            Some(name) if self.take("(") => self.call(name),
+            Some("pi") => Ok(Value::Number(std::f64::consts::PI)),
+            Some(name) => self.evaluation.named(name, self.method),
+            None => Err(format!("a value is expected before `{}`", self.rest)),
         }
     }
 
@@ -277,7 +207,7 @@ impl<'a> Reader<'a> {
             return Ok(inner);
         }
         if let Some(quantity) = Quantity::find(name) {
-            return self.query(name, quantity)?.value(self.evaluation.runs, self.method);
+            return self.query(name, quantity);
         }
         let Some(function) = FUNCTIONS.iter().find(|it| it.name == name) else {
             return Err(format!(
@@ -292,29 +222,34 @@ impl<'a> Reader<'a> {
         function.of(&arguments)
     }
 
-    fn query(&mut self, own_name: &str, quantity: Quantity) -> Evaluated<Query> {
-        let mut query = Query { quantity, scenes: Vec::new(), settings: Vec::new() };
+    /// A quantity of one or more scenes, with variables changed.
+    fn query(&mut self, own_name: &str, quantity: Quantity) -> Evaluated {
+        let (mut scenes, mut settings) = (Vec::new(), Vec::new());
         self.until(")", |own| {
-            let Some(Token::Word(name)) = own.tokens.get(own.at).cloned() else {
-                return Err(format!("`{own_name}` takes scenes and NAME=VALUE"));
-            };
-            own.at += 1;
+            let name = own.word();
+            let name = name.ok_or_else(|| format!("`{own_name}` takes scenes and NAME=VALUE"))?;
             if own.take("=") {
-                query.settings.push(own.setting(&name)?);
+                settings.push(own.setting(name)?);
                 return Ok(());
             }
-            let Some(scene) = own.evaluation.scenes.get(&name) else {
-                let known: Vec<&str> = own.evaluation.scenes.keys().map(String::as_str).collect();
-                return Err(format!("`{name}` is no scene: take one of {}", known.join(", ")));
-            };
-            query.scenes.push(scene.clone());
+            let known = own.evaluation.scenes;
+            scenes.push(known.get(name).ok_or_else(|| {
+                let known: Vec<&str> = known.keys().map(String::as_str).collect();
+                format!("`{name}` is no scene: take one of {}", known.join(", "))
+            })?);
             Ok(())
         })?;
-        query.settings.sort_by_key(|it| matches!(it.values, Values::Range { .. }));
-        if query.scenes.is_empty() {
-            query.scenes.push(Scene::default());
+        // Lists come before the range that makes a curve.
+        settings.sort_by_key(|it| matches!(it.values, Values::Range { .. }));
+        let of = |scene: &Scene| {
+            let case = Case { scene: scene.clone(), x_m: f64::NAN };
+            self.along(&case, &settings, quantity)
+        };
+        match scenes.as_slice() {
+            [] => of(&Scene::default()),
+            [scene] => of(scene),
+            scenes => Ok(Value::List(scenes.iter().map(|it| of(it)).collect::<Evaluated<_>>()?)),
         }
-        Ok(query)
     }
 
     fn setting(&mut self, name: &str) -> Evaluated<Setting> {
@@ -332,71 +267,35 @@ impl<'a> Reader<'a> {
         };
         Ok(Setting { variable, values })
     }
-}
 
-fn tokens(text: &str) -> Evaluated<Vec<Token>> {
-    let mut all = Vec::new();
-    let mut rest = text.trim_start();
-    while let Some(first) = rest.chars().next() {
-        let length = if first.is_ascii_digit() {
-            let length = number_length(rest);
-            let number = rest[..length].parse();
-            all.push(Token::Number(
-                number.map_err(|error| format!("`{}`: {error}", &rest[..length]))?,
-            ));
-            length
-        } else if first.is_alphabetic() {
-            let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
-            let word = &rest[..end.unwrap_or(rest.len())];
-            all.push(Token::Word(word.to_owned()));
-            word.len()
-        } else if first == '\'' {
-            let inner = rest[1..].split('\'').next().unwrap_or_default();
-            all.push(Token::Text(inner.to_owned()));
-            inner.len() + 2
-        } else if let Some(symbol) = SYMBOLS.iter().find(|symbol| rest.starts_with(**symbol)) {
-            all.push(Token::Symbol(symbol));
-            symbol.len()
-        } else {
-            return Err(format!("`{text}`: `{first}` means nothing here"));
+    /// The values of a quantity for the settings that are not yet made, a value for each combination.
+    fn along(&self, case: &Case, settings: &[Setting], quantity: Quantity) -> Evaluated {
+        let Some((setting, rest)) = settings.split_first() else {
+            return Ok(quantity.of(self.evaluation.runs, self.method, &case.scene, case.x_m));
         };
-        rest = rest.get(length..).unwrap_or_default().trim_start();
+        let with = |value: &Value| self.along(&case.with(setting, value)?, rest, quantity);
+        match &setting.values {
+            Values::Of(Value::List(list)) => {
+                Ok(Value::flat(list.iter().map(with).collect::<Evaluated<_>>()?))
+            }
+            Values::Of(value) => with(value),
+            Values::Range { from, to, count } => {
+                let mut points = Vec::new();
+                for i in 0..*count {
+                    let place = from + (to - from) * i as f64 / (count - 1) as f64;
+                    let value = with(&Value::Number(place))?.number()?;
+                    if value.is_finite() {
+                        points.push((place, value));
+                    }
+                }
+                let along = setting.variable.map_or("x", |it| it.symbol);
+                let (unit, changes) = (quantity.unit(), changes(&case.scene));
+                Ok(Value::Curve(Curve { points, along, unit, changes }))
+            }
+        }
     }
-    Ok(all)
 }
 
-/// How long the number is that a text begins with; two dots end it.
-fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let digits = |from: usize| bytes[from..].iter().take_while(|it| it.is_ascii_digit()).count();
-    let mut end = digits(0);
-    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1).is_some_and(u8::is_ascii_digit) {
-        end += 1 + digits(end + 1);
-    }
-    if bytes.get(end) == Some(&b'e') {
-        let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
-        end += 1 + sign + digits(end + 1 + sign);
-    }
-    end
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_end_before_the_dots_of_a_range() {
-        let found = tokens("0..7.5e6:26 -1e-3").unwrap();
-        let expected = [
-            Token::Number(0.0),
-            Token::Symbol(".."),
-            Token::Number(7.5e6),
-            Token::Symbol(":"),
-            Token::Number(26.0),
-            Token::Symbol("-"),
-            Token::Number(1e-3),
-        ];
-        assert_eq!(found, expected);
-        assert!(tokens("1 ? 2").is_err());
-    }
+fn is_of_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
 }

@@ -25,24 +25,21 @@ pub(super) struct Function {
 #[derive(Clone, Copy, Debug)]
 enum Apply {
     /// Numbers; lists are gone through.
-    Numbers(fn(&[f64]) -> f64),
-    /// Numbers, for a condition; lists are gone through.
-    Test(fn(&[f64]) -> bool),
+    Numbers(fn(&[f64]) -> Value),
     /// The points of a curve or of a list, and numbers; lists of curves are gone through.
-    Points(fn(&[Point], &[f64]) -> f64),
-    /// The same, for a condition.
-    Property(fn(&[Point]) -> bool),
+    Points(fn(&[Point], &[f64]) -> Value),
     /// The arguments as they are.
     Whole(fn(&[Value]) -> Result<Value, String>),
 }
 
-use Apply::{Numbers, Points, Property, Test, Whole};
-
 /// A row for each function: the kind of its arguments, its name, how many it takes, and what it does.
 macro_rules! functions {
-    ($($kind:ident $name:literal $arguments:literal $it:expr;)*) => {
-        pub(super) static FUNCTIONS: &[Function] =
-            &[$(Function { name: $name, arguments: $arguments, apply: $kind($it) }),*];
+    ($($kind:ident $name:literal $arguments:literal |$($own:pat_param),+| $it:expr;)*) => {
+        pub(super) static FUNCTIONS: &[Function] = &[$(Function {
+            name: $name,
+            arguments: $arguments,
+            apply: Apply::$kind(|$($own),+| $it.into()),
+        }),*];
     };
 }
 
@@ -53,21 +50,19 @@ functions! {
     Numbers "exp" 1 |it| it[0].exp();
     Numbers "cos" 1 |it| it[0].cos();
     Numbers "acos" 1 |it| it[0].acos();
-    Test "finite" 1 |it| it[0].is_finite();
+    Numbers "finite" 1 |it| it[0].is_finite();
     // A value, the stated one, and their greatest relative distance.
-    Test "near" 3 |it| (it[0] / it[1] - 1.0).abs() <= it[2];
+    Numbers "near" 3 |it| (it[0] / it[1] - 1.0).abs() <= it[2];
     // A condition, and the values where it holds and where it does not.
     Whole "choose" 3 |it| Ok(it[if it[0].holds()? { 1 } else { 2 }].clone());
     // The first of a list for which a condition holds.
-    Whole "where" 2 first_where;
+    Whole "where" 2 |it| first_where(it);
     // Every product of a value of one list and one of another.
-    Whole "outer" 2 outer;
+    Whole "outer" 2 |it| outer(it);
     Points "length" 1 |points, _| points.len() as f64;
     // Of conditions: how many hold.
-    Points "sum" 1 |points, _| points.iter().map(|it| it.1).sum();
-    Points "mean" 1 |points, _| {
-        points.iter().map(|it| it.1).sum::<f64>() / points.len() as f64
-    };
+    Points "sum" 1 |points, _| points.iter().map(|it| it.1).sum::<f64>();
+    Points "mean" 1 |points, _| points.iter().map(|it| it.1).sum::<f64>() / points.len() as f64;
     Points "max" 1 |points, _| greatest(points);
     Points "min" 1 |points, _| least(points);
     // Where a curve is greatest.
@@ -93,9 +88,9 @@ functions! {
     Points "first_below" 2 |points, numbers| {
         points.iter().find(|it| it.1 <= numbers[0]).map_or(f64::NAN, |it| it.0)
     };
-    Property "rises" 1 rises;
-    Property "falls" 1 falls;
-    Property "flattens" 1 flattens;
+    Points "rises" 1 |points, _| rises(points);
+    Points "falls" 1 |points, _| falls(points);
+    Points "flattens" 1 |points, _| flattens(points);
     // Velocities after an elastic collision at 100 m/s with a plate of some masses of the projectile.
     Numbers "elastic_projectile" 1 |it| design::elastic(1.0, 100.0, it[0], 0.0)[0];
     Numbers "elastic_plate" 1 |it| design::elastic(1.0, 100.0, it[0], 0.0)[1];
@@ -141,7 +136,7 @@ functions! {
     // The concepts' names, the first rank first.
     Whole "screening_order" 1 |it| {
         let places = ranking(&weights(&it[0])?);
-        let names = places.iter().map(|place| Value::Text(CONCEPTS[place.concept].name.to_owned()));
+        let names = places.iter().map(|place| Value::from(CONCEPTS[place.concept].name));
         Ok(Value::List(names.collect()))
     };
     // The concepts with a percentage each, the least first.
@@ -151,7 +146,7 @@ functions! {
         let order = sorted_by(values.collect(), |own: &(f64, &str)| own.0);
         let shown: Vec<String> =
             order.iter().map(|(value, name)| format!("{name} {}", text::percent(*value))).collect();
-        Ok(Value::Text(shown.join(", ")))
+        Ok(shown.join(", ").as_str().into())
     };
 }
 
@@ -159,13 +154,9 @@ impl Function {
     /// Its value for these arguments.
     pub(super) fn of(&self, arguments: &[Value]) -> Result<Value, String> {
         let value = match self.apply {
-            Numbers(it) => through_lists(arguments, &|own| Ok(Value::Number(it(&numbers(own)?)))),
-            Test(it) => through_lists(arguments, &|own| Ok(Value::Truth(it(&numbers(own)?)))),
-            Points(it) => {
-                through_curves(arguments, &|points, rest| Value::Number(it(points, rest)))
-            }
-            Property(it) => through_curves(arguments, &|points, _| Value::Truth(it(points))),
-            Whole(it) => it(arguments),
+            Apply::Numbers(it) => through_lists(arguments, &|own| Ok(it(&numbers(own)?))),
+            Apply::Points(it) => through_curves(arguments, it),
+            Apply::Whole(it) => it(arguments),
         };
         value.map_err(|error| format!("{}: {error}", self.name))
     }
@@ -178,7 +169,7 @@ fn numbers(values: &[Value]) -> Result<Vec<f64>, String> {
 /// Calls a function of points for a curve or a list, or for each curve of a list of curves.
 fn through_curves(
     arguments: &[Value],
-    each: &dyn Fn(&[Point], &[f64]) -> Value,
+    each: fn(&[Point], &[f64]) -> Value,
 ) -> Result<Value, String> {
     let (series, rest) = arguments.split_first().ok_or("a curve is missing")?;
     if let (true, Value::List(list)) = (series.is_nested(), series) {
@@ -192,7 +183,7 @@ fn through_curves(
 fn first_where(arguments: &[Value]) -> Result<Value, String> {
     let (values, holds) = (arguments[0].points()?, arguments[1].points()?);
     let found = values.iter().zip(&holds).find(|(_, holds)| holds.1 > 0.0);
-    Ok(Value::optional(found.map(|(value, _)| value.1)))
+    Ok(found.map(|(value, _)| value.1).into())
 }
 
 fn outer(arguments: &[Value]) -> Result<Value, String> {

@@ -31,72 +31,67 @@ pub(super) struct Own {
 
 #[derive(Clone, Copy)]
 enum Get {
-    /// A run without its series; `None` is not a number.
-    Run(fn(&Run) -> Option<f64>),
-    /// The word for the outcome of a run.
-    Word(fn(&Run) -> &'static str),
+    /// A run without its series.
+    Run(fn(&Run) -> Value),
     Series(fn(&Run) -> Value),
     /// The scene alone, and a displacement, m.
-    Scene(fn(&Scene, f64) -> f64),
+    Scene(fn(&Scene, f64) -> Value),
     Several(fn(&Runs<'_>, Algorithm, &Scene) -> Value),
 }
 
 /// A row for each quantity: what it is of, its name, its unit, and how it is computed.
 macro_rules! quantities {
-    ($($of:ident $name:literal $unit:literal $get:expr;)*) => {
+    ($($of:ident $name:literal $unit:literal |$($own:pat_param),+| $get:expr;)*) => {
         /// The quantities of this study; SI units but for `percent` and `travel`.
-        static OWN: &[Own] = &[$(Own { name: $name, unit: $unit, get: Get::$of($get) }),*];
+        static OWN: &[Own] =
+            &[$(Own { name: $name, unit: $unit, get: Get::$of(|$($own),+| $get.into()) }),*];
     };
 }
 
 quantities! {
     // Depth at the first arrest; infinite for a perforation.
-    Several "depth" "m" |runs, method, scene| Value::Number(runs.depth_m(method, scene));
+    Several "depth" "m" |runs, method, scene| runs.depth_m(method, scene);
     // The same over that of the shot on a rigid mount.
-    Several "percent" "%" |runs, method, scene| Value::Number(runs.percent(method, scene));
+    Several "percent" "%" |runs, method, scene| runs.percent(method, scene);
     // The plate's greatest displacement, mm; infinite where nothing stops the plate.
-    Run "travel" "mm" |run| {
-        Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))
-    };
+    Run "travel" "mm" |run| run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x);
     // When the projectile is at rest: with the plate at its greatest displacement, or where nothing moves at the arrest.
     Run "rest_time" "s" |run| {
         let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
         turn.map(|it| it.t_s).or_else(|| run.first_arrest.map(|it| it.t_s))
     };
-    Word "outcome" "-" |run| run.outcome.word();
-    Word "end_reason" "-" |run| run.end.words();
+    Run "outcome" "-" |run| run.outcome.word();
+    Run "end_reason" "-" |run| run.end.words();
     // Velocities behind the plates of a stack.
     Series "arriving" "m/s" |run| {
         let behind = run.stack.iter().flat_map(|stack| &stack.behind);
         Value::numbers(behind.map(|run| run.scene.projectile.velocity_m_s))
     };
-    Series "start_velocity" "m/s" |run| {
-        Value::optional(run.series.first().map(|row| row.plate_velocity_m_s))
-    };
+    Series "start_velocity" "m/s" |run| run.series.first().map(|row| row.plate_velocity_m_s);
     // Millimetres; not of a plate that is perforated.
-    Series "displacement_at_end" "mm" series::displacement_at_end_mm;
-    Series "last_force" "N" series::last_force;
+    Series "displacement_at_end" "mm" |run| series::displacement_at_end_mm(run);
+    Series "last_force" "N" |run| series::last_force(run);
     Series "greatest_spring_force" "N" |run| {
-        Value::Number(run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger))
+        run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger)
     };
     // What the projectile loses, and its force summed over time, N s.
-    Series "momentum" "N s" series::momentum;
-    Series "impulse" "N s" series::impulse;
+    Series "momentum" "N s" |run| series::momentum(run);
+    Series "impulse" "N s" |run| series::impulse(run);
     // m dv/dt over the force, early in the contact.
-    Series "acceleration_ratio" "-" series::acceleration_ratio;
+    Series "acceleration_ratio" "-" |run| series::acceleration_ratio(run);
     // The greatest distance of the force history from a half-sine of its peak and duration, over the peak.
-    Series "off_half_sine" "-" series::off_half_sine;
-    Series "velocities_after_contact" "m/s" series::velocities_after_contact;
-    Series "velocity_at_neutral" "m/s" series::velocity_at_neutral;
+    Series "off_half_sine" "-" |run| series::off_half_sine(run);
+    Series "velocities_after_contact" "m/s" |run| series::velocities_after_contact(run);
+    Series "velocity_at_neutral" "m/s" |run| series::velocity_at_neutral(run);
     // Of projectile and plate, N s.
-    Series "momentum_at_arrest" "N s" series::momentum_at_arrest;
-    Series "jump_after_contact" "m" series::jump_after_contact;
-    Series "turns_in_contact" "-" series::turns_in_contact;
-    Series "speed_in_contact" "m/s" series::speed_in_contact;
+    Series "momentum_at_arrest" "N s" |run| series::momentum_at_arrest(run);
+    Series "jump_after_contact" "m" |run| series::jump_after_contact(run);
+    Series "turns_in_contact" "-" |run| series::turns_in_contact(run);
+    Series "speed_in_contact" "m/s" |run| series::speed_in_contact(run);
     // Energy when the plate comes back through neutral, over that at the first turn.
-    Series "energy_after_return" "-" series::energy_after_return;
+    Series "energy_after_return" "-" |run| series::energy_after_return(run);
     // The ballistic limit in closed form, of a fixed plate or of a free one.
-    Scene "limit" "m/s" |scene, _| limit::closed_form(scene).unwrap_or(f64::NAN);
+    Scene "limit" "m/s" |scene, _| limit::closed_form(scene);
     Scene "flow_strength" "Pa" |scene, _| scene.flow_strength_pa();
     Scene "nose_pressure" "Pa" |scene, _| {
         let v = scene.projectile.velocity_m_s;
@@ -105,19 +100,17 @@ quantities! {
     Scene "spring_force" "N" |scene, x| spring(scene).force(x);
     Scene "spring_tangent" "N/m" |scene, x| spring(scene).tangent(x);
     Scene "spring_energy" "J" |scene, x| spring(scene).energy(x);
-    Scene "yield_displacement" "m" |scene, _| {
-        scene.mechanism.spring.yields_at_m().unwrap_or(f64::NAN)
-    };
+    Scene "yield_displacement" "m" |scene, _| scene.mechanism.spring.yields_at_m();
     // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
     Several "against_solid" "-" |_, _, scene| against_solid(scene);
     // Energy drawn into the spring for a fifth less depth than uncocked.
-    Several "energy_for_a_fifth" "J" energy_for_a_fifth_j;
+    Several "energy_for_a_fifth" "J" |runs, method, scene| energy_for_a_fifth_j(runs, method, scene);
     // The power law nearest to a spring's force up to where its plate goes: greatest distance over greatest force.
-    Several "distance_from_power_law" "-" distance_from_power_law;
+    Several "distance_from_power_law" "-" |runs, method, scene| distance_from_power_law(runs, method, scene);
     // The strength below which the plate is perforated.
-    Several "least_strength" "Pa" least_strength_pa;
+    Several "least_strength" "Pa" |runs, method, scene| least_strength_pa(runs, method, scene);
     // The greatest percentage of the baseline over a grid of Table 9.2.
-    Several "greatest_percent_of_table_9_2" "%" greatest_percent;
+    Several "greatest_percent_of_table_9_2" "%" |runs, method, scene| greatest_percent(runs, method, scene);
     // The relative velocity with which the listing ends the contact.
     Several "listing_overshoot" "m/s" |_, _, scene| listing_overshoot(scene);
 }
@@ -138,19 +131,16 @@ impl Quantity {
     /// Its value for a scene by a method, at a displacement where it depends on one.
     pub(super) fn of(self, runs: &Runs<'_>, method: Algorithm, scene: &Scene, x_m: f64) -> Value {
         let own = match self {
-            Self::Output(column) if column.needs_course(scene) => {
-                return Value::optional(column.value(&runs.run_with_series(method, scene)));
+            Self::Output(it) if it.needs_course(scene) => {
+                return it.value(&runs.run_with_series(method, scene)).into();
             }
-            Self::Output(column) => {
-                return Value::optional(column.value(&runs.run(method, scene)));
-            }
+            Self::Output(it) => return it.value(&runs.run(method, scene)).into(),
             Self::Own(own) => own,
         };
         match own.get {
-            Get::Run(get) => Value::optional(get(&runs.run(method, scene))),
-            Get::Word(get) => Value::Text(get(&runs.run(method, scene)).to_owned()),
+            Get::Run(get) => get(&runs.run(method, scene)),
             Get::Series(get) => get(&runs.run_with_series(method, scene)),
-            Get::Scene(get) => Value::Number(get(scene, x_m)),
+            Get::Scene(get) => get(scene, x_m),
             Get::Several(get) => get(runs, method, scene),
         }
     }
@@ -167,18 +157,18 @@ fn against_solid(scene: &Scene) -> Value {
     let report = report.as_ref();
     let efficiency = report.and_then(|report| report.of(Candidate::Scene)?.mass_efficiency());
     let depth = report.and_then(compare::Report::depth_over_solid);
-    Value::List(vec![Value::optional(depth), Value::optional(efficiency)])
+    Value::List(vec![depth.into(), efficiency.into()])
 }
 
-fn energy_for_a_fifth_j(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
+fn energy_for_a_fifth_j(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> f64 {
     let depth = |d: f64| runs.percent(method, &changed(scene, &[("d", d)]));
     let wanted = 0.8 * depth(0.0);
     let d = root::in_bracket(0.0, 0.5, |d| depth(d) - wanted);
-    Value::Number(spring(scene).energy(d))
+    spring(scene).energy(d)
 }
 
 /// n from 0.1 to 3 as in Table 9.2, c at its best.
-fn distance_from_power_law(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
+fn distance_from_power_law(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> f64 {
     let reach = runs.run(method, scene).max_plate_displacement_m.unwrap_or(f64::NAN);
     let spring = spring(scene);
     let points: Vec<(f64, f64)> = (1..=40)
@@ -197,20 +187,20 @@ fn distance_from_power_law(runs: &Runs<'_>, method: Algorithm, scene: &Scene) ->
             best = if worst < best { worst } else { best };
         }
     }
-    Value::Number(best)
+    best
 }
 
-fn least_strength_pa(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
+fn least_strength_pa(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> f64 {
     let (mut low, mut high) = (1e7, 2e8);
     for _ in 0..30 {
         let middle = 0.5 * (low + high);
         let run = runs.run(method, &changed(scene, &[("S_y", middle)]));
         if run.outcome == Outcome::Perforated { low = middle } else { high = middle }
     }
-    Value::Number(high)
+    high
 }
 
-fn greatest_percent(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value {
+fn greatest_percent(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> f64 {
     let mut greatest = 0.0;
     for gamma in [0.8, 2.0, 7.0] {
         for (k, n) in [(0.0, 1.0), (1e5, 0.5), (1e5, 3.0), (1e6, 1.0), (7.5e6, 1.0), (7.5e6, 0.3)] {
@@ -222,10 +212,10 @@ fn greatest_percent(runs: &Runs<'_>, method: Algorithm, scene: &Scene) -> Value 
             }
         }
     }
-    Value::Number(greatest)
+    greatest
 }
 
-fn listing_overshoot(scene: &Scene) -> Value {
+fn listing_overshoot(scene: &Scene) -> f64 {
     let scheme = Scheme::of(scene, scene.contact.appendix);
     let mut state = scheme.start();
     let mut steps = 0;
@@ -235,5 +225,5 @@ fn listing_overshoot(scene: &Scene) -> Value {
             break;
         }
     }
-    Value::Number(state.slip_m_s)
+    state.slip_m_s
 }

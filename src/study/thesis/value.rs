@@ -22,6 +22,8 @@ pub(super) struct Curve {
     pub along: &'static str,
     /// The unit of the quantity.
     pub unit: &'static str,
+    /// How its scene differs from the usual one, in words.
+    pub changes: String,
 }
 
 impl Value {
@@ -37,11 +39,6 @@ impl Value {
                 .flat_map(|it| if let Self::List(own) = it { own } else { vec![it] })
                 .collect(),
         )
-    }
-
-    /// A number that may not exist.
-    pub(super) fn optional(value: Option<f64>) -> Self {
-        Self::Number(value.unwrap_or(f64::NAN))
     }
 
     pub(super) fn number(&self) -> Result<f64, String> {
@@ -106,6 +103,30 @@ impl Value {
     }
 }
 
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<Option<f64>> for Value {
+    fn from(number: Option<f64>) -> Self {
+        Self::Number(number.unwrap_or(f64::NAN))
+    }
+}
+
+impl From<bool> for Value {
+    fn from(truth: bool) -> Self {
+        Self::Truth(truth)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
 /// Calls a function for each place of the lists among its arguments, which are of one length; the others go with every place.
 pub(super) fn through_lists(
     arguments: &[Value],
@@ -147,17 +168,17 @@ pub(super) fn join(operator: &str, left: Value, right: Value) -> Result<Value, S
 )]
 fn calculate(operator: &str, left: f64, right: f64) -> Result<Value, String> {
     Ok(match operator {
-        "+" => Value::Number(left + right),
-        "-" => Value::Number(left - right),
-        "*" => Value::Number(left * right),
-        "/" => Value::Number(left / right),
-        "^" => Value::Number(left.powf(right)),
-        "<" => Value::Truth(left < right),
-        "<=" => Value::Truth(left <= right),
-        ">" => Value::Truth(left > right),
-        ">=" => Value::Truth(left >= right),
-        "==" => Value::Truth(left == right),
-        "!=" => Value::Truth(left != right),
+        "+" => (left + right).into(),
+        "-" => (left - right).into(),
+        "*" => (left * right).into(),
+        "/" => (left / right).into(),
+        "^" => left.powf(right).into(),
+        "<" => (left < right).into(),
+        "<=" => (left <= right).into(),
+        ">" => (left > right).into(),
+        ">=" => (left >= right).into(),
+        "==" => (left == right).into(),
+        "!=" => (left != right).into(),
         other => return Err(format!("`{other}` is no operator")),
     })
 }
