@@ -6,6 +6,7 @@ pub mod state;
 
 use crate::report::{compare, limit};
 use crate::study::limit::Limit;
+use crate::study::sweep::Axis;
 use crate::tui::app::history::Stepping;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
@@ -74,21 +75,38 @@ impl Page for LimitTab {
             find(app);
         }
         let kept = &app.pages.limit.comparison;
-        let wanted = app.compared_scene();
-        if wanted.is_ok_and(|scene| !app.jobs.lacks::<EqualMass, _>(kept, &scene)) {
-            return;
+        let lacks = |scene: Scene| app.jobs.lacks::<EqualMass, _>(kept, &scene);
+        if app.compared_scene().map_or(true, lacks) {
+            compare(app);
         }
-        compare(app);
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
-        match (action, app.pane()) {
-            (Action::Run, RESIDUAL | SETUP) => find(app),
-            (Action::Run, _) => compare(app),
-            (_, COMPARISON) => return in_comparison(app, action),
-            (_, EFFICIENCY_MAP) => return in_map(app, action),
-            (_, SETUP) => return false,
-            _ => return in_curve(app, action),
+        match (app.pane(), action) {
+            (RESIDUAL | SETUP, A::Run) => find(app),
+            (_, A::Run) => compare(app),
+            (RESIDUAL, A::View) => {
+                app.pages.limit.sampled = !app.pages.limit.sampled;
+                find(app);
+            }
+            (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
+            (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
+            (RESIDUAL, A::LogX) => app.pages.limit.log.0 = !app.pages.limit.log.0,
+            (RESIDUAL, A::LogY) => app.pages.limit.log.1 = !app.pages.limit.log.1,
+            (RESIDUAL, A::Enter) => load_shot(app),
+            (RESIDUAL, _) => match along(action, FAR) {
+                Some(by) => app.pages.limit.move_cursor(by.into()),
+                None => return false,
+            },
+            (COMPARISON, A::View) => next_absorber(app),
+            (COMPARISON, A::Enter) => load_absorber(app),
+            (EFFICIENCY_MAP, A::Enter) => load_cell(app),
+            (EFFICIENCY_MAP, A::Mark) => runs::pin_design(app, app.efficiency_design()),
+            (EFFICIENCY_MAP, _) => match cursor_moved(action, FAR_CELLS) {
+                Some(by) => move_on_map(app, by),
+                None => return false,
+            },
+            _ => return false,
         }
         true
     }
@@ -117,9 +135,12 @@ impl Page for LimitTab {
             let first = comparing.unwrap_or_else(done).part();
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
-        let finding = progress::<LimitSearch, _>(app, &tab.report, &app.limit_scene(), |it| {
-            format!("finding the limit{}", it.counted("of about", " shots"))
-        });
+        let finding = progress::<LimitSearch, _>(
+            app,
+            &tab.report,
+            &app.limit_scene(&tab.report.scene),
+            |it| format!("finding the limit{}", it.counted("of about", " shots")),
+        );
         let finding = finding
             .unwrap_or_else(|| if tab.lacks_v50() { Progress::Old("setup") } else { done() });
         let mut parts = vec![finding.part()];
@@ -144,28 +165,30 @@ impl Page for LimitTab {
     }
 
     fn table(&self, app: &App) -> Option<PageTable> {
-        let stem = ask::base_stem(app);
-        if matches!(app.pane(), RESIDUAL | SETUP) {
-            let kept = &app.pages.limit.report;
-            let report = kept.found.as_ref().filter(|report| !report.shots.is_empty())?;
-            let (report, is_complete) = (Arc::clone(report), kept.is_complete);
-            let file = format!("{stem}-limit.csv");
-            let csv = move |name: &str| limit::shots(name, &report).csv();
-            let table = PageTable::new("Export the shots to CSV", file, is_complete, csv);
-            return Some(table.of(app, &kept.scene));
-        }
-        let kept = &app.pages.limit.comparison;
-        let found = Arc::clone(kept.found.as_ref()?);
-        if app.pane() == COMPARISON {
-            let (file, is_complete) = (format!("{stem}-compare.csv"), found.report.is_complete);
-            let csv = move |name: &str| compare::table(name, &found.report).csv();
-            let table = PageTable::new("Export the comparison to CSV", file, is_complete, csv);
-            return Some(table.of(app, &kept.scene));
-        }
-        let (map, file) = (found.map.clone()?, format!("{stem}-mass-efficiency.csv"));
-        let is_complete = map.is_complete();
-        let csv = move |name: &str| compare::map_table(name, &map).csv();
-        Some(PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene))
+        let (limit, comparison) = (&app.pages.limit.report, &app.pages.limit.comparison);
+        let file = |what: &str| format!("{}-{what}.csv", ask::base_stem(app));
+        let found = comparison.found.clone();
+        Some(match app.pane() {
+            RESIDUAL | SETUP => {
+                let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
+                let csv = move |name: &str| limit::shots(name, &report).csv();
+                let title = "Export the shots to CSV";
+                PageTable::new(title, file("limit"), limit.is_complete, csv).of(app, &limit.scene)
+            }
+            COMPARISON => {
+                let (found, title) = (found?, "Export the comparison to CSV");
+                let is_complete = found.report.is_complete;
+                let csv = move |name: &str| compare::table(name, &found.report).csv();
+                PageTable::new(title, file("compare"), is_complete, csv).of(app, &comparison.scene)
+            }
+            _ => {
+                let (map, title) = (found?.map.clone()?, "Export the map to CSV");
+                let is_complete = map.is_complete();
+                let csv = move |name: &str| compare::map_table(name, &map).csv();
+                let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
+                table.of(app, &comparison.scene)
+            }
+        })
     }
 
     fn form(&self, app: &App) -> Option<Form> {
@@ -249,25 +272,22 @@ impl Page for LimitTab {
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
-        let panes = panes(app, body);
-        if let Some(area) = panes.comparison {
-            comparison::render(app, area, canvas);
-        }
-        if let Some(area) = panes.residual {
-            state::render(app, area, canvas);
-        }
-        if let Some(area) = panes.map {
-            comparison::map(app, area, canvas);
-        }
-        if let Some(area) = panes.setup {
-            app.pages.limit.form().render(app, SETUP, area, canvas);
+        for spec in PANES {
+            let Some(area) = area(app, body, spec.pane) else { continue };
+            canvas.pane(area, spec.pane);
+            match spec.pane {
+                RESIDUAL => state::render(app, area, canvas),
+                COMPARISON => comparison::render(app, area, canvas),
+                SETUP => app.pages.limit.form().render(app, SETUP, area, canvas),
+                _ => comparison::map(app, area, canvas),
+            }
         }
     }
 }
 
 /// The lines of the comparison, and how many of them are shown at once.
 fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
-    let area = panes(app, app.layout().body?).comparison?;
+    let area = area(app, app.layout().body?, COMPARISON)?;
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     Some((lines, usize::from(area.height.saturating_sub(2))))
 }
@@ -275,25 +295,6 @@ fn comparison_text(app: &App) -> Option<(Vec<TextLine>, usize)> {
 /// Far along the curve, in shots, and over the map, in cells.
 const FAR: i16 = 5;
 const FAR_CELLS: i16 = 10;
-
-fn in_curve(app: &mut App, action: Action) -> bool {
-    match action {
-        Action::View => {
-            app.pages.limit.sampled = !app.pages.limit.sampled;
-            find(app);
-        }
-        Action::Down | Action::PageDown => turn(app, 1),
-        Action::Up | Action::PageUp => turn(app, -1),
-        Action::LogX => app.pages.limit.log.0 = !app.pages.limit.log.0,
-        Action::LogY => app.pages.limit.log.1 = !app.pages.limit.log.1,
-        Action::Enter => load_shot(app),
-        _ => match along(action, FAR) {
-            Some(by) => app.pages.limit.move_cursor(by.into()),
-            None => return false,
-        },
-    }
-    true
-}
 
 fn load_shot(app: &mut App) {
     if app.limit_is_old() {
@@ -308,52 +309,40 @@ fn load_shot(app: &mut App) {
     edit::load_design(app, Ok(LabelledScene { scene, label }));
 }
 
-fn in_comparison(app: &mut App, action: Action) -> bool {
-    match action {
-        Action::View => {
-            let names = app.absorbers().into_iter().map(|entry| entry.name.as_str());
-            let all: Vec<Option<&str>> = std::iter::once(None).chain(names.map(Some)).collect();
-            let now = app.absorber().map(|entry| entry.name.as_str());
-            app.pages.limit.absorber = around(&all, now, 1).map(str::to_owned);
-            compare(app);
-        }
-        Action::Enter => match (app.compared_scene(), app.absorber()) {
-            (_, None) => app.tell("the scene's own spring: <view> takes one of the library"),
-            (scene, Some(absorber)) => {
-                // The absorber stays chosen: the comparison is one of this scene, and of the one before when it is undone.
-                let label = format!("absorber {}", absorber.name);
-                edit::load_design(app, scene.map(|scene| LabelledScene { scene, label }));
-            }
-        },
-        _ => return false,
-    }
-    true
+/// Compare with the next absorber of the library, after the last one with the scene's own.
+fn next_absorber(app: &mut App) {
+    let names = app.absorbers().into_iter().map(|entry| entry.name.as_str());
+    let all: Vec<Option<&str>> = std::iter::once(None).chain(names.map(Some)).collect();
+    let now = app.absorber().map(|entry| entry.name.as_str());
+    app.pages.limit.absorber = around(&all, now, 1).map(str::to_owned);
+    compare(app);
 }
 
-fn in_map(app: &mut App, action: Action) -> bool {
-    match (action, cursor_moved(action, FAR_CELLS)) {
-        (Action::Enter, _) => {
-            let before = Arc::clone(&app.scene);
-            edit::load_design(app, app.efficiency_design());
-            if app.scene != before {
-                let own = significant(1e3 * app.scene.target.thickness_m, 4);
-                app.tell(format!(
-                    "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (<undo> undoes)"
-                ));
-            }
-        }
-        (Action::Mark, _) => runs::pin_design(app, app.efficiency_design()),
-        (_, Some(by)) => move_on_map(app, by),
-        (_, None) => return false,
+/// The absorber stays chosen: the comparison is one of this scene, and of the one before when it is undone.
+fn load_absorber(app: &mut App) {
+    let Some(absorber) = app.absorber() else {
+        return app.tell("the scene's own spring: <view> takes one of the library");
+    };
+    let label = format!("absorber {}", absorber.name);
+    let design = app.compared_scene().map(|scene| LabelledScene { scene, label });
+    edit::load_design(app, design);
+}
+
+fn load_cell(app: &mut App) {
+    let before = Arc::clone(&app.scene);
+    edit::load_design(app, app.efficiency_design());
+    if app.scene != before {
+        let own = significant(1e3 * app.scene.target.thickness_m, 4);
+        app.tell(format!(
+            "loaded with h = {own} mm as it was: the map is of plates that just stop the shot (<undo> undoes)"
+        ));
     }
-    true
 }
 
 fn move_on_map(app: &mut App, by: (isize, isize)) {
-    let map = app.comparison().and_then(|found| found.map.as_ref());
-    if let Some((map, at)) = map.zip(app.efficiency_cursor()) {
-        let count = |points: u64| usize::try_from(points).unwrap_or(usize::MAX);
-        let counts = (count(map.x().count()), count(map.y().count()));
+    if let Some((map, at)) = app.efficiency_cell() {
+        let count = |axis: &Axis| usize::try_from(axis.count()).unwrap_or(usize::MAX);
+        let counts = (count(map.x()), count(map.y()));
         app.pages.limit.map_cursor = Some(moved(at, by, counts));
     }
 }
@@ -374,8 +363,8 @@ fn compare(app: &mut App) {
 
 /// Turn from the curve through the pages of words, in a circle.
 fn turn(app: &mut App, by: isize) {
-    let pages = app.limit_pages().map_or(0, |(_, pages)| pages);
-    app.pages.limit.page = wrap(app.pages.limit.page.min(pages), by, pages + 1);
+    let (page, count) = app.limit_pages().map_or((0, 0), |pages| (pages.shown, pages.count));
+    app.pages.limit.page = wrap(page, by, count + 1);
 }
 
 /// After another setup: V50 on the screen follows at once.
@@ -386,48 +375,31 @@ pub(crate) fn after_edit(app: &mut App) {
 }
 
 fn find(app: &mut App) {
-    let (effort, scene) = (app.pages.limit.effort(), Arc::clone(&app.scene));
-    jobs::study_of(app, Tab::Limit, &scene, LimitSearch(effort));
+    let study = LimitSearch(app.pages.limit.effort());
+    jobs::study(app, Tab::Limit, study);
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct LimitPanes {
-    /// The comparison at equal areal mass.
-    pub comparison: Option<Rect>,
-    pub residual: Option<Rect>,
-    pub map: Option<Rect>,
-    pub setup: Option<Rect>,
-}
-
-/// The comparison above the residual velocity and the map or the setup; the pane that has the keys alone where there is no room for three.
-pub(crate) fn panes(app: &App, body: Rect) -> LimitPanes {
+/// Where a pane stands: the comparison above the residual velocity and the map or the setup; the pane that has the keys alone where
+/// there is no room for three.
+pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let focus = app.pane();
     let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
     if app.is_full() || body.height < rows + 8 {
-        let of = |pane| (focus == pane).then_some(body);
-        return LimitPanes {
-            comparison: of(COMPARISON),
-            residual: of(RESIDUAL),
-            map: of(EFFICIENCY_MAP),
-            setup: of(SETUP),
-        };
+        return (pane == focus).then_some(body);
     }
     let (comparison, below) = split_bottom(body, body.height - rows);
-    let (map, setup) = (focus == EFFICIENCY_MAP, focus == SETUP);
-    if body.width < NARROW {
-        return LimitPanes {
-            comparison: Some(comparison),
-            residual: (!map && !setup).then_some(below),
-            map: map.then_some(below),
-            setup: setup.then_some(below),
-        };
-    }
     let (left, right) = split_left(below, below.width / 2);
-    LimitPanes {
-        comparison: Some(comparison),
-        residual: Some(left),
-        map: (!setup).then_some(right),
-        setup: setup.then_some(right),
+    let is_narrow = body.width < NARROW;
+    let at_right = match focus {
+        EFFICIENCY_MAP | SETUP => focus,
+        _ if is_narrow => RESIDUAL,
+        _ => EFFICIENCY_MAP,
+    };
+    match pane {
+        COMPARISON => Some(comparison),
+        _ if is_narrow => (pane == at_right).then_some(below),
+        RESIDUAL => Some(left),
+        _ => (pane == at_right).then_some(right),
     }
 }
 

@@ -2,7 +2,6 @@
 //! mass efficiency and the design under its cursor, in words and drawn.
 
 use crate::model::library::{Entry, Library};
-use crate::model::scene::SweepAxis;
 use crate::report;
 use crate::report::compare::picture;
 use crate::report::figures::column_of;
@@ -10,7 +9,7 @@ use crate::study::compare::map::{self, Map};
 use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
-use crate::study::sweep::{Axis, Spacing};
+use crate::study::sweep::Axis;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
@@ -125,48 +124,42 @@ impl App {
 
     /// With which absorber the comparison is made.
     pub fn comparison_readout(&self) -> Option<String> {
-        let with = self.absorber().map_or_else(
-            || "the scene's own spring".to_owned(),
-            |absorber| format!("{}: {}", absorber.name, absorber.title),
-        );
+        let own = || "the scene's own spring".to_owned();
+        let named = |absorber: &Entry| format!("{}: {}", absorber.name, absorber.title);
+        let with = self.absorber().map_or_else(own, named);
         Some(format!("absorber: {with} (<view>: the next one of the library)"))
     }
 
-    /// The cell of the map under the cursor: the one it was moved to, else the one nearest to the scene.
-    pub fn efficiency_cursor(&self) -> Option<(usize, usize)> {
+    /// The map, and its cell under the cursor: the one it was moved to, else the one nearest to the scene.
+    pub(crate) fn efficiency_cell(&self) -> Option<(&Map, (usize, usize))> {
         let map = self.comparison()?.map.as_ref()?;
         let own = |axis: &Axis| nearest(axis, axis.get(&self.scene)?);
         let own = || own(map.x()).zip(own(map.y()));
-        self.pages.limit.map_cursor.or_else(own).or(Some((0, 0)))
+        Some((map, self.pages.limit.map_cursor.or_else(own).unwrap_or((0, 0))))
     }
 
     /// The design under the cursor of the map, with the values of its axes in words.
     pub fn efficiency_design(&self) -> Result<LabelledScene, String> {
-        let map = self.comparison().and_then(|found| found.map.as_ref());
-        let Some((map, (x, y))) = map.zip(self.efficiency_cursor()) else {
+        let Some((map, at)) = self.efficiency_cell() else {
             return Err(nothing::<EqualMass>(self, BEING_COMPUTED, None));
         };
         if self.pages.limit.comparison.is_old(&self.efficiency_scene()?) {
             return Err(old("scene"));
         }
-        let values = [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)));
-        Ok(placed(self.compared_scene()?, values))
+        Ok(placed(self.compared_scene()?, values(map, at)))
     }
 
     /// The axes of the map as they are zoomed about its cursor.
     pub(crate) fn efficiency_axes(&self) -> Option<[Span; 2]> {
-        let map = self.comparison()?.map.as_ref()?;
-        let (x, y) = self.efficiency_cursor()?;
+        let (map, at) = self.efficiency_cell()?;
         let scene = &self.pages.limit.comparison.scene;
-        let [across, up] = usual_axes(scene)?;
-        let of = |home: &Axis, axis: &Axis, at: usize| {
-            let ((from, to), (low, high)) = (axis.ends(), home.ends());
-            let log = axis.spacing() == Spacing::Log;
-            let name = axis.symbol().to_owned();
-            let axis_now = SweepAxis { log, ..SweepAxis::linear(&name, from, to, 2) };
-            span(scene, &axis_now, Some(ViewRange::new(low, high)), axis.value(at as u64)).ok()
+        let of = |home: &Axis, (axis, about): (&Axis, f64)| {
+            let (low, high) = home.ends();
+            let home = ViewRange::new(low, high);
+            span(scene, &axis.to_sweep_axis(), Some(home), about).ok()
         };
-        Some([of(&across, map.x(), x)?, of(&up, map.y(), y)?])
+        let ([home_x, home_y], [x, y]) = (usual_axes(scene)?, values(map, at));
+        Some([of(&home_x, x)?, of(&home_y, y)?])
     }
 
     /// The scene whose map is wanted: with the values that the axes of the one there have in its scene.
@@ -182,24 +175,25 @@ impl App {
 
     /// The description of the cell under the map's cursor.
     pub fn efficiency_readout(&self) -> Option<String> {
-        let map = self.comparison()?.map.as_ref()?;
-        let (x, y) = self.efficiency_cursor()?;
-        let place = |axis: &Axis, at: usize| {
-            format!("{} {}", axis.symbol(), axis.show(axis.value(at as u64), 5))
-        };
-        let value = match map.cell(x as u64, y as u64) {
+        let (map, at) = self.efficiency_cell()?;
+        let value = match map.cell(at.0 as u64, at.1 as u64) {
             Some(Ok(value)) if is_equal(value) => "mass efficiency 1: no difference".to_owned(),
-            Some(Ok(value)) if value > 1.0 => {
-                format!("mass efficiency {}: moving armour pays", significant(value, 4))
-            }
             Some(Ok(value)) => {
-                format!("mass efficiency {}: it does not pay", significant(value, 4))
+                let pays = if value > 1.0 { "moving armour pays" } else { "it does not pay" };
+                format!("mass efficiency {}: {pays}", significant(value, 4))
             }
             Some(Err(absence)) => absence.words(),
             None => "not computed yet".to_owned(),
         };
-        Some(format!("{}, {}: {value}", place(map.x(), x), place(map.y(), y)))
+        let place = |(axis, at): (&Axis, f64)| format!("{} {}", axis.symbol(), axis.show(at, 5));
+        let [x, y] = values(map, at).map(place);
+        Some(format!("{x}, {y}: {value}"))
     }
+}
+
+/// The axes of a map with their values at a cell.
+fn values(map: &Map, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
+    [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)))
 }
 
 /// The verdict, what to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
@@ -237,7 +231,6 @@ const GOES_ON: &str = "  ";
 
 /// The verdict first, then the figures beside each other; scrolled by j and k.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, COMPARISON);
     let focused = app.has_focus(COMPARISON);
     let old = if app.comparison_is_old() { " (of another scene)" } else { "" };
     let chosen = app.pages.limit.absorber.as_ref();
@@ -272,19 +265,16 @@ fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
 
 /// The map of mass efficiency with the line of 1, and below it what its colours mean.
 pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, EFFICIENCY_MAP);
     let focused = app.has_focus(EFFICIENCY_MAP);
-    let found = app.comparison().and_then(|found| found.map.as_ref());
-    let Some((found, map)) = found.and_then(|it| Some((it, picture(it)?))) else {
+    let cell = app.efficiency_cell();
+    let Some(((found, (x, y)), map)) = cell.and_then(|it| Some((it, picture(it.0)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.draw(area, canvas);
-        let why = found.map(|_| "no point has a mass efficiency");
+        let why = cell.map(|_| "no point has a mass efficiency");
         return canvas.put_centred(inner, &nothing::<EqualMass>(app, "computing the map", why));
     };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
-    let cursor = app.efficiency_cursor();
-    let cursor =
-        cursor.and_then(|(x, y)| Some((column_of(found.x(), x)?, column_of(found.y(), y)?)));
+    let cursor = column_of(found.x(), x).zip(column_of(found.y(), y));
     let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
     let map = report::map::Map { title, cursor, focused, ..map };
     let layout = canvas.draw(&map, above);

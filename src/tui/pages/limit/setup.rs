@@ -45,36 +45,24 @@ enumeration! {
     }
 }
 
-/// The uncertainties, percent.
+/// The uncertainties in the order of their rows, percent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setup {
-    inputs: f64,
-    bias: f64,
-    spread: f64,
-}
+pub struct Setup([f64; 3]);
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { inputs: 2.0, bias: 0.0, spread: 0.0 }
+        Self([2.0, 0.0, 0.0])
     }
 }
 
 impl Setup {
-    fn value(&mut self, row: Row) -> &mut f64 {
-        match row {
-            Row::Inputs => &mut self.inputs,
-            Row::Bias => &mut self.bias,
-            Row::Spread => &mut self.spread,
-        }
-    }
-
-    pub(crate) fn line(mut self, row: Row) -> Line {
-        Line::percent(row.label(), *self.value(row)).means(row.meaning())
+    pub(crate) fn line(self, row: Row) -> Line {
+        Line::percent(row.label(), self.0[row as usize]).means(row.meaning())
     }
 
     pub(crate) fn change(&mut self, row: Row, input: Input<'_>) -> Result<(), String> {
         let (least, most) = row.ends();
-        let value = self.value(row);
+        let value = &mut self.0[row as usize];
         *value = match input {
             Input::Text(text) => percent(text, least..=most)?,
             Input::Step(press) => (*value + STEP * press.by() as f64).clamp(least, most),
@@ -84,7 +72,7 @@ impl Setup {
 
     /// The request.
     pub fn sampling(self) -> Sampling {
-        let model = ModelError { bias: self.bias / 100.0, spread: self.spread / 100.0 };
-        Sampling { deviation: self.inputs / 100.0, samples: SAMPLES, seed: SEED, model }
+        let [deviation, bias, spread] = self.0.map(|percent| percent / 100.0);
+        Sampling { deviation, samples: SAMPLES, seed: SEED, model: ModelError { bias, spread } }
     }
 }

@@ -16,7 +16,7 @@ use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::explore::state::nearest;
 use crate::tui::pages::limit::comparison::Comparison;
 use crate::tui::pages::limit::setup::{Row, Setup};
-use crate::tui::pages::limit::{RESIDUAL, panes};
+use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::form::Form;
 
@@ -128,37 +128,26 @@ impl Ballistic {
         let by = if self.cursor.is_some() { by } else { 0 };
         self.cursor = Some(self.shot_at().saturating_add_signed(by).min(last));
     }
-
-    /// Everything but the limit itself, in words.
-    fn facts(&self) -> Vec<Remark> {
-        let Some(report) = &self.report.found else { return Vec::new() };
-        let mut facts = remarks(report);
-        if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
-            let percent = self.setup.line(Row::Inputs).value;
-            let text = format!("<view>: V50 and spread for inputs but v_i that vary by {percent}");
-            facts.push(Remark::new("V50", text));
-        }
-        facts
-    }
 }
 
-/// The facts as lines of a given number of columns; labels stand before their words, or above them. Above, there is room to say what
-/// the laws are.
-fn lines(facts: Vec<Remark>, width: u16, labels_before: bool) -> Vec<Remark> {
-    let room = if labels_before { width.saturating_sub(LABEL) } else { width };
-    let mut lines: Vec<Remark> = Vec::new();
-    for Remark { mut about, text, is_caution } in facts {
-        if !labels_before {
-            if !lines.is_empty() {
-                lines.push(Remark::new("", ""));
-            }
-            lines.push(Remark::new(std::mem::take(&mut about), ""));
-        }
-        for text in wrap(&text, usize::from(room).max(10)) {
-            lines.push(Remark { about: std::mem::take(&mut about), text, is_caution });
+/// Pages of words in the place of the curve.
+pub(crate) struct WordPages {
+    /// The rows of a page.
+    rows: usize,
+    pub count: usize,
+    /// The page that is shown; 0 for the curve.
+    pub shown: usize,
+}
+
+impl WordPages {
+    /// Where j leads, or k back from the last one.
+    fn hint(&self) -> &'static str {
+        match self.shown {
+            0 => "<down>: laws",
+            page if page == self.count => "<up>: curve",
+            _ => "<down>: more",
         }
     }
-    lines
 }
 
 /// `250.0 m/s: stopped`.
@@ -175,40 +164,48 @@ pub(crate) fn shot_words(shot: &Shot) -> String {
 }
 
 impl App {
+    /// Everything but the limit itself, as lines for a pane of a given number of columns. Beside the chart labels stand above their
+    /// words, and there is room to say what the laws are.
     fn limit_lines(&self, width: u16) -> Vec<Remark> {
-        let mut facts = self.pages.limit.facts();
-        for fact in &mut facts {
-            fact.text = self.keymap.shown(&fact.text);
+        let tab = &self.pages.limit;
+        let Some(report) = &tab.report.found else { return Vec::new() };
+        let mut facts = remarks(report);
+        if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
+            let percent = tab.setup.line(Row::Inputs).value;
+            let text = format!("<view>: V50 and spread for inputs but v_i that vary by {percent}");
+            facts.push(Remark::new("V50", self.keymap.shown(&text)));
         }
-        if width >= BESIDE {
-            lines(facts, FACTS - 2, false)
-        } else {
-            facts.retain(|fact| fact.about != "laws");
-            lines(facts, width.saturating_sub(2), true)
+        let is_beside = width >= BESIDE;
+        let room = if is_beside { FACTS } else { width.saturating_sub(LABEL) }.saturating_sub(2);
+        let mut lines: Vec<Remark> = Vec::new();
+        for mut fact in facts.into_iter().filter(|fact| is_beside || fact.about != "laws") {
+            if is_beside {
+                lines.extend((!lines.is_empty()).then(|| Remark::new("", "")));
+                lines.push(Remark::new(std::mem::take(&mut fact.about), ""));
+            }
+            for text in wrap(&fact.text, usize::from(room).max(10)) {
+                let about = std::mem::take(&mut fact.about);
+                lines.push(Remark { about, text, is_caution: fact.is_caution });
+            }
         }
+        lines
     }
 
-    /// Where the curve and all that is to report have no room together: the rows of a page of words, and how many pages
-    /// they take. Then j and k turn from the curve through them.
-    pub fn limit_pages(&self) -> Option<(usize, usize)> {
-        let area = panes(self, self.layout().body?).residual?;
+    /// The pages of words, where the curve and all that is to report have no room together: j and k turn from the curve through them.
+    pub(crate) fn limit_pages(&self) -> Option<WordPages> {
+        let area = area(self, self.layout().body?, RESIDUAL)?;
         let lines = self.limit_lines(area.width).len();
         // The first row of the body is the limit itself; a frame takes two.
-        let room = usize::from(area.height).saturating_sub(3);
+        let rows = usize::from(area.height).saturating_sub(3);
         let chart = if area.width >= BESIDE { 0 } else { usize::from(CHART_ROWS) };
-        let is_crowded = lines > 0 && room > 0 && lines + chart > room;
-        is_crowded.then(|| (room, lines.div_ceil(room)))
+        let is_crowded = lines > 0 && rows > 0 && lines + chart > rows;
+        let count = lines.div_ceil(rows.max(1));
+        let shown = self.pages.limit.page.min(count);
+        is_crowded.then_some(WordPages { rows, count, shown })
     }
 
-    /// The page of words that is shown in place of the curve, from 1, and whether it is the last one.
-    pub fn limit_page(&self) -> Option<(usize, bool)> {
-        let (_, pages) = self.limit_pages()?;
-        let page = self.pages.limit.page.min(pages);
-        (page > 0).then_some((page, page == pages))
-    }
-
-    /// The scene on the screen at the impact velocity of another one: only what the samples are compared with depends on it.
-    fn limit_scene_at(&self, other: &Scene) -> Scene {
+    /// The scene whose limit is wanted, at the impact velocity of another one: only what the samples are compared with depends on it.
+    pub fn limit_scene(&self, other: &Scene) -> Scene {
         let mut scene = (*self.scene).clone();
         if !self.pages.limit.sampled {
             scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
@@ -216,25 +213,21 @@ impl App {
         scene
     }
 
-    /// The scene whose limit is wanted, at the impact velocity of the one that was found.
-    pub fn limit_scene(&self) -> Scene {
-        self.limit_scene_at(&self.pages.limit.report.scene)
-    }
-
     /// Whether what is wanted of the limit is neither there nor under way.
     pub(super) fn lacks_limit(&self) -> bool {
         let tab = &self.pages.limit;
         match self.jobs.study::<LimitSearch>() {
             Some((running, search)) => {
-                search.0 != tab.effort() || *running.scene != self.limit_scene_at(&running.scene)
+                search.0 != tab.effort() || *running.scene != self.limit_scene(&running.scene)
             }
-            None => tab.lacks_v50() || !tab.report.is_there(&self.limit_scene()),
+            None => tab.lacks_v50() || !tab.report.is_there(&self.limit_scene(&tab.report.scene)),
         }
     }
 
     /// Whether the limit belongs to another scene than the one on the screen.
     pub fn limit_is_old(&self) -> bool {
-        self.pages.limit.report.is_old(&self.limit_scene())
+        let report = &self.pages.limit.report;
+        report.is_old(&self.limit_scene(&report.scene))
     }
 
     /// The velocity of the shot that the limit is compared with: of its own scene, m/s.
@@ -266,60 +259,48 @@ impl App {
         Some(fitting([format!("limit {full}"), full, short, limit], width))
     }
 
-    /// The shot at the crosshair in words, with what the laws say there.
+    /// The shot at the crosshair in words, with what the laws say there; without one, what to know of the limit.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
         let report = self.pages.limit.report.found.as_ref()?;
-        let Some(shot) = self.pages.limit.shot() else {
-            let hint = match self.limit_page() {
-                None => "<down>: laws",
-                Some((_, false)) => "<down>: more",
-                Some((_, true)) => "<up>: curve",
-            };
-            let mut parts = Vec::new();
-            if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
-                parts.push(format!(
-                    "no single limit: {} is stopped again",
-                    units::velocity(again, 4)
-                ));
+        if let Some(shot) = self.pages.limit.shot() {
+            let mut text = shot_words(shot);
+            let laws =
+                [("Recht-Ipson", report.recht_ipson), ("Lambert-Jonas", report.lambert_jonas)];
+            for (name, law) in laws {
+                if let Some(law) = law.filter(|_| shot.residual_m_s.is_some()) {
+                    let left = fixed_significant(law.residual_m_s(shot.impact_m_s), 4);
+                    let _ = write!(text, "; {name} {left}");
+                }
             }
-            parts.extend(report.caution());
-            let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
-            if let Some(found) = &report.sampled {
-                let known = |it: Option<f64>| {
-                    it.map_or_else(|| "?".to_owned(), |it| units::velocity(it, 4))
-                };
-                let is_exact = found.sampling.model == ModelError::default();
-                let of = if is_exact { "inputs alone" } else { "inputs and model" };
-                let (v50, spread) = (known(found.v50_m_s), known(found.deviation_m_s));
-                parts.push(format!("V50 {v50}, spread {spread} ({of})"));
-            }
-            let crowded = self.limit_pages().is_some();
-            parts.extend(crowded.then(|| hint.to_owned()));
-            // Where there is one row, the pane itself has the limit in full.
-            if self.layout().message.height > 1 {
-                let at = usize::from(severity == Severity::Warning);
-                parts.insert(at.min(parts.len()), self.limit_headline(usize::MAX)?);
-            }
-            return Some((severity, parts.join("; ")));
-        };
-        let v = shot.impact_m_s;
-        let laws = [
-            ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
-            ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
-        ];
-        let mut text = shot_words(shot);
-        for (name, left) in laws {
-            if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
-                let _ = write!(text, "; {name} {}", fixed_significant(left, 4));
-            }
+            return note(Some(text));
         }
-        Some((Severity::Note, text))
+        let mut parts = Vec::new();
+        if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+            let again = units::velocity(again, 4);
+            parts.push(format!("no single limit: {again} is stopped again"));
+        }
+        parts.extend(report.caution());
+        let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
+        if let Some(found) = &report.sampled {
+            let known =
+                |it: Option<f64>| it.map_or_else(|| "?".to_owned(), |it| units::velocity(it, 4));
+            let is_exact = found.sampling.model == ModelError::default();
+            let of = if is_exact { "inputs alone" } else { "inputs and model" };
+            let (v50, spread) = (known(found.v50_m_s), known(found.deviation_m_s));
+            parts.push(format!("V50 {v50}, spread {spread} ({of})"));
+        }
+        parts.extend(self.limit_pages().map(|pages| pages.hint().to_owned()));
+        // Where there is one row, the pane itself has the limit in full.
+        if self.layout().message.height > 1 {
+            let at = usize::from(severity == Severity::Warning);
+            parts.insert(at.min(parts.len()), self.limit_headline(usize::MAX)?);
+        }
+        Some((severity, parts.join("; ")))
     }
 }
 
 /// Draw the pane of the residual velocity.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, RESIDUAL);
     // Until something is found nothing stands above the pane.
     let room = usize::from(area.width.saturating_sub(2));
     let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
@@ -327,25 +308,22 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (1, 0), &head, role);
     let (_, body) = split_top(area, 1);
     let lines = app.limit_lines(area.width);
-    if lines.is_empty() {
+    let pages = app.limit_pages();
+    if let Some(pages) = pages.as_ref().filter(|pages| pages.shown > 0) {
+        let lines = lines.get((pages.shown - 1) * pages.rows..).unwrap_or_default();
+        return write(lines, &app.keymap.shown(pages.hint()), body, canvas);
+    }
+    if lines.is_empty() || pages.is_some() {
         return chart(app, body, canvas);
     }
-    if let Some((rows, _)) = app.limit_pages() {
-        let Some((page, is_last)) = app.limit_page() else { return chart(app, body, canvas) };
-        let lines = lines.get((page - 1) * rows..).unwrap_or_default();
-        let hint = if is_last { "<up>: curve" } else { "<down>: more" };
-        write(lines, &app.keymap.shown(hint), body, canvas);
-        return;
-    }
-    if area.width >= BESIDE {
-        let (left, side) = split_left(body, body.width - FACTS);
-        chart(app, left, canvas);
-        return write(&lines, "", side, canvas);
-    }
-    let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
-    let (above, below) = split_bottom(body, height);
+    let (above, words) = if area.width >= BESIDE {
+        split_left(body, body.width - FACTS)
+    } else {
+        let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
+        split_bottom(body, height)
+    };
     chart(app, above, canvas);
-    write(&lines, "", below, canvas);
+    write(&lines, "", words, canvas);
 }
 
 fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
@@ -360,25 +338,17 @@ fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// The text in the chart's place if there is no curve.
-fn no_curve(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
-    let inner = frame.draw(area, canvas);
-    let why = app.pages.limit.report.found.as_ref().map(|report| {
-        let cut = "cancelled before there was a curve";
-        if report.is_complete { "no shot perforates: no curve to draw" } else { cut }
-    });
-    canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
-}
-
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
-    let own_m_s = app.limit_shot_m_s();
     let found = tab.report.found.as_ref();
-    let drawn = found.and_then(|it| Some((it, residual(it, own_m_s, tab.zoomed)?)));
+    let drawn = found.and_then(|it| Some((it, residual(it, app.limit_shot_m_s(), tab.zoomed)?)));
     let Some((report, mut chart)) = drawn else {
-        no_curve(app, area, canvas);
-        return;
+        let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
+        let inner = frame.draw(area, canvas);
+        let cut = "cancelled before there was a curve";
+        let none = "no shot perforates: no curve to draw";
+        let why = found.map(|report| if report.is_complete { none } else { cut });
+        return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = app.limit_is_old();
     for (is_log, axis) in [(tab.log.0, &mut chart.x), (tab.log.1, &mut chart.y)] {
