@@ -85,7 +85,7 @@ pub(super) fn study<P: ?Sized, T>(
         let Progress { done, total } = now;
         let left_s =
             |elapsed_s: f64| elapsed_s * total.saturating_sub(done) as f64 / done.max(1) as f64;
-        if !judged && line.start.elapsed() > JUDGED_AFTER {
+        if !judged && done > 0 && line.start.elapsed() > JUDGED_AFTER {
             judged = true;
             let left_s = left_s(line.start.elapsed().as_secs_f64());
             if left_s > LONG_S {

@@ -94,7 +94,7 @@ fn a_search_is_stopped_within_a_run() {
         ("seek --over gamma=1..3:9 --goal stroke_m=1mm", "0 of 49 runs"),
         ("scatter", "0 of 10000 runs"),
         ("optimise", " of 20200 runs"),
-        ("sweep --over gamma=1..3:9", "none of the points was finished"),
+        ("sweep --over gamma=1..3:9", "0 of 9 points"),
         ("compare", "0 of 4 candidates"),
     ] {
         let words = format!("{command} {scene}");
