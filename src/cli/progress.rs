@@ -28,7 +28,7 @@ const SHOWN_AFTER: Duration = Duration::from_millis(500);
 const UPDATED_EVERY: Duration = Duration::from_millis(200);
 
 /// When the rate of a computation tells how long it will take, and what is so long that it is announced, on a terminal or not.
-const JUDGED_AFTER: Duration = Duration::from_secs(1);
+const JUDGED_AFTER: Duration = Duration::from_secs(3);
 const LONG_S: f64 = 60.0;
 
 /// The line on the terminal that says how far a computation is.
@@ -62,6 +62,17 @@ impl ProgressLine {
         self.stop.flow()
     }
 
+    /// Says above the line that all of these take long, if they do.
+    fn announce(&self, total: usize, what: &str, left_s: f64) {
+        if left_s > LONG_S {
+            self.clear();
+            let left = duration(left_s);
+            output::note(&format!(
+                "{total} {what}: about {left} left at this rate; an interrupt keeps what is finished"
+            ));
+        }
+    }
+
     /// Removes the line.
     pub(super) fn clear(&self) {
         if self.shown {
@@ -83,25 +94,15 @@ pub(super) fn study<P: ?Sized, T>(
     let watch = &mut |now: Progress, _: Option<&P>| {
         reached = now;
         let Progress { done, total } = now;
-        let left_s =
-            |elapsed_s: f64| elapsed_s * total.saturating_sub(done) as f64 / done.max(1) as f64;
+        let left_s = |elapsed_s: f64| elapsed_s * (total - done) as f64 / done.max(1) as f64;
         if !judged && done > 0 && line.start.elapsed() > JUDGED_AFTER {
             judged = true;
-            let left_s = left_s(line.start.elapsed().as_secs_f64());
-            if left_s > LONG_S {
-                line.clear();
-                output::note(&format!(
-                    "{total} {what}: about {} left at this rate; an interrupt keeps what is finished",
-                    duration(left_s)
-                ));
-            }
+            line.announce(total, what, left_s(line.start.elapsed().as_secs_f64()));
         }
         line.update(|elapsed_s| {
             let percent = 100.0 * done as f64 / total.max(1) as f64;
-            format!(
-                "{percent:.0} %: {done} of {total} {what}, {} left",
-                duration(left_s(elapsed_s))
-            )
+            let left = duration(left_s(elapsed_s));
+            format!("{percent:.0} %: {done} of {total} {what}, {left} left")
         })
     };
     let found = study(&mut Context::new(threads, watch));

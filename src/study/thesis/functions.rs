@@ -146,7 +146,7 @@ functions! {
         let order = sorted_by(values.collect(), |own: &(f64, &str)| own.0);
         let shown: Vec<String> =
             order.iter().map(|(value, name)| format!("{name} {}", text::percent(*value))).collect();
-        Ok(shown.join(", ").as_str().into())
+        Ok(Value::Text(shown.join(", ")))
     };
 }
 

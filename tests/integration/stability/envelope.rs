@@ -4,7 +4,7 @@
 //! rest. Every kind of spring and stop, both interface laws. Outside, a run is never silently wrong: its estimate says how good
 //! it is, or it ends with a named reason.
 
-use cmra::model::scene::Scene;
+use cmra::model::scene::{Mount, Scene};
 use cmra::model::variables;
 
 /// Symbols, and the least and the greatest value of each, SI.
@@ -31,4 +31,24 @@ pub(super) fn outside(scene: &Scene) -> Vec<&'static str> {
             && value.is_some_and(|value| !(*from..=*to).contains(&value))
     };
     RANGES.iter().filter(|range| is_outside(range)).map(|(symbol, ..)| *symbol).collect()
+}
+
+#[test]
+fn every_range_is_of_a_number_and_holds_the_baseline() {
+    for (symbol, from, to) in RANGES {
+        assert!(variables::find(symbol).unwrap().number().is_some(), "{symbol}");
+        assert!(from < to, "{symbol}");
+    }
+    assert!(outside(&Scene::default()).is_empty());
+}
+
+#[test]
+fn a_value_beyond_its_range_is_named_where_it_is_used() {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 1e9;
+    scene.projectile.velocity_m_s = 0.1;
+    scene.projectile.obliquity_deg = 85.0;
+    assert_eq!(outside(&scene), ["k", "v_i", "theta"]);
+    scene.plate.mount = Mount::Rigid;
+    assert_eq!(outside(&scene), ["v_i", "theta"]);
 }

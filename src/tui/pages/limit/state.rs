@@ -272,7 +272,7 @@ impl App {
                     let _ = write!(text, "; {name} {left}");
                 }
             }
-            return note(Some(text));
+            return Some((Severity::Note, text));
         }
         let mut parts = Vec::new();
         if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
