@@ -11,7 +11,7 @@ use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, Entry, Report};
+use crate::study::compare::{ByClosure, Candidate, Entry, Report};
 use crate::study::limit::RANGE_M_S;
 
 /// The meaning of the contour on a map.
@@ -53,9 +53,15 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("governed_by", "governed by", "", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .shown(|it, value| {
-            let value = value.as_f64().filter(|_| !it.is_held)?;
-            Some(format!("{}*", fixed_significant(value, 4)))
+            let value = value.as_f64().filter(|_| !it.is_held);
+            let value = value.map(|value| fixed_significant(value, 4));
+            let text = it.by_closure().map(ByClosure::range).or(value)?;
+            Some(if it.is_held { text } else { text + "*" })
         })
+        .with("mass_efficiency_double_yield", "closure=double-yield", "", |it| {
+            it.by_closure()?.double_yield
+        })
+        .with("mass_efficiency_cavity", "closure=cavity", "", |it| it.by_closure()?.cavity)
         .with("sized_thickness_m", "thickness to just stop", "m", |it| {
             Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
         })
@@ -162,6 +168,12 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
+        .with("mass_efficiency_double_yield", "closure=double-yield", "", move |at| {
+            cell(at)?.err()?.by_closure()?.double_yield
+        })
+        .with("mass_efficiency_cavity", "closure=cavity", "", move |at| {
+            cell(at)?.err()?.by_closure()?.cavity
+        })
         .with("warnings", "warnings", "", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             let breaches = breaches.iter().map(ToString::to_string);

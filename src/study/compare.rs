@@ -14,6 +14,8 @@
 //!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratios and mechanisms; all its
 //!   thicknesses are the scene's times one factor, and its springs are sized for v. So both have the limit velocity v. A plate
 //!   thicker than the shot needs gains nothing and loses nothing here. The mechanism pays where this is above 1.
+//!   Where only the change of a closure by thickness decides, either closure has its own mass efficiency, and there is a verdict only
+//!   where both agree.
 //! - Mass efficiency as built: areal mass of the solid plate with the candidate's own limit velocity, over the candidate's
 //!   areal mass. Both figures agree where the plate is just thick enough.
 //!
@@ -34,6 +36,7 @@ use crate::study::context::Context;
 use crate::study::limit::Limit;
 
 mod closed_form;
+mod closures;
 mod hardware;
 mod judge;
 pub(in crate::study) mod load;
@@ -43,6 +46,7 @@ mod solid;
 pub mod summary;
 
 pub use closed_form::ClosedForm;
+pub use closures::ByClosure;
 pub use hardware::{Failure, Hardware};
 pub use load::Load;
 pub use sized::{Absence, Sized, WIDTH, areal_mass_of_run, mass_efficiency};
@@ -110,6 +114,11 @@ impl Entry {
         self.sized.as_ref().ok().map(Sized::mass_efficiency)
     }
 
+    /// Mass efficiencies by either closure, where there is no other.
+    pub fn by_closure(&self) -> Option<ByClosure> {
+        self.sized.as_ref().err()?.by_closure()
+    }
+
     /// Whether nothing in the range of velocities looked at goes through, and nothing fails.
     pub fn is_beyond(&self) -> bool {
         self.limit_m_s.is_none() && self.perforation == Limit::Never
@@ -149,6 +158,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Of an armour that stops the shot with this mass efficiency.
+    fn of(mass_efficiency: f64) -> Self {
+        match mass_efficiency {
+            it if is_equal(it) => Self::MakesNoDifference,
+            it if it > 1.0 => Self::Pays,
+            _ => Self::DoesNotPay,
+        }
+    }
+
     /// In words, for a page.
     pub fn words(self) -> String {
         match self {
@@ -220,7 +238,7 @@ impl Report {
     /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
-        if let Some(absence @ Absence::Undecided { .. }) = own {
+        if let Some(absence) = own.filter(|absence| absence.is_open()) {
             return Some(absence.words());
         }
         self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
@@ -246,11 +264,10 @@ impl Report {
         {
             return Verdict::Fails(failure);
         }
-        match own.mass_efficiency() {
-            Some(efficiency) if is_equal(efficiency) => Verdict::MakesNoDifference,
-            Some(efficiency) if efficiency > 1.0 => Verdict::Pays,
-            Some(_) => Verdict::DoesNotPay,
-            None => Verdict::Unknown,
+        match &own.sized {
+            Ok(sized) => Verdict::of(sized.mass_efficiency()),
+            Err(Absence::ClosureChange(by_closure)) => by_closure.verdict(),
+            Err(_) => Verdict::Unknown,
         }
     }
 

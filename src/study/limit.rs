@@ -26,6 +26,7 @@ mod search;
 pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
+pub(in crate::study) use closures::by_closure;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);

@@ -144,7 +144,9 @@ fn the_map_is_drawn_with_its_line_and_written_as_rows() {
     csv.extend(["--csv", "-"]);
     let table = output(&csv);
     let lines: Vec<&str> = table.lines().collect();
-    assert_eq!(lines[0], "scene,v_i,gamma,mass_efficiency,no_mass_efficiency,warnings");
+    let by_closure = "mass_efficiency_double_yield,mass_efficiency_cavity";
+    let head = format!("scene,v_i,gamma,mass_efficiency,no_mass_efficiency,{by_closure},warnings");
+    assert_eq!(lines[0], head);
     assert_eq!(lines.len(), 1 + 21 * 11);
 }
 
@@ -281,4 +283,39 @@ fn two_sizes_of_a_plate_and_two_design_velocities_are_refused() {
     let axes = ["--over", "gamma=1..2:3", "--over", "m_2=1..2:3"];
     let (_, error) = says("sweep", &axes, 2);
     assert!(error.contains("axis m_2: gamma is an axis too"), "{error}");
+}
+
+/// A hard core on AA6082, whose thinnest armour and solid plate are both of h = D: the figures of the page are those of the commands
+/// that it names.
+#[test]
+fn the_change_of_closure_by_thickness_gives_no_verdict() {
+    let run = |pairs: &str, more: &[&str]| {
+        let scene = "--threat m2-ap-core --material aa6082-t651 --absorber aluminium-square-tube";
+        let mut words: Vec<&str> = scene.split(' ').chain(more.iter().copied()).collect();
+        let pairs = "gamma=41.63 h=12mm".split(' ').chain(pairs.split_whitespace());
+        words.extend(pairs.flat_map(|pair| ["--set", pair]));
+        output(&words)
+    };
+    let json = |pairs: &str| serde_json::from_str::<Value>(&run(pairs, &["--json"])).unwrap();
+    let found = json("v_i=273");
+    let own = &found["candidates"]["scene"];
+    assert!(found["mass_efficiency"].is_null() && found["pays"] == true, "{found}");
+    for (key, closure) in [
+        ("mass_efficiency_double_yield", "closure=double-yield dishing=true C_d=0.5"),
+        ("mass_efficiency_cavity", "closure=cavity dishing=false C_d=1"),
+    ] {
+        let alone = json(&format!("v_i=273 {closure}"));
+        assert_eq!(own[key], alone["mass_efficiency"]);
+    }
+    let page = run("v_i=273", &[]);
+    for words in [
+        "mass efficiency 1.022..1.034 at 273.0 m/s: the mechanism pays, by both",
+        "caution: only the change of",
+    ] {
+        assert!(page.contains(words), "{page}");
+    }
+    let map = run("", &["--map", "v_i=240..300:13,gamma=40..42:3"]);
+    assert!(map.contains("P pays by both closures (change at h = D)"), "{map}");
+    let last = map.lines().last().unwrap().split_whitespace().last();
+    assert_eq!(last, Some("-"), "{map}");
 }

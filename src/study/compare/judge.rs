@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::hardware::Built;
 use crate::study::compare::sized::{self, sized};
-use crate::study::compare::solid::thickness_of_limit_m;
+use crate::study::compare::solid::{Thickness, thickness_of_limit};
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, Load, is_held};
 use crate::study::context::Context;
 use crate::study::limit::{self, JUST_BELOW, Limit};
@@ -61,7 +61,8 @@ impl Judge<'_, '_> {
         }
         let sized = sized(&scene, &self.hardware, sized::WIDTH);
         let areal_kg_m2 = built.areal_kg_m2(&scene);
-        let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit, false));
+        let equivalent = limit_m_s.and_then(|limit| thickness_of_limit(&scene, limit, false));
+        let equivalent_m = equivalent.and_then(Thickness::root_m);
         let equivalent = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
         let stays = matches!(run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         Some(Entry {

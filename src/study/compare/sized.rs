@@ -4,11 +4,13 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::{ClosureInEffect, Mount, Scene};
+use crate::model::stack;
 use crate::model::units::fixed_significant;
 use crate::numerics::{larger, smaller};
+use crate::study::compare::closures::ByClosure;
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
-use crate::study::compare::solid::thickness_of_limit_m;
+use crate::study::compare::solid::{Thickness, thickness_of_limit};
 use crate::study::compare::{elements, face_m2, is_held};
 use crate::study::limit::Criterion;
 use crate::study::limit::verdict::{Gap, ONE_POINT, Verdict, decide};
@@ -37,6 +39,8 @@ pub enum Absence {
         /// The thinnest plate above that is known to stop the shot, m.
         stopped_m: f64,
     },
+    /// The comparison is decided by the change of a closure by thickness alone.
+    ClosureChange(ByClosure),
     /// Nothing stops plate and projectile.
     NothingStops,
     /// The spring's mass is not known.
@@ -46,12 +50,23 @@ pub enum Absence {
 }
 
 impl Absence {
+    /// The mass efficiencies by either closure, where there is no other.
+    pub fn by_closure(self) -> Option<ByClosure> {
+        if let Self::ClosureChange(by_closure) = self { Some(by_closure) } else { None }
+    }
+
+    /// Whether it is the verdict that it leaves open, and not the armour that is missing.
+    pub(super) fn is_open(self) -> bool {
+        matches!(self, Self::Undecided { .. } | Self::ClosureChange(_))
+    }
+
     /// The letter that stands for it in maps.
     pub fn letter(self) -> char {
         match self {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
             Self::Undecided { .. } => 'O',
+            Self::ClosureChange(by_closure) => by_closure.letter(),
             Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
@@ -62,6 +77,7 @@ impl Absence {
     pub fn brief(self) -> String {
         match self {
             Self::Undecided { .. } => "least thickness not decided".to_owned(),
+            Self::ClosureChange(by_closure) => by_closure.brief(),
             _ => self.words(),
         }
     }
@@ -81,6 +97,7 @@ impl Absence {
                 perforated_m.map_or_else(|| "0".to_owned(), |it| format!("{} mm (perforated)", fixed_significant(1e3 * it, 6))),
                 fixed_significant(1e3 * stopped_m, 6),
             ),
+            Self::ClosureChange(by_closure) => by_closure.words(),
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
@@ -154,7 +171,32 @@ pub(in crate::study) fn plates_kg(scene: &Scene) -> f64 {
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
 pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Sized, Absence> {
     let velocity_m_s = scene.projectile.velocity_m_s;
-    let solid_m = thickness_of_limit_m(scene, velocity_m_s, false).ok_or(Absence::NoSolid)?;
+    let by_closure = || ByClosure::of(scene, hardware, width);
+    let solid = thickness_of_limit(scene, velocity_m_s, false).ok_or(Absence::NoSolid)?;
+    let Thickness::Root(solid_m) = solid else {
+        return Err(Absence::ClosureChange(by_closure()?));
+    };
+    let sized = armour(scene, hardware, solid_m, width)?;
+    let own = closures_by_thickness(&sized.scene);
+    let below = scaled(scene, sized.factor * (1.0 - 2.0 * larger(width, ONE_POINT)));
+    if own != closures_by_thickness(&below) {
+        return Err(Absence::ClosureChange(by_closure()?));
+    }
+    let solid = scaled(scene, solid_m / scene.target.thickness_m).closure();
+    let contradicts = |it: &ByClosure| it.contradict(sized.mass_efficiency());
+    match own.iter().any(|it| *it != solid).then(by_closure) {
+        Some(Ok(by_closure)) if contradicts(&by_closure) => Err(Absence::ClosureChange(by_closure)),
+        _ => Ok(sized),
+    }
+}
+
+/// The closures that the thicknesses of a scene's plates choose.
+fn closures_by_thickness(scene: &Scene) -> Vec<ClosureInEffect> {
+    stack::plates(scene).iter().filter_map(Scene::closure_by_thickness).collect()
+}
+
+/// The thinnest armour, beside a solid plate of this thickness, m.
+fn armour(scene: &Scene, hardware: &Hardware, solid_m: f64, width: f64) -> Result<Sized, Absence> {
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
     let built = Built::for_demands(elements(&own), hardware, &shot.demands);
@@ -204,8 +246,8 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     let search = Search { scene, width };
     let is_stack = scene.stack.base_thickness_m.is_some();
     // A plate that its mechanism does not help is as good as a free or a rigid one.
-    let free = thickness_of_limit_m(scene, scene.projectile.velocity_m_s, true)
-        .map_or(solid, |thickness| thickness / scene.target.thickness_m);
+    let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
+        .map_or(solid, |thickness| thickness.m() / scene.target.thickness_m);
     let (mut thin, mut thick) = if is_stack {
         // Between what all its plates together and what each of them alone would need.
         (0.5 * solid, 1.1 * solid)

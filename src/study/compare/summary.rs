@@ -4,6 +4,7 @@ use crate::model::run::envelope;
 use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{fixed_significant, significant, velocity};
 use crate::study::compare::sized::THINNEST_M;
+use crate::study::compare::solid::{Thickness, thickness_of_limit};
 use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
 
 /// Whether the mechanism pays, and by how much.
@@ -13,15 +14,20 @@ pub fn verdict(report: &Report) -> String {
         return "cancelled before the scene itself was computed".to_owned();
     };
     let verdict = report.verdict();
-    match (verdict, own.mass_efficiency()) {
-        (Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference, Some(efficiency)) => {
-            let efficiency = fixed_significant(efficiency, 4);
-            let condition = condition(report);
-            format!("mass efficiency {efficiency} at {design}: {}{condition}", verdict.words())
+    let efficiency = own.mass_efficiency().map(|it| fixed_significant(it, 4));
+    let by_closure = own.by_closure().map(|it| (it.range(), ", by both closures"));
+    match (verdict, efficiency.map(|it| (it, "")).or(by_closure)) {
+        (Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference, Some((it, by))) => {
+            format!(
+                "mass efficiency {it} at {design}: {}{by}{}",
+                verdict.words(),
+                condition(report)
+            )
         }
-        (Verdict::Unknown, None) => {
-            let why =
-                own.sized.as_ref().err().map_or_else(String::new, |it| format!(": {}", it.words()));
+        (Verdict::Unknown, _) => {
+            // What is open, the caution says.
+            let why = own.sized.as_ref().err().filter(|it| !it.is_open());
+            let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
             format!("{} ({design}){why}", verdict.words())
         }
         (_, _) => format!("{} ({design})", verdict.words()),
@@ -44,7 +50,7 @@ fn condition(report: &Report) -> String {
 /// What the verdict rests on, a sentence each.
 pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
-    let mut lines = vec![sized(own, report.verdict())];
+    let mut lines: Vec<String> = sized(own, report.verdict()).into_iter().collect();
     lines.extend(as_built(own));
     lines.extend(crushed(&report.scene));
     lines.extend(outside_validity(report));
@@ -110,10 +116,12 @@ fn outside_validity(report: &Report) -> Vec<String> {
 }
 
 /// The two armours that just stop the shot.
-fn sized(own: &Entry, verdict: Verdict) -> String {
+fn sized(own: &Entry, verdict: Verdict) -> Option<String> {
     let sized: &Sized = match &own.sized {
         Ok(sized) => sized,
-        Err(absence) => return format!("no mass efficiency: {}", absence.words()),
+        // The caution says why.
+        Err(absence) if absence.is_open() => return None,
+        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words())),
     };
     let density = sized.scene.target.density_kg_m3;
     let solid_m = sized.solid_areal_kg_m2 / density;
@@ -133,17 +141,22 @@ fn sized(own: &Entry, verdict: Verdict) -> String {
         in_thousandths.map(|value| fixed_significant(1e3 * value, 4));
     let [areal, solid_areal] =
         [sized.areal_kg_m2, sized.solid_areal_kg_m2].map(|value| fixed_significant(value, 4));
-    format!(
+    Some(format!(
         "sized to just stop the shot: this armour with {thickness} mm over a face of {face} mm square{given} and {spring} g of spring, \
          {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}"
-    )
+    ))
 }
 
 /// How the armour as it stands compares.
 fn as_built(own: &Entry) -> Option<String> {
+    let limit = velocity(own.limit_m_s?, 4);
+    if matches!(thickness_of_limit(&own.scene, own.limit_m_s?, false), Some(Thickness::Jump(_))) {
+        return Some(format!(
+            "no mass efficiency as built: no solid plate has its limit velocity of {limit}, since that jumps where the closure changes, at h = D"
+        ));
+    }
     let ratio = own.as_built?;
     let thickness = fixed_significant(1e3 * own.scene.target.thickness_m, 4);
-    let limit = velocity(own.limit_m_s?, 4);
     let factor = own.sized.as_ref().ok().map(|sized| 1.0 / sized.factor);
     let needs = factor.map_or_else(String::new, |factor| {
         let times = significant(factor, 3);

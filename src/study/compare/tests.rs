@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
+use crate::model::scene::ClosureInEffect;
 use crate::study::compare::map::{Map, usual_axis};
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
@@ -301,4 +302,88 @@ fn there_is_no_limit_beyond_the_range() {
         let solid = found.of(Candidate::Solid).unwrap();
         assert!(solid.is_beyond() && solid.no_limit().unwrap().contains("beyond 3000 m/s"));
     }
+}
+
+/// A hard core of 6.248 mm against AA6082, of which a plate of that thickness stops 271 to 287 m/s by one closure and not by the other.
+const AT_THE_CHANGE: &str =
+    "m_p=5.3g R=3.124mm rho=2700 Y=260MPa E=70GPa h=12mm k=1 e_spring=18200";
+
+fn by_either(pairs: &str) -> [f64; 2] {
+    ["closure=double-yield dishing=true C_d=0.5", "closure=cavity dishing=false C_d=1"]
+        .map(|closure| efficiency(&format!("{AT_THE_CHANGE} {closure} {pairs}")))
+}
+
+fn by_thickness(pairs: &str) -> Report {
+    plain(&format!("{AT_THE_CHANGE} closure=by-thickness {pairs}"))
+}
+
+/// Without dishing (cavity) the mass efficiency is that of the closed form.
+#[test]
+fn a_verdict_is_not_that_of_the_change_of_closure() {
+    for v in [273.0, 281.0] {
+        let pairs = format!("gamma=41.63 v_i={v}");
+        let found = by_thickness(&pairs);
+        let own = found.of(Candidate::Scene).unwrap();
+        let by_closure = own.by_closure().unwrap();
+        let closed = ClosedForm::new(41.63, v, 18200.0).mass_efficiency;
+        assert!(close(by_closure.cavity.unwrap(), closed, 1e-5), "{by_closure:?} {closed}");
+        assert_eq!([by_closure.double_yield, by_closure.cavity], by_either(&pairs).map(Some));
+        assert_eq!((found.verdict(), own.mass_efficiency()), (Verdict::Pays, None));
+        assert!(summary::verdict(&found).contains(": the mechanism pays, by both closures"));
+        assert!(found.caution().unwrap().contains("the change of closure at h = D"));
+        // No solid plate has a limit within the jump.
+        assert!(own.as_built.is_none() && own.equivalent_m.is_none());
+        assert!(
+            summary::reasons(&found).iter().any(|line| line.contains("no solid plate has its"))
+        );
+        let rigid = found.of(Candidate::Rigid).unwrap().by_closure().unwrap();
+        assert!(close(rigid.cavity.unwrap(), 1.0, 1e-8) && rigid.range() == "1.000");
+    }
+}
+
+#[test]
+fn closures_that_disagree_leave_the_verdict_open() {
+    let pairs = "gamma=2 v_i=280 e_spring=12000";
+    let [double_yield, cavity] = by_either(pairs);
+    assert!(double_yield > 1.0 && cavity < 1.0, "{double_yield} {cavity}");
+    let found = by_thickness(pairs);
+    assert_eq!((found.verdict(), found.verdict().pays()), (Verdict::Unknown, None));
+    assert!(summary::verdict(&found).starts_with("undecided"), "{}", summary::verdict(&found));
+}
+
+/// Where the armour is thin and the solid plate thick, a verdict stands unless both closures give the other one.
+#[test]
+fn armour_and_solid_plate_of_different_closures_are_compared_by_either() {
+    let pairs = "gamma=4 v_i=290 e_spring=12000";
+    let own = by_thickness(pairs);
+    let own = own.of(Candidate::Scene).unwrap().by_closure().unwrap();
+    assert_eq!([own.double_yield, own.cavity], by_either(pairs).map(Some));
+    assert_eq!(own.verdict(), Verdict::Pays);
+    let [double_yield, cavity] = by_either("gamma=3 v_i=290");
+    let found = by_thickness("gamma=3 v_i=290");
+    let efficiency = found.of(Candidate::Scene).unwrap().mass_efficiency().unwrap();
+    assert!(1.0 < efficiency && efficiency < cavity && cavity < double_yield, "{efficiency}");
+}
+
+/// 2 R of 3.124 mm in binary: a plate of just the thickness at which the closure changes has its own limit.
+#[test]
+fn a_plate_at_the_change_of_closure_is_its_own_solid_plate() {
+    let h = 2.0 * 3.124e-3;
+    let found = by_thickness(&format!("gamma=4 v_i=100 h={h}"));
+    assert_eq!(found.scene.closure(), ClosureInEffect::Cavity);
+    let rigid = found.of(Candidate::Rigid).unwrap();
+    assert!(close(rigid.as_built.unwrap(), 1.0, 1e-12), "{rigid:?}");
+}
+
+#[test]
+fn a_map_marks_where_the_change_of_closure_decides() {
+    let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Linear).unwrap();
+    let axes = [axis("v_i", (260.0, 300.0), 3), axis("gamma", (40.0, 42.0), 2)];
+    let base = scene(&format!("{AT_THE_CHANGE} closure=by-thickness"));
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
+    let map = Map::compute(&base, &axes, Hardware::default(), context).unwrap();
+    let letters = map.cells.iter().map(|cell| cell.err().map(Absence::letter));
+    assert_eq!(letters.collect::<Vec<_>>(), [None, None, Some('P'), Some('P'), None, None]);
+    assert!(map.line_of_one(0).is_empty());
 }

@@ -36,7 +36,7 @@ impl Closures {
 }
 
 /// A scene whose flow strengths come from their yield stresses by this closure, with the dishing and the drag that belong to it.
-fn by_closure(scene: &Scene, closure: Closure) -> Scene {
+pub(in crate::study) fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     let mut own = scene.clone();
     own.sweep = None;
     let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
