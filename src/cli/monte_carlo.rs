@@ -78,6 +78,8 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = validity::of_scene(&preset.scene);
+    let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
+    warnings.extend(validity::of_pair(&preset.scene, &[], &measures));
     warnings.extend(few_samples(task.samples));
     let answer = Answer {
         warnings,

@@ -143,6 +143,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let known: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
     let mut warnings = known.clone();
+    warnings.extend(validity::of_pair(&preset.scene, &task.axes, &task.measures()));
     for front in &fronts {
         let law = front.law.word();
         if let [design] = &*front.designs {

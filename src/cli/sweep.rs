@@ -158,7 +158,7 @@ impl Job<'_> {
         }
         if !matches!(table.target(), Target::None) && columns == Columns::Chosen && !table.json {
             // Rows with all columns have their own.
-            for warning in validity::of_axes(self.plan.base(), self.plan.axes()) {
+            for warning in validity::of_plan(self.plan) {
                 output::note(&format!("warning: {warning}"));
             }
         }
@@ -175,7 +175,7 @@ impl Job<'_> {
 
     fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
         let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
-        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
+        let warnings = validity::of_plan(self.plan);
         let missing = self.missing(summary).map_or_else(String::new, |it| it + "\n\n");
         missing + &at_top(&page::text(self.plan, &head, summary, kept), &warnings)
     }

@@ -205,7 +205,7 @@ fn own_sweep(grid: &Grid) -> Vec<Block> {
     let plan = grid.plan();
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(grid, output));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
-    let warnings = validity::of_axes(plan.base(), plan.axes());
+    let warnings = validity::of_plan(plan);
     blocks.extend((!warnings.is_empty()).then_some(Block::List(warnings)));
     blocks
 }

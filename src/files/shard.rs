@@ -7,6 +7,7 @@ use crate::files::export::{self, Beside};
 use crate::files::style::Style;
 use crate::files::write;
 use crate::model::scene::Scene;
+use crate::study::quantities;
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Design, Sampling, Shard};
 use crate::study::validity;
@@ -156,9 +157,13 @@ fn note<'s>(sidecar: &'s str, key: &str) -> Option<&'s str> {
 
 /// Warnings about the rows, as lines of a sidecar.
 fn warnings(scene: &Scene) -> Vec<String> {
-    let axes = scene.sweep.as_ref().and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
+    let sweep = scene.sweep.as_ref();
+    let axes = sweep.and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().0).collect();
-    let warnings = validity::of_axes(&scene_with(scene, &axes, &ends), &axes);
+    let mut warnings = validity::of_axes(&scene_with(scene, &axes, &ends), &axes);
+    let outputs = sweep.into_iter().flat_map(|sweep| &sweep.outputs);
+    let outputs: Vec<_> = outputs.filter_map(|name| quantities::find(name)).collect();
+    warnings.extend(validity::of_pair(scene, &axes, &outputs));
     warnings.iter().map(|warning| format!("warning: {}", clean::line(warning))).collect()
 }
 

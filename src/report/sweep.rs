@@ -142,7 +142,7 @@ impl Sheet<'_> {
             ("axes", self.plan.axes().iter().map(axis_json).collect()),
             ("outputs", outputs.into()),
             ("version", env!("CARGO_PKG_VERSION").into()),
-            ("warnings", validity::of_axes(self.plan.base(), self.plan.axes()).into()),
+            ("warnings", validity::of_plan(self.plan).into()),
         ]);
         pretty(&head).trim_end_matches(['\n', '}']).to_owned() + ",\n  \"rows\": [\n"
     }

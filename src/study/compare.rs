@@ -53,6 +53,7 @@ pub use sized::{Absence, Sized, WIDTH, areal_mass_of_run, mass_efficiency};
 
 pub(in crate::study) use hardware::spring_energy_j;
 use judge::Judge;
+pub use judge::limit_with_hardware_m_s;
 pub(in crate::study) use sized::{plates_kg, system_mass_of_run};
 
 enumeration! {

@@ -11,7 +11,8 @@ use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, engineering};
 use crate::study::compare::load::impulse_n_s;
 use crate::study::compare::{
-    Absence, Hardware, WIDTH, areal_mass_of_run, mass_efficiency, plates_kg, system_mass_of_run,
+    Absence, Hardware, WIDTH, areal_mass_of_run, limit_with_hardware_m_s, mass_efficiency,
+    plates_kg, system_mass_of_run,
 };
 use crate::study::limit;
 use crate::study::sweep::kernel::Answer;
@@ -227,7 +228,8 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Source::Shots(limit::velocity_m_s)).short("limit"),
+    quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates, whatever its springs have to store", Source::Shots(limit::velocity_m_s)).short("limit"),
+    quantity("limit_with_hardware_m_s", "least impact velocity that perforates or that the springs, sized for v_i, do not hold: as in `compare`", Source::Shots(limit_with_hardware_m_s)).short("with hardware"),
     quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).map_err(Absence::words))).short("efficiency"),
     quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
     quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole().stack(Plates(Sum)),

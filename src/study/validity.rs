@@ -10,7 +10,9 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
-use crate::study::sweep::Axis;
+use crate::study::quantities::Quantity;
+use crate::study::sweep::axis::scene_with;
+use crate::study::sweep::{Axis, Plan};
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
@@ -83,6 +85,31 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
     let far = at_ends(scene, own.as_ref(), axes).into_iter();
     let new = far.filter(|(_, far)| known.iter().all(|breach| breach.check != far.check));
     new.map(|(place, breach)| (breach.check, format!("{place}: {breach}"))).collect()
+}
+
+/// The quantities that count springs which are sized for one shot.
+const WITH_SPRINGS: [&str; 3] = ["areal_mass_kg_m2", "system_mass_kg", "least_spring_mass_kg"];
+
+/// That a limit velocity is not that of the springs whose mass stands beside it; `None` where only one of both was requested, or
+/// neither the scene nor the upper ends of its axes have springs.
+pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
+    let has = |name: &str| measures.iter().any(|it| it.name == name);
+    let mass = WITH_SPRINGS.into_iter().find(|name| has(name) && has("limit_velocity_m_s"))?;
+    let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
+    let is_sprung = |scene: &Scene| !scene.is_rigid() && scene.mechanism.has_springs();
+    (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {
+        format!(
+            "limit_velocity_m_s is that of the plate, whatever its springs have to store; those in {mass} are sized for v_i: \
+             limit_with_hardware_m_s is the limit with them, as in `cmra compare`"
+        )
+    })
+}
+
+/// Warnings about the results of a sweep: those over its axes, and of what its outputs have to do with each other.
+pub fn of_plan(plan: &Plan) -> Vec<String> {
+    let mut list = of_axes(plan.base(), plan.axes());
+    list.extend(of_pair(plan.base(), plan.axes(), plan.outputs()));
+    list
 }
 
 /// What is worse at the ends of each axis than in the scene itself, or comes up there, and where it is worst.
@@ -166,7 +193,9 @@ pub fn counted(counts: &[(Check, usize)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::quantities::named;
     use crate::study::sweep::Spacing;
+    use crate::study::testing::scene;
 
     /// The baseline's interface carries 0.108 of its strength; cocked by 0.5 m, 2.875 times as much as it can.
     #[test]
@@ -224,6 +253,26 @@ mod tests {
                 "{list:?}"
             );
         }
+    }
+
+    #[test]
+    fn a_limit_beside_the_mass_of_its_springs_is_named() {
+        let limit = "limit_velocity_m_s";
+        let of = |pairs: &str, axes: &[Axis], names: [&str; 2]| {
+            of_pair(&scene(pairs), axes, &names.map(|name| named(name).unwrap()))
+        };
+        let text = of("k=1e5", &[], [limit, "areal_mass_kg_m2"]).unwrap();
+        assert!(text.contains("areal_mass_kg_m2 are sized for v_i"), "{text}");
+        let softness = [Axis::new("k", (0.0, 1e5), 2, Spacing::Linear).unwrap()];
+        assert!(of("k=0", &softness, [limit, "system_mass_kg"]).is_some());
+        for (pairs, mass) in [
+            ("k=0", "areal_mass_kg_m2"),
+            ("k=1e5 mount=rigid", "areal_mass_kg_m2"),
+            ("k=1e5", "plate_mass_kg"),
+        ] {
+            assert!(of(pairs, &[], [limit, mass]).is_none(), "{pairs} {mass}");
+        }
+        assert!(of("k=1e5", &[], ["limit_with_hardware_m_s", "areal_mass_kg_m2"]).is_none());
     }
 
     fn cocked(distance_m: f64) -> Scene {

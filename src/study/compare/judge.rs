@@ -8,8 +8,8 @@ use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::hardware::Built;
 use crate::study::compare::sized::{self, sized};
 use crate::study::compare::solid::{Thickness, thickness_of_limit};
-use crate::study::compare::{Candidate, Entry, Failure, Hardware, Load, is_held};
-use crate::study::context::Context;
+use crate::study::compare::{Candidate, Entry, Failure, Hardware, Load, is_held, make};
+use crate::study::context::{Context, to_its_end};
 use crate::study::limit::{self, JUST_BELOW, Limit};
 
 /// Relative width to which the velocity is closed in at which the hardware fails.
@@ -22,19 +22,46 @@ pub(super) struct Judge<'c, 'w> {
     pub(super) context: &'c mut Context<'w>,
 }
 
+/// Up to which velocity plate and hardware hold.
+struct Limits {
+    /// Of the plate alone.
+    perforation: Limit,
+    /// The shot at the design velocity.
+    run: Run,
+    /// The fastest shot that the plate itself stops, just below its limit, m/s.
+    fastest: Option<(f64, Run)>,
+    built: Built,
+    /// Of plate and hardware, m/s.
+    limit_m_s: Option<f64>,
+    /// What fails there before the plate is perforated.
+    failure: Option<Failure>,
+}
+
+/// The limit velocity of a valid scene with its hardware, which is sized for the scene's own shot, m/s.
+///
+/// # Errors
+/// Why there is none.
+pub fn limit_with_hardware_m_s(scene: &Scene) -> Result<f64, String> {
+    let scene = Arc::new(make(scene, Candidate::Scene, None).ok_or("no such armour")?);
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
+    let limits = Judge { scene, hardware: Hardware::default(), context }.limits();
+    let Limits { perforation, limit_m_s, failure, .. } = limits.ok_or("no limit was found")?;
+    let why = || failure.map_or_else(|| perforation.absence().unwrap_or_default(), Failure::words);
+    limit_m_s.ok_or_else(why)
+}
+
 impl Judge<'_, '_> {
-    /// The entry; `None` when stopped.
-    pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
+    /// The limits of plate and hardware; `None` when stopped.
+    fn limits(&mut self) -> Option<Limits> {
         let scene = Arc::clone(&self.scene);
-        let design_m_s = scene.projectile.velocity_m_s;
         let perforation = limit::alone(&scene, self.context).ok()?;
         if perforation == Limit::Unknown {
             return None;
         }
-        let run = self.fire(design_m_s)?;
+        let run = self.fire(scene.projectile.velocity_m_s)?;
         let plate_m_s = perforation.velocity_m_s();
         let never_m_s = (perforation == Limit::Never).then_some(limit::RANGE_M_S.1);
-        // The fastest shot that the plate itself stops.
         let fastest = match plate_m_s.or(never_m_s) {
             Some(limit_m_s) => Some((limit_m_s, self.fire_below(limit_m_s)?)),
             None => None,
@@ -51,6 +78,13 @@ impl Judge<'_, '_> {
             }
             (_, _) => (plate_m_s, None),
         };
+        Some(Limits { perforation, run, fastest, built, limit_m_s, failure })
+    }
+
+    /// The entry; `None` when stopped.
+    pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
+        let scene = Arc::clone(&self.scene);
+        let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
         let limit_load = match (limit_m_s, &fastest) {
             (Some(_), Some((_, run))) if failure.is_none() => Load::of(run),
             (Some(limit), _) => Load::of(&self.fire_below(limit)?),

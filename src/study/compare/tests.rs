@@ -387,3 +387,21 @@ fn a_map_marks_where_the_change_of_closure_decides() {
     assert_eq!(letters.collect::<Vec<_>>(), [None, None, Some('P'), Some('P'), None, None]);
     assert!(map.line_of_one(0).is_empty());
 }
+
+/// A spring holds the shot it is sized for, and nothing faster; one of a given mass the shot whose energy, which goes with v², it stores.
+#[test]
+fn the_limit_with_hardware_is_that_of_the_comparison() {
+    let limit = |pairs: &str| limit_with_hardware_m_s(&scene(pairs)).unwrap();
+    assert!(close(limit("k=1e3 v_i=20"), 20.0, 1e-5));
+    let spring = plain("k=1e3 v_i=20").of(Candidate::Scene).unwrap().spring_kg.unwrap();
+    let twice = limit(&format!("k=1e3 v_i=20 m_spring={}", 2.0 * spring));
+    assert!(close(twice, 20.0 * 2f64.sqrt(), 1e-4), "{twice}");
+    // A shot that perforates does not size the spring: the plate's own limit. A rigid one is that of the model page.
+    for pairs in ["k=1e3 h=3mm v_i=300", "mount=rigid"] {
+        let own = crate::study::limit::velocity_m_s(&scene(pairs)).unwrap();
+        assert_eq!(limit(pairs), own, "{pairs}");
+    }
+    assert!((limit("mount=rigid") - 232.295_378).abs() < 5e-7);
+    let beyond = limit_with_hardware_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
+    assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
+}
