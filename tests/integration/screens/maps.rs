@@ -1,7 +1,10 @@
 //! Zoom, fit and pan of the maps: the same keys in Explore, Limit and Numerics, in decades on a logarithmic axis.
 
+use std::sync::Arc;
+
 use super::bench::Bench;
 use super::{search, stability, sweep};
+use cmra::model::scene::Closure;
 use cmra::tui::pages::limit::comparison::EqualMass;
 use cmra::tui::pages::numerics::stability::StabilityMap;
 use cmra::tui::theme::GlyphSet;
@@ -162,6 +165,39 @@ fn the_map_of_mass_efficiency_is_zoomed_panned_and_fitted() {
     search::answer(&mut bench);
     bench.keys("1jjl3");
     assert!(asked(&bench).is_none());
+}
+
+/// A hard core on AA6082, as in `cmra compare`: of 271 to 285 m/s only the change of closure at h = D decides. The map of a shot of
+/// 294 m/s has its next point at 278 m/s.
+#[test]
+fn the_change_of_closure_is_named_in_the_comparison_and_on_its_map() {
+    let opened = |velocity_m_s: f64, width: u16| {
+        let mut bench = Bench::ascii(width, 40);
+        let mut scene = (*bench.app.scene).clone();
+        scene.projectile.mass_kg = 5.3e-3;
+        scene.projectile.tip_radius_m = 3.124e-3;
+        scene.projectile.velocity_m_s = velocity_m_s;
+        scene.target.closure = Closure::ByThickness;
+        scene.target.thickness_m = 0.012;
+        scene.plate.mass_ratio = 41.63;
+        scene.mechanism.spring.coefficient = 1.0;
+        scene.mechanism.energy_j_kg = Some(18_200.0);
+        (scene.target.yield_pa, scene.target.modulus_pa) = (260e6, 70e9);
+        bench.app.scene = Arc::new(scene);
+        bench.keys("3");
+        search::answer(&mut bench);
+        bench
+    };
+    let screen = opened(278.0, 120).screen();
+    for words in
+        ["the mechanism pays, by both closures", "caution: only the change of closure at h"]
+    {
+        assert!(screen.contains(words), "{screen}");
+    }
+    let bench = opened(294.0, 200);
+    let readout = bench.app.efficiency_readout().expect("a cell");
+    assert!(readout.contains("only the change of closure at h = D decides"), "{readout}");
+    assert!(bench.screen().contains("  P pays by both closures"), "{}", bench.screen());
 }
 
 #[test]

@@ -22,7 +22,7 @@ use crate::tui::widgets::text::put;
 const MAP_POINTS: u64 = 41;
 
 /// What the rows of the comparison mean, for `?`.
-pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is perforated above it. Limit with hardware: the plate is perforated or the spring fails, which is sized for the design velocity and holds no faster shot. Mass efficiency as built: of the plate as thick as it is, at its own limit. *: nothing stops plate and projectile";
+pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is perforated above it. Limit with hardware: the plate is perforated or the spring fails, which is sized for the design velocity and holds no faster shot. Mass efficiency as built: of the plate as thick as it is, at its own limit. *: nothing stops plate and projectile. P, D and C on the map: only the change of closure at h = D decides; it pays by both closures, by neither, or is not decided";
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene, or over a part of its axes.
 #[derive(Debug)]
@@ -296,8 +296,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         column = canvas.put(area, (column, above.height), &from, Role::Text);
     }
     for (letter, words) in &map.marks {
-        let texts = ["no value", "none"].map(|short| format!("  {letter} {short}"));
-        let texts = [format!("  {letter} {words}")].into_iter().chain(texts);
+        let short = words.split(" (").next().unwrap_or_default();
+        let texts = [words, short, "no value", "none"].map(|text| format!("  {letter} {text}"));
         let text = fitting(texts, usize::from(area.width.saturating_sub(column)));
         column = canvas.put(area, (column, above.height), &text, Role::Text);
     }
