@@ -399,7 +399,7 @@ fn the_limit_with_hardware_is_that_of_the_comparison() {
     // A shot that perforates does not size the spring: the plate's own limit. A rigid one is that of the model page.
     for pairs in ["k=1e3 h=3mm v_i=300", "mount=rigid"] {
         let own = crate::study::limit::velocity_m_s(&scene(pairs)).unwrap();
-        assert_eq!(limit(pairs), own, "{pairs}");
+        assert!(close(limit(pairs), own, 1e-15), "{pairs}");
     }
     assert!((limit("mount=rigid") - 232.295_378).abs() < 5e-7);
     let beyond = limit_with_hardware_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
