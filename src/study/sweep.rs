@@ -21,7 +21,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use crate::model::library;
-use crate::model::scene::{Closure, PlateSize, Scene};
+use crate::model::scene::{PlateSize, Scene};
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
@@ -196,12 +196,12 @@ impl Plan {
             return Err(SweepError(text));
         }
         one_size(scene, &axes)?;
-        own_drag(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.sweep) = (String::new(), None);
-        base.notes = library::warnings(scene).collect::<Vec<&str>>().join("\n");
+        let warnings = scene.notes.lines().filter(|line| library::is_warning(line));
+        base.notes = warnings.collect::<Vec<&str>>().join("\n");
         let mut plan = Self { base, axes, design, points, outputs, list: None, steps_max: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
@@ -308,18 +308,6 @@ impl Plan {
         }
         Ok(())
     }
-}
-
-/// Refuses an axis over the drag coefficient where the closure chooses it.
-fn own_drag(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
-    let is_drag = |axis: &&Axis| axis.variable().key == "target.drag_coefficient";
-    let Some(axis) = axes.iter().find(is_drag).map(Axis::symbol) else { return Ok(()) };
-    if scene.target.closure != Closure::ByThickness {
-        return Ok(());
-    }
-    Err(SweepError(format!(
-        "{axis} varies, but closure = by-thickness chooses it: set closure=double-yield or closure=cavity"
-    )))
 }
 
 /// Refuses an axis over the plate's size where the scene gives it by another input: the axis would win without a word.
