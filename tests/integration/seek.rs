@@ -54,6 +54,22 @@ fn a_final_quantity_of_an_undecided_run_is_a_value() {
     assert!(bounds.contains(&"final_penetration_m".into()) && !bounds.contains(&"stroke_m".into()));
 }
 
+/// Uncocked, the plate's common energy goes into the spring: m_p v²/2 is 147.5 J, of which it keeps 1/(1 + gamma).
+#[test]
+fn a_goal_has_the_units_of_its_quantity() {
+    let over = ["--over", "gamma=0.5..7", "--set", "interface=fused", "--json", "--goal"];
+    let found = |goal: &str| -> Value {
+        serde_json::from_str(&out(&[&over[..], &[goal]].concat(), 0).0).unwrap()
+    };
+    let kilojoule = found("stored_energy_j=0.059kJ");
+    assert_eq!(kilojoule["solutions"], found("stored_energy_j=59")["solutions"]);
+    let gamma = kilojoule["solutions"][0]["at"].as_f64().unwrap();
+    assert!((gamma - 1.5).abs() < 0.01, "{kilojoule}");
+    let comma = ["--over", "gamma=0.8..7", "--goal", "stroke_m=12,5mm"];
+    let (_, error) = out(&comma, 2);
+    assert!(error.contains("write `12.5mm`"), "{error}");
+}
+
 /// The scene's 25.4 mm are 3.26 D of the bullet, the ends of the range 0.64 and 7.7 D; one face is held. None of them is the answer.
 #[test]
 fn warnings_are_those_of_the_solutions_alone() {
