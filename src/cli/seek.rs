@@ -64,7 +64,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let mut warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
     for (solution, checked) in report.solutions().zip(&report.checked) {
         let at = format!("{}={}", goal.axis.symbol(), significant(solution.place.at, 4));
-        warnings.extend(checked.warnings.iter().map(|text| format!("solution ({at}): {text}")));
+        let own = checked.new.iter().chain(&checked.known);
+        warnings.extend(own.map(|text| format!("solution ({at}): {text}")));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
     let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };

@@ -114,18 +114,26 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
 pub struct Checked {
     /// The checks that fail.
     pub fails: Vec<Check>,
-    /// Its warnings, but those of the entries of the libraries.
-    pub warnings: Vec<String>,
+    /// Its warnings, but those of the entries of the libraries and of checks that the scene itself fails.
+    pub new: Vec<String>,
+    /// Its warnings of checks that the scene itself fails, too.
+    pub known: Vec<String>,
 }
 
-/// Checks a design: by its run, or by the scene alone once `goes_on` is false.
-pub fn checked(design: &Scene, goes_on: &mut dyn FnMut() -> bool) -> Checked {
-    let run = run_while(design, STEPS_MAX, goes_on);
-    let breaches = breaches(design, run.as_ref());
-    let remarks = run.iter().flat_map(envelope::remarks);
-    Checked {
-        fails: breaches.iter().map(|breach| breach.check).collect(),
-        warnings: breaches.iter().map(ToString::to_string).chain(remarks).collect(),
+impl Checked {
+    /// Of a design: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the scene itself fails.
+    pub fn of(design: &Scene, known: &[Check], goes_on: &mut dyn FnMut() -> bool) -> Self {
+        let run = run_while(design, STEPS_MAX, goes_on);
+        let breaches = breaches(design, run.as_ref());
+        let fails = breaches.iter().map(|breach| breach.check).collect();
+        let (known, new): (Vec<Breach>, Vec<Breach>) =
+            breaches.into_iter().partition(|breach| known.contains(&breach.check));
+        let remarks = run.iter().flat_map(envelope::remarks);
+        Self {
+            fails,
+            new: new.iter().map(ToString::to_string).chain(remarks).collect(),
+            known: known.iter().map(ToString::to_string).collect(),
+        }
     }
 }
 
@@ -146,7 +154,7 @@ pub fn breached(
 ) -> Vec<(Check, usize)> {
     let mut counts = [0_usize; Check::ALL.len()];
     for scene in designs {
-        let fails = checked(&scene, goes_on).fails;
+        let fails = Checked::of(&scene, &[], goes_on).fails;
         for (count, check) in counts.iter_mut().zip(Check::ALL) {
             *count += usize::from(fails.contains(&check));
         }
@@ -239,5 +247,16 @@ mod tests {
             (of(Check::Thickness), of(Check::Interface))
         };
         assert_eq!((count(true), count(false)), ((2, 1), (2, 0)));
+    }
+
+    #[test]
+    fn the_warnings_of_a_design_are_told_from_those_that_its_scene_has() {
+        let known = Checked::of(&cocked(0.0), &[], &mut || true).fails;
+        let of = |distance_m| Checked::of(&cocked(distance_m), &known, &mut || true);
+        let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
+        assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
+        let far = of(0.5);
+        assert!(has(&far.new, "interface must carry 2.875") && has(&far.known, "h/D"), "{far:?}");
+        assert!(far.fails.contains(&Check::Interface) && far.fails.contains(&Check::Thickness));
     }
 }

@@ -6,11 +6,12 @@
 
 use std::ops::RangeInclusive;
 
+use crate::model::run::envelope::Check;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
-use crate::study::validity::{self, Checked};
+use crate::study::validity::Checked;
 use roots::{Crossing, RootScan};
 
 pub mod roots;
@@ -175,8 +176,10 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     }
     let solutions = lines.iter().filter(|line| line.kind.is_solution());
     let designs = solutions.map(|line| space.scene_of(&[line.place.at]));
-    let checked = designs.map(|design| validity::checked(&design, &mut || context.goes_on()));
-    let checked = checked.collect();
+    let mut check =
+        |design: &Scene, known: &[Check]| Checked::of(design, known, &mut || context.goes_on());
+    let known = check(scene, &[]).fails;
+    let checked = designs.map(|design| check(&design, &known)).collect();
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),

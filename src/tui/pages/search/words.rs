@@ -121,8 +121,8 @@ impl App {
         let solutions = listed.flat_map(|(index, (found, checked))| {
             let mark = if index == selected { ">" } else { " " };
             let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
-            let warnings = checked.warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
-            // There is room for the warnings of one solution.
+            let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
+            // There is room for the warnings of one solution; the status has every check that fails.
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
