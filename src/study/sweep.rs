@@ -26,8 +26,8 @@ use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-pub(in crate::study) use design::sequence;
 pub use design::{Design, Sampling};
+pub(in crate::study) use design::{hypercube, sequence};
 pub use designs::Found;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
@@ -258,9 +258,7 @@ impl Plan {
                 let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
                 own.value(index / faster % own.count())
             }
-            Sampling::LatinHypercube => {
-                own.at_share(design::hypercube(index, points, axis as u64, seed))
-            }
+            Sampling::LatinHypercube => own.at_share(hypercube(index, points, axis as u64, seed)),
             Sampling::Sobol => own.at_share(sequence(index, axis, seed)),
         }
     }
