@@ -21,6 +21,7 @@ use crate::study::search::front::{
     Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
 };
 use crate::study::search::nsga::Effort;
+use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, Spacing};
 use crate::study::validity;
 
@@ -96,7 +97,7 @@ impl OptimiseArguments {
             constraints.extend(feasibility());
         }
         Ok(Task {
-            axes: bounds(&self.over, scene)?,
+            axes: bounds(&self.over, scene, thesis_axes)?,
             objectives,
             constraints,
             laws: match self.laws {

@@ -97,19 +97,31 @@ impl Changes {
         }
         change(scene, &self.set)?;
         let set = |key| self.set_of(|found| found == key).is_some();
+        if set("target.drag_coefficient") && !set("target.drag") {
+            // It may stand before a closure by thickness.
+            scene.target.give_drag();
+        }
         if self.material.is_none() || set("target.closure") {
             return Ok(());
         }
-        note_closure(scene);
-        if set("target.flow_strength_pa") {
-            scene.target.closure = Closure::Given;
-        } else if set("target.dishing") || set("target.drag_coefficient") {
-            scene.target.closure = scene.target_in_effect().closure;
-        } else {
+        let is_given = set("target.flow_strength_pa");
+        // What was typed holds, beside what suits the thickness.
+        let own_dishing = set("target.dishing").then_some(scene.target.dishing);
+        if !is_given && own_dishing.is_none() {
+            note_closure(scene);
             return Ok(());
         }
-        // What was typed holds, beside what suits the thickness.
-        change(scene, &self.set)
+        scene.target = scene.target_in_effect();
+        scene.target.dishing = own_dishing.unwrap_or(scene.target.dishing);
+        if is_given {
+            scene.target.closure = Closure::Given;
+        } else {
+            let closure = scene.target.closure.word();
+            output::note(&format!(
+                "warning: dishing is set: closure = {closure} then holds for every thickness"
+            ));
+        }
+        Ok(())
     }
 
     /// Names every `--set` that the scene does not use, and what would: what a search or an axis changes may do so. Names every

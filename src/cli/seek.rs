@@ -8,12 +8,12 @@ use clap::Args;
 use crate::cli::study::{Answer, StudyArguments, on_plastic};
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, output, progress};
+use crate::model::library;
 use crate::model::units::{shortest, significant};
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
 use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
 use crate::study::sweep::Spacing;
-use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
@@ -61,10 +61,11 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     if let Some(law) = &law {
         output::note(law);
     }
-    let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
-    for (solution, texts) in report.solutions().zip(&report.warnings) {
+    let mut warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
+    for (solution, checked) in report.solutions().zip(&report.checked) {
         let at = format!("{}={}", goal.axis.symbol(), significant(solution.place.at, 4));
-        warnings.extend(texts.iter().map(|text| format!("solution ({at}): {text}")));
+        let own = checked.new.iter().chain(&checked.known);
+        warnings.extend(own.map(|text| format!("solution ({at}): {text}")));
     }
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
     let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };

@@ -9,11 +9,11 @@ use clap::Args;
 
 use crate::cli::amount::count;
 use crate::cli::study::{Answer, Random, StudyArguments, bounds};
-use crate::cli::text::width;
+use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
-use crate::study::sensitivity::{Effort, Report, study};
+use crate::study::sensitivity::{Effort, Report, SCATTER, study, usual_axes};
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -24,7 +24,8 @@ const TRAJECTORIES_MAX: u64 = 100_000;
 
 #[derive(Debug, Args)]
 pub(super) struct SensitivityArguments {
-    /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
+    /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2, and 4 % either way of every other input that
+    /// `cmra montecarlo` scatters]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// The quantity: `cmra explain quantities` lists all
@@ -59,14 +60,14 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let axes = bounds(&arguments.over, &preset.scene)?;
+    let axes = bounds(&arguments.over, &preset.scene, usual_axes)?;
     let report = arguments
         .study
         .run("runs", |context| study(&preset.scene, axes, &arguments.output, effort, context))?;
     let name = preset.name.as_str();
     let answer = Answer {
         warnings: validity::of_axes(&preset.scene, &report.axes),
-        page: page(name, &report),
+        page: page(name, &report, arguments.over.is_empty()),
         object: sensitivity::json(name, &report),
         rows: table(name, &report),
     };
@@ -74,10 +75,19 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     Ok(progress::exit_code(!report.is_empty()))
 }
 
-fn page(name: &str, report: &Report) -> String {
+fn page(name: &str, report: &Report, is_usual: bool) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page =
-        format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
+        format!("{name}: what {} depends on\nthe scene itself: {own}\n", report.output.title());
+    if is_usual {
+        let varied = format!(
+            "varied: the ranges of Table 9.2, and {:.0} % either way of what else a Monte Carlo study scatters; --over \
+             NAME=LO..HI, repeated, varies others instead",
+            100.0 * SCATTER
+        );
+        page += &hanging("", &varied, 2);
+    }
+    page.push('\n');
     if report.is_empty() {
         page.push_str("nothing to compare: no run has this result; choose another one: --output\n");
         return page;

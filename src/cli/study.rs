@@ -13,8 +13,7 @@ use crate::report::table::Table;
 use crate::study::context::Context;
 use crate::study::parallel::cores;
 use crate::study::search::seek::has_unlimited_interface;
-use crate::study::sensitivity::thesis_axes;
-use crate::study::sweep::{Axis, COUNTS};
+use crate::study::sweep::{Axis, COUNTS, SweepError};
 
 /// What every study of a scene takes.
 #[derive(Debug, Args)]
@@ -99,12 +98,16 @@ pub(super) struct Random {
     pub(super) seed: u64,
 }
 
-/// Variables and their bounds; without any those of Table 9.2.
-pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
+/// Variables and their bounds; without any the usual ones of the scene.
+pub(super) fn bounds(
+    texts: &[String],
+    scene: &Scene,
+    usual: fn(&Scene) -> Result<Vec<Axis>, SweepError>,
+) -> Result<Vec<Axis>, CliError> {
     if !texts.is_empty() {
         return texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect();
     }
-    let axes = thesis_axes(scene)?;
+    let axes = usual(scene)?;
     if axes.is_empty() {
         return Err(CliError::Option(
             "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"

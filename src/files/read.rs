@@ -296,8 +296,13 @@ impl<'t> Reader<'t> {
             let text = self.wrong_type(variable, value);
             return self.problem(value.span(), text);
         };
+        let drag = scene.target.drag;
         if let Err(error) = variable.set(scene, read) {
             self.problem(value.span(), error.to_string());
+        }
+        if variable.key == "target.drag_coefficient" {
+            // A file has the coefficient in effect, and says by another key that it is given.
+            scene.target.drag = drag;
         }
     }
 

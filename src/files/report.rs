@@ -83,8 +83,8 @@ impl Subject<'_> {
         let outcome = run.stack.as_ref().map_or_else(|| sentence(run), |stack| stack.sentence());
         let mut document = Document { title, blocks: vec![Block::Paragraph(outcome)] };
         // Warnings have a section of their own.
-        let known: Vec<&str> = library::warnings(scene).collect();
-        let notes: Vec<&str> = scene.notes.lines().filter(|line| !known.contains(line)).collect();
+        let notes: Vec<&str> =
+            scene.notes.lines().filter(|line| !library::is_warning(line)).collect();
         if !notes.is_empty() {
             document.blocks.push(Block::Paragraph(notes.join("\n")));
         }

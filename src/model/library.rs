@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::model::scene::{Closure, Scene, Target};
+use crate::model::scene::{Closure, DragSource, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
 use crate::model::worded::worded;
 
@@ -85,7 +85,7 @@ impl Entry {
             variables::find(key)?.set(scene, *value)?;
         }
         if self.library == Library::Materials {
-            scene.target.closure = Closure::ByThickness;
+            (scene.target.closure, scene.target.drag) = (Closure::ByThickness, DragSource::Closure);
             note_closure(scene);
         }
         let (start, warns) = (format!("{}: ", self.library.word()), self.library.warning_start());
@@ -112,12 +112,23 @@ impl Entry {
 /// Writes the dishing and the drag in effect beside a closure by thickness: files show them, and a closure that is stated later
 /// starts from them.
 pub fn note_closure(scene: &mut Scene) {
-    scene.target = Target { closure: scene.target.closure, ..scene.target_in_effect() };
+    let Target { closure, drag, .. } = scene.target;
+    scene.target = Target { closure, drag, ..scene.target_in_effect() };
 }
 
-/// The warnings of the entries that a scene was made from: they stand in its notes, so that a file keeps them.
+/// Whether a line of a scene's notes is the warning of an entry: they stand there, so that a file keeps them.
+pub fn is_warning(line: &str) -> bool {
+    Library::ALL.iter().any(|library| line.starts_with(&library.warning_start()))
+}
+
+/// The warnings of the entries that a scene was made from, but those whose advice it follows.
 pub fn warnings(scene: &Scene) -> impl Iterator<Item = &str> {
-    scene.notes.lines().filter(|line| {
-        Library::ALL.iter().any(|library| line.starts_with(&library.warning_start()))
-    })
+    scene.notes.lines().filter(|line| is_warning(line) && !is_followed(line, scene))
+}
+
+/// Whether a warning ends in an advice such as `: set C_d=0.212` that would change nothing.
+fn is_followed(warning: &str, scene: &Scene) -> bool {
+    let advice = warning.rsplit_once(": set ").map(|(_, changes)| changes);
+    let advised = advice.and_then(|changes| variables::changed(scene.clone(), changes).ok());
+    advised.is_some_and(|advised| advised == *scene)
 }

@@ -26,6 +26,8 @@ pub enum Quantity {
     Pressure,
     Time,
     Force,
+    Impulse,
+    Energy,
     SpecificEnergy,
     Stiffness,
     Damping,
@@ -33,6 +35,7 @@ pub enum Quantity {
     DamperCoefficient,
     Twist,
     Inertia,
+    ArealMass,
 }
 
 impl Quantity {
@@ -49,6 +52,8 @@ impl Quantity {
             Self::Pressure => ("Pa", table::PRESSURE_UNITS, "151.6 MPa"),
             Self::Time => ("s", table::TIME_UNITS, "150 us"),
             Self::Force => ("N", table::FORCE_UNITS, "19kN"),
+            Self::Impulse => ("N s", table::IMPULSE_UNITS, "12 N s"),
+            Self::Energy => ("J", table::ENERGY_UNITS, "1.5kJ"),
             Self::SpecificEnergy => ("J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
             Self::Stiffness => ("N/m", table::STIFFNESS_UNITS, "7.5MN/m"),
             Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
@@ -56,6 +61,7 @@ impl Quantity {
             Self::DamperCoefficient => ("N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
             Self::Twist => ("rad/m", table::TWIST_UNITS, "50 rad/m"),
             Self::Inertia => ("kg m2", table::INERTIA_UNITS, "5e-6 kg m2"),
+            Self::ArealMass => ("kg/m2", table::AREAL_MASS_UNITS, "40 kg/m2"),
         }
     }
 
@@ -128,6 +134,10 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
             "`{shown}` is not a number (column {column}): write for example `{example}`"
         ))
     })?;
+    if let Some(point) = with_point(trimmed, rest) {
+        let column = column + trimmed.chars().count() - rest.chars().count();
+        return Err(QuantityError(format!("`{shown}` has a comma (column {column}): {point}")));
+    }
     let unit = rest.trim();
     let needs_unit = bare == Bare::Si && quantity == Quantity::Angle;
     // Zero is the same in every unit.
@@ -155,6 +165,17 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
     };
     let scaled = value * factor.times / factor.over;
     if scaled.is_finite() { Ok(scaled) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
+}
+
+/// The cure where a decimal comma, or one between thousands, follows the number that was read.
+fn with_point(text: &str, rest: &str) -> Option<String> {
+    let digits = number_prefix(rest.strip_prefix(',')?);
+    let point = quoted(&text.replacen(',', ".", 1));
+    match digits {
+        0 => None,
+        3 => Some(format!("write `{point}`, or `{}`", quoted(&text.replacen(',', "", 1)))),
+        _ => Some(format!("write `{point}`")),
+    }
 }
 
 /// The complaint, with its cure, about a range of which one end has a unit and the other has none. Zero is the same in every
@@ -225,8 +246,16 @@ fn find_unit(unit: &str, quantity: Quantity) -> Option<Unit> {
     if squeezed == quantity.unit() || squeezed == other {
         return Some(table::STORED);
     }
-    let same = |name: &str| name.chars().filter(|c| !c.is_whitespace()).eq(squeezed.chars());
-    quantity.units().iter().find(|unit| !unit.name.is_empty() && same(unit.name)).copied()
+    let is = |name: &str, text: &str| {
+        name.chars().filter(|c| !c.is_whitespace()).eq(text.chars()) && !name.is_empty()
+    };
+    let listed = quantity.units().iter().find(|unit| is(unit.name, &squeezed)).copied();
+    // Values are shown with any prefix; kg has one already.
+    let prefixes = Prefix::ALL.iter().filter(|_| !quantity.unit().starts_with("kg"));
+    let mut prefixed = prefixes.filter(|prefix| {
+        squeezed.strip_prefix(prefix.letter).is_some_and(|base| is(quantity.unit(), base))
+    });
+    listed.or_else(|| prefixed.next().map(|prefix| table::prefixed(*prefix)))
 }
 
 /// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.
@@ -475,6 +504,15 @@ mod tests {
             ("50 rad/m", Quantity::Twist, 50.0),
             ("360 deg/mm", Quantity::Twist, 2000.0 * std::f64::consts::PI),
             ("5 kg cm2", Quantity::Inertia, 5e-4),
+            ("1 lbf s", Quantity::Impulse, lbf),
+            ("1 ft lbf", Quantity::Energy, 0.3048 * lbf),
+            ("1.5kJ", Quantity::Energy, 1500.0),
+            ("1 lb/ft2", Quantity::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
+            ("4 g/cm2", Quantity::ArealMass, 40.0),
+            // Any prefix before the stored unit.
+            ("2 GN", Quantity::Force, 2e9),
+            ("3 mN s", Quantity::Impulse, 3e-3),
+            ("5 nJ", Quantity::Energy, 5e-9),
         ];
         for (text, quantity, expected) in cases {
             let value = parse(text, quantity, Bare::Si).unwrap();
@@ -515,6 +553,11 @@ mod tests {
             ("1e999", "not a finite number"),
             ("1/0", "not a finite number"),
             ("1..2", "not a unit"),
+            ("12,5mm", "`12,5mm` has a comma (column 3): write `12.5mm`"),
+            (" -0,25 m", "`-0,25 m` has a comma (column 4): write `-0.25 m`"),
+            ("1,250mm", "write `1.250mm`, or `1250mm`"),
+            ("1, 2", "`, 2` is not a unit"),
+            ("2 mkg", "`mkg` is not a unit"),
         ];
         for (text, fragment) in cases {
             let error = parse(text, Quantity::Length, Bare::Stored).unwrap_err().to_string();

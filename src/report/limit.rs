@@ -93,10 +93,14 @@ pub fn few_samples(samples: usize) -> Option<String> {
 
 /// The band between the closures.
 fn closures(closures: &Closures) -> String {
-    let shown = |value: Option<f64>| value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
-    let [double_yield, cavity] = [closures.double_yield_m_s, closures.cavity_m_s].map(shown);
+    let shown = |value: Option<f64>, drag: f64| {
+        let limit = value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
+        format!("(C_d = {}) {limit}", significant(drag, 4))
+    };
     let each = format!(
-        "2 Y with dishing {double_yield}, cavity without dishing and with twice the C_d {cavity}"
+        "2 Y with dishing {}, cavity without dishing {}",
+        shown(closures.double_yield_m_s, closures.double_yield_drag),
+        shown(closures.cavity_m_s, closures.cavity_drag)
     );
     closures.band_m_s().map_or_else(
         || each.clone(),
@@ -211,7 +215,9 @@ pub fn json(name: &str, report: &Report) -> Value {
     let closures = report.closures.map(|closures| {
         json!({
             "double_yield_dishing_m_s": closures.double_yield_m_s,
+            "double_yield_drag_coefficient": closures.double_yield_drag,
             "cavity_no_dishing_m_s": closures.cavity_m_s,
+            "cavity_drag_coefficient": closures.cavity_drag,
         })
     });
     let own = ["impact_velocity_m_s", "outcome", "residual_velocity_m_s"];

@@ -236,16 +236,16 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole().stack(Plates(Sum)),
 ];
 
-/// How names end, and the units that means; a longer ending stands before its own end.
-const ENDINGS: [(&str, &str); 8] = [
-    ("_kg_m2", "kg/m2"),
-    ("_m_s", "m/s"),
-    ("_n_s", "N s"),
-    ("_m", "m"),
-    ("_s", "s"),
-    ("_n", "N"),
-    ("_j", "J"),
-    ("_kg", "kg"),
+/// How names end, and the kind that means; a longer ending stands before its own end.
+const ENDINGS: [(&str, units::Quantity); 8] = [
+    ("_kg_m2", units::Quantity::ArealMass),
+    ("_m_s", units::Quantity::Velocity),
+    ("_n_s", units::Quantity::Impulse),
+    ("_m", units::Quantity::Length),
+    ("_s", units::Quantity::Time),
+    ("_n", units::Quantity::Force),
+    ("_j", units::Quantity::Energy),
+    ("_kg", units::Quantity::Mass),
 ];
 
 impl Quantity {
@@ -254,7 +254,12 @@ impl Quantity {
         if self.name.starts_with("percent") {
             return "%";
         }
-        self.ending().map_or("", |(_, unit)| unit)
+        self.kind().unit()
+    }
+
+    /// The kind of its values, which says in what units they may be written.
+    fn kind(&self) -> units::Quantity {
+        self.ending().map_or(units::Quantity::Number, |(_, kind)| kind)
     }
 
     /// Its name in words, without the unit: `max plate displacement`.
@@ -268,7 +273,7 @@ impl Quantity {
         if self.short.is_empty() { self.title() } else { self.short.to_owned() }
     }
 
-    fn ending(&self) -> Option<(&'static str, &'static str)> {
+    fn ending(&self) -> Option<(&'static str, units::Quantity)> {
         ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
     }
 
@@ -299,21 +304,13 @@ impl Quantity {
         value.map_or_else(|| units::NO_NUMBER.to_owned(), |value| self.show(value, digits))
     }
 
-    /// Read a value: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).
+    /// Read a value: SI, or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as they are shown (`60` or `60 %`).
     ///
     /// # Errors
     /// The error of the text, in words.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let kind = match self.unit() {
-            "m" => units::Quantity::Length,
-            "s" => units::Quantity::Time,
-            "N" => units::Quantity::Force,
-            "m/s" => units::Quantity::Velocity,
-            "kg" => units::Quantity::Mass,
-            _ => units::Quantity::Number,
-        };
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
-        units::parse(bare, kind, Bare::Si).map_err(|problem| problem.to_string())
+        units::parse(bare, self.kind(), Bare::Si).map_err(|problem| problem.to_string())
     }
 
     /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.

@@ -9,6 +9,7 @@ use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
+use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::{Axis, Found, Plan, Spacing, SweepError};
 use crate::study::validity;
@@ -115,6 +116,30 @@ pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
         })
         .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
         .collect()
+}
+
+/// Half the range of an input that scatters, relative: two of its standard deviations.
+pub const SCATTER: f64 = 2.0 * USUAL_DEVIATION;
+
+/// What varies where nothing is named: the variables of Table 9.2 over its ranges, and within [`SCATTER`] whatever else a Monte Carlo
+/// study scatters, as long as no values of theirs exclude each other.
+///
+/// # Errors
+/// None in practice: the table's ranges are sound.
+pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
+    let mut axes = thesis_axes(scene)?;
+    for tolerance in usual_tolerances(scene, USUAL_DEVIATION) {
+        let Distribution::LogNormal { median, .. } = tolerance.distribution else { continue };
+        let ends = (median * (1.0 - SCATTER), median * (1.0 + SCATTER));
+        let Ok(axis) = Axis::new(tolerance.symbol(), ends, 2, Spacing::Linear) else { continue };
+        axes.push(axis);
+        if axes.len() > indices::INPUTS_MAX
+            || Plan::for_designs(scene, axes.clone(), &[] as &[&str]).is_err()
+        {
+            axes.pop();
+        }
+    }
+    Ok(axes)
 }
 
 /// Find out.

@@ -21,13 +21,13 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use crate::model::library;
-use crate::model::scene::{Closure, PlateSize, Scene};
+use crate::model::scene::{PlateSize, Scene};
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-pub(in crate::study) use design::sequence;
 pub use design::{Design, Sampling};
+pub(in crate::study) use design::{hypercube, sequence};
 pub use designs::Found;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
@@ -196,12 +196,12 @@ impl Plan {
             return Err(SweepError(text));
         }
         one_size(scene, &axes)?;
-        own_drag(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.sweep) = (String::new(), None);
-        base.notes = library::warnings(scene).collect::<Vec<&str>>().join("\n");
+        let warnings = scene.notes.lines().filter(|line| library::is_warning(line));
+        base.notes = warnings.collect::<Vec<&str>>().join("\n");
         let mut plan = Self { base, axes, design, points, outputs, list: None, steps_max: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
@@ -258,9 +258,7 @@ impl Plan {
                 let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
                 own.value(index / faster % own.count())
             }
-            Sampling::LatinHypercube => {
-                own.at_share(design::hypercube(index, points, axis as u64, seed))
-            }
+            Sampling::LatinHypercube => own.at_share(hypercube(index, points, axis as u64, seed)),
             Sampling::Sobol => own.at_share(sequence(index, axis, seed)),
         }
     }
@@ -308,18 +306,6 @@ impl Plan {
         }
         Ok(())
     }
-}
-
-/// Refuses an axis over the drag coefficient where the closure chooses it.
-fn own_drag(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
-    let is_drag = |axis: &&Axis| axis.variable().key == "target.drag_coefficient";
-    let Some(axis) = axes.iter().find(is_drag).map(Axis::symbol) else { return Ok(()) };
-    if scene.target.closure != Closure::ByThickness {
-        return Ok(());
-    }
-    Err(SweepError(format!(
-        "{axis} varies, but closure = by-thickness chooses it: set closure=double-yield or closure=cavity"
-    )))
 }
 
 /// Refuses an axis over the plate's size where the scene gives it by another input: the axis would win without a word.

@@ -136,25 +136,32 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
     list
 }
 
-/// The warnings of each design that the scene itself does not have: by their runs, and by the scenes alone once `goes_on` is false.
-pub fn new_in_each(
-    own: &Scene,
-    designs: &[Scene],
-    goes_on: &mut dyn FnMut() -> bool,
-) -> Vec<Vec<String>> {
-    let run_of_own = run_while(own, STEPS_MAX, goes_on);
-    let known: Vec<Check> =
-        breaches(own, run_of_own.as_ref()).iter().map(|breach| breach.check).collect();
-    let remarked: Vec<String> = run_of_own.iter().flat_map(envelope::remarks).collect();
-    let of_design = |design: &Scene| {
+/// What is to be said against a design.
+#[derive(Clone, Debug, Default)]
+pub struct Checked {
+    /// The checks that fail.
+    pub fails: Vec<Check>,
+    /// Its warnings, but those of the entries of the libraries and of checks that the scene itself fails.
+    pub new: Vec<String>,
+    /// Its warnings of checks that the scene itself fails, too.
+    pub known: Vec<String>,
+}
+
+impl Checked {
+    /// Of a design: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the scene itself fails.
+    pub fn of(design: &Scene, known: &[Check], goes_on: &mut dyn FnMut() -> bool) -> Self {
         let run = run_while(design, STEPS_MAX, goes_on);
-        let found = breaches(design, run.as_ref()).into_iter();
-        let new = found.filter(|breach| !known.contains(&breach.check));
+        let breaches = breaches(design, run.as_ref());
+        let fails = breaches.iter().map(|breach| breach.check).collect();
+        let (known, new): (Vec<Breach>, Vec<Breach>) =
+            breaches.into_iter().partition(|breach| known.contains(&breach.check));
         let remarks = run.iter().flat_map(envelope::remarks);
-        let remarks = remarks.filter(|text| !remarked.contains(text));
-        new.map(|breach| breach.to_string()).chain(remarks).collect()
-    };
-    designs.iter().map(of_design).collect()
+        Self {
+            fails,
+            new: new.iter().map(ToString::to_string).chain(remarks).collect(),
+            known: known.iter().map(ToString::to_string).collect(),
+        }
+    }
 }
 
 /// The warnings of a design beyond those that are known already, with the values that make it.
@@ -174,10 +181,9 @@ pub fn breached(
 ) -> Vec<(Check, usize)> {
     let mut counts = [0_usize; Check::ALL.len()];
     for scene in designs {
-        let run = run_while(&scene, STEPS_MAX, goes_on);
-        let found = breaches(&scene, run.as_ref());
+        let fails = Checked::of(&scene, &[], goes_on).fails;
         for (count, check) in counts.iter_mut().zip(Check::ALL) {
-            *count += usize::from(found.iter().any(|breach| breach.check == check));
+            *count += usize::from(fails.contains(&check));
         }
     }
     Check::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0).collect()
@@ -293,10 +299,13 @@ mod tests {
     }
 
     #[test]
-    fn a_design_has_the_warnings_that_its_scene_has_not() {
-        let list = new_in_each(&cocked(0.0), &[0.0, 0.5].map(cocked), &mut || true);
-        assert!(list[0].is_empty(), "{list:?}");
-        assert!(list[1].iter().any(|text| text.contains("interface must carry 2.875")), "{list:?}");
-        assert!(list[1].iter().all(|text| !text.contains("h/D")), "{list:?}");
+    fn the_warnings_of_a_design_are_told_from_those_that_its_scene_has() {
+        let known = Checked::of(&cocked(0.0), &[], &mut || true).fails;
+        let of = |distance_m| Checked::of(&cocked(distance_m), &known, &mut || true);
+        let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
+        assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
+        let far = of(0.5);
+        assert!(has(&far.new, "interface must carry 2.875") && has(&far.known, "h/D"), "{far:?}");
+        assert!(far.fails.contains(&Check::Interface) && far.fails.contains(&Check::Thickness));
     }
 }

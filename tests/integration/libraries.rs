@@ -47,16 +47,75 @@ fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     let own = found(&["--set", "h=3mm", "--set", "C_d=0.7"])["variables"].clone();
     assert_eq!(
         (&own["target.closure"], &own["target.dishing"], &own["target.drag_coefficient"]),
-        (&"double-yield".into(), &true.into(), &0.7.into())
+        (&"by-thickness".into(), &true.into(), &0.7.into())
     );
 }
 
-/// Samples and points take the closure that suits their own thickness, so that a drag of one's own has no meaning.
+fn with<'s>(sets: &[&'s str]) -> Vec<&'s str> {
+    let core = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "v_i=850"];
+    core.into_iter().chain(sets.iter().flat_map(|set| ["--set", *set])).collect()
+}
+
+/// The core has 6.2 mm: a plate of 5 mm dishes, one of 20 mm does not, also with a drag coefficient of one's own, wherever it comes
+/// from. The advice of the threat is then followed.
 #[test]
-fn a_drag_that_the_closure_chooses_is_no_axis() {
-    let sweep = ["--material", "aa6082-t651", "--over", "C_d=0.5,1"];
-    let (_, error) = says("sweep", &sweep, 2);
-    assert!(error.contains("C_d varies, but closure = by-thickness chooses it"), "{error}");
+fn a_drag_of_ones_own_leaves_the_closure_by_thickness() {
+    for (h, closure, dishing) in
+        [("h=5mm", "double-yield", "dishing=on"), ("h=20mm", "cavity", "dishing=off")]
+    {
+        let stated = [h, &format!("closure={closure}"), dishing, "C_d=0.212"];
+        let stated = limit_m_s(&with(&stated)).to_bits();
+        assert_eq!(limit_m_s(&with(&[h, "C_d=0.212"])).to_bits(), stated, "{h}");
+        let set_first = with(&["C_d=0.212", "closure=by-thickness", h]);
+        assert_eq!(limit_m_s(&set_first).to_bits(), stated, "{h}");
+        assert_ne!(limit_m_s(&with(&[h])).to_bits(), stated, "{h}");
+        let axis = ["--over", "C_d=0.212,0.3", "--outputs", "limit_velocity_m_s", "--csv", "-"];
+        let rigid = ["--set", "mount=rigid"];
+        let swept = says("sweep", &[&with(&[h])[..], &rigid, &axis].concat(), 0).0;
+        let first = swept.lines().nth(1).and_then(|row| row.split(',').nth(2)).unwrap();
+        let first: f64 = first.parse().unwrap();
+        assert!((first / f64::from_bits(stated) - 1.0).abs() < 1e-9, "{swept}");
+    }
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("report.md");
+    let file = path.to_str().unwrap();
+    for (sets, is_warned) in [(&["h=5mm"][..], true), (&["h=5mm", "C_d=0.212"], false)] {
+        for command in ["run", "limit", "compare"] {
+            let page = says(command, &with(sets), 0).0;
+            assert_eq!(page.contains("set C_d=0.212"), is_warned, "{command}: {page}");
+        }
+        says("report", &[&with(sets)[..], &["-o", file, "--force"]].concat(), 0);
+        // Once as a warning, and twice in the scene that the report keeps.
+        let report = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(report.contains("- threat warning"), is_warned, "{report}");
+        assert_eq!(report.matches("threat warning").count(), 1 + usize::from(is_warned));
+    }
+    // Files keep it, and a file of before, with the coefficient in effect, follows the thickness.
+    let exported = place.path().join("out.csv");
+    let exported = exported.to_str().unwrap();
+    let scene = place.path().join("out.toml");
+    let scene = scene.to_str().unwrap();
+    for (sets, thin) in
+        [(&["h=20mm", "C_d=0.212"][..], &["h=5mm", "C_d=0.212"][..]), (&["h=20mm"], &["h=5mm"])]
+    {
+        says("run", &[&with(sets)[..], &["--csv", exported, "--force"]].concat(), 0);
+        let again = limit_m_s(&[scene, "--set", "h=5mm"]);
+        assert_eq!(again.to_bits(), limit_m_s(&with(thin)).to_bits(), "{sets:?}");
+    }
+    // What is relative counts once, and a dishing of one's own says what it does to the closure.
+    let sets = with(&["h=5mm", "v_i=*2", "dishing=off", "C_d=0.3"]);
+    let (found, note) = says("run", &[&sets[..], &["--json"]].concat(), 0);
+    let found: Value = serde_json::from_str(&found).unwrap();
+    assert_eq!(found["variables"]["projectile.velocity_m_s"], 1700.0);
+    assert_eq!(found["variables"]["target.closure"], "double-yield");
+    assert_eq!(found["variables"]["target.dishing"], false);
+    assert_eq!(found["variables"]["target.drag_coefficient"], 0.3);
+    assert!(note.contains("dishing is set: closure = double-yield"), "{note}");
+}
+
+/// Samples take the closure that suits their own thickness.
+#[test]
+fn the_base_plate_of_a_stack_has_its_own_closure() {
     // The base plate, thicker than the elements, keeps its closure: hardly scattered, V50 is the limit.
     let stack = ["array-stacked", "--material", "aa6061-t6511", "--set", "h_base=20mm", "--json"];
     let sampled = [&stack[..], &["--monte-carlo", "0.00001", "--samples", "30"]].concat();

@@ -156,6 +156,10 @@ fn valid_band_between_the_closures() {
     assert!((found["limit_velocity_m_s"].as_f64().unwrap() - 423.351_634).abs() < 5e-6);
     let page = output(&[&["--scatter", "0"], &set[..]].concat());
     assert!(page.contains("closure band") && page.contains("398.9 to 423.4 m/s"), "{page}");
+    assert!(page.contains("2 Y with dishing (C_d = 0.5) 423.4 m/s"), "{page}");
+    assert!(page.contains("cavity without dishing (C_d = 1) 398.9 m/s"), "{page}");
+    assert_eq!(found["closures"]["double_yield_drag_coefficient"], 0.5, "{found}");
+    assert_eq!(found["closures"]["cavity_drag_coefficient"], 1.0, "{found}");
     // A strength that is given has no such band.
     assert!(json(&["--scatter", "0"])["closures"].is_null());
 }

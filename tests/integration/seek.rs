@@ -54,6 +54,56 @@ fn a_final_quantity_of_an_undecided_run_is_a_value() {
     assert!(bounds.contains(&"final_penetration_m".into()) && !bounds.contains(&"stroke_m".into()));
 }
 
+/// Uncocked, the plate's common energy goes into the spring: m_p v²/2 is 147.5 J, of which it keeps 1/(1 + gamma).
+#[test]
+fn a_goal_has_the_units_of_its_quantity() {
+    let over = ["--over", "gamma=0.5..7", "--set", "interface=fused", "--json", "--goal"];
+    let found = |goal: &str| -> Value {
+        serde_json::from_str(&out(&[&over[..], &[goal]].concat(), 0).0).unwrap()
+    };
+    let kilojoule = found("stored_energy_j=0.059kJ");
+    assert_eq!(kilojoule["solutions"], found("stored_energy_j=59")["solutions"]);
+    let gamma = kilojoule["solutions"][0]["at"].as_f64().unwrap();
+    assert!((gamma - 1.5).abs() < 0.01, "{kilojoule}");
+    let comma = ["--over", "gamma=0.8..7", "--goal", "stroke_m=12,5mm"];
+    let (_, error) = out(&comma, 2);
+    assert!(error.contains("write `12.5mm`"), "{error}");
+}
+
+/// The scene's 25.4 mm are 3.26 D of the bullet, the ends of the range 0.64 and 7.7 D; one face is held. None of them is the answer.
+#[test]
+fn warnings_are_those_of_the_solutions_alone() {
+    let scene = ["--threat", "m80-ball", "--material", "aa6082-t651", "--set", "face=300mm"];
+    let more = ["--set", "k=2MN/m", "--over", "h=5mm..60mm", "--json"];
+    let goal = |value| ["--goal", value];
+    let found = |value, code| -> Value {
+        let arguments = [&scene[..], &more, &goal(value)].concat();
+        serde_json::from_str(&out(&arguments, code).0).unwrap()
+    };
+    let warned = found("limit_velocity_m_s=900", 0);
+    let h = warned["solutions"][0]["at"].as_f64().unwrap();
+    let warnings: Vec<&str> =
+        warned["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();
+    let (of_solution, of_threat): (Vec<&str>, Vec<&str>) =
+        warnings.iter().copied().partition(|text| text.starts_with("solution (h=0.0"));
+    assert!(
+        matches!(of_threat[..], [text] if text.starts_with("threat warning: ")),
+        "{warnings:?}"
+    );
+    // They are those of a run of the solution.
+    let set = format!("h={h}");
+    let run = [&scene[..], &["--set", "k=2MN/m", "--set", "interface=plastic", "--set", &set]];
+    let run = says("run", &[&run.concat()[..], &["--json"]].concat(), 0).0;
+    let run: Value = serde_json::from_str(&run).unwrap();
+    assert!(!of_solution.is_empty(), "{warnings:?}");
+    for text in of_solution {
+        let own = text.split_once("): ").unwrap().1;
+        assert!(run["warnings"].as_array().unwrap().contains(&own.into()), "{own}: {run}");
+    }
+    let none = found("limit_velocity_m_s=5000", 1);
+    assert_eq!(none["warnings"].as_array().unwrap().len(), 1, "{none}");
+}
+
 #[test]
 fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     let fused = ["--set", "interface=fused"];

@@ -54,7 +54,13 @@ parts! {
             .from("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            is(DRAG).also(&["Cd"]).used_when(|scene| resists(scene) && scene.target.closure != Closure::ByThickness).from(TABLE_9_1);
+            is(DRAG).also(&["Cd"])
+            .used_when(|scene| resists(scene) && (scene.target.closure != Closure::ByThickness || scene.target.drag == DragSource::Given))
+            .from(TABLE_9_1);
+        pub drag: DragSource = DragSource::Closure => "drag", "source of C_d",
+            "where C_d comes from with closure = by-thickness: the closure, or given; setting C_d makes it given",
+            choice().seldom().when(|scene| resists(scene) && scene.target.closure == Closure::ByThickness)
+            .from("0.5 with 2 Y (Virostek), 1 with cavity expansion (a hemisphere)");
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
             is(DISHING).used_when(|scene| penetrates(scene) && scene.target.closure != Closure::ByThickness).from("thesis section 8.3.1 and Appendix A.2");
@@ -102,6 +108,18 @@ worded! {
         Cavity = "cavity",
         /// The first of them for plates thinner than the projectile's diameter, the second from there on.
         ByThickness = "by-thickness",
+    }
+}
+
+worded! {
+    /// Where the drag coefficient comes from under a closure by thickness.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum DragSource: word {
+        /// The closure in effect has its own.
+        #[default]
+        Closure = "closure",
+        /// It is given, as under every other closure.
+        Given = "given",
     }
 }
 
@@ -159,6 +177,13 @@ impl Target {
         CAVITY_FROM * 2.0 * tip_radius_m
     }
 
+    /// Makes the drag coefficient a given one, also where the closure by thickness would choose it.
+    pub fn give_drag(&mut self) {
+        if self.closure == Closure::ByThickness {
+            self.drag = DragSource::Given;
+        }
+    }
+
     /// The closure in effect.
     pub fn closure_in_effect(&self, tip_radius_m: f64) -> ClosureInEffect {
         let is_thin = self.thickness_m < Self::thick_from_m(tip_radius_m);
@@ -171,21 +196,18 @@ impl Target {
     }
 
     /// With the closure that suits its thickness where that chooses it: 2 Y with dishing and Virostek's drag on a thin plate, cavity
-    /// expansion with a hemisphere's drag on a thick one.
+    /// expansion with a hemisphere's drag on a thick one; a given drag stays.
     #[must_use]
     pub fn in_effect(self, tip_radius_m: f64) -> Self {
         if self.closure != Closure::ByThickness {
             return self;
         }
-        if self.closure_in_effect(tip_radius_m) == ClosureInEffect::DoubleYield {
-            return Self {
-                closure: Closure::DoubleYield,
-                dishing: true,
-                drag_coefficient: 0.5,
-                ..self
-            };
-        }
-        Self { closure: Closure::Cavity, dishing: false, drag_coefficient: 1.0, ..self }
+        let dishing = self.closure_in_effect(tip_radius_m) == ClosureInEffect::DoubleYield;
+        let (closure, drag) =
+            if dishing { (Closure::DoubleYield, 0.5) } else { (Closure::Cavity, 1.0) };
+        let drag_coefficient =
+            if self.drag == DragSource::Given { self.drag_coefficient } else { drag };
+        Self { closure, dishing, drag_coefficient, drag: DragSource::Closure, ..self }
     }
 }
 
@@ -214,7 +236,10 @@ const DISHING: Kind =
     Kind::Switch { get: Scene::dishing, set: |scene, on| scene.target.dishing = on };
 const DRAG: Kind = Kind::Number(Number {
     get: |scene| Some(scene.drag_coefficient()),
-    set: |scene, value| scene.target.drag_coefficient = value.unwrap_or_default(),
+    set: |scene, value| {
+        scene.target.drag_coefficient = value.unwrap_or_default();
+        scene.target.give_drag();
+    },
     ..Number::of(Quantity::Number, Allowed::NonNegative)
 });
 

@@ -1,5 +1,7 @@
 //! The units of every kind of quantity, by their definitions: the international yard and pound of 1959, and 9.80665 m/s^2.
 
+use super::Prefix;
+
 /// One way of writing a quantity: one of it is `times / over` in the stored unit. Both are whole numbers where the definition
 /// allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and 0.0762.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +22,11 @@ const fn of(name: &'static str, times: f64) -> Unit {
 /// A unit that is a fraction of the stored one.
 const fn ratio(name: &'static str, times: f64, over: f64) -> Unit {
     Unit { name, times, over }
+}
+
+/// The stored unit with a prefix before it.
+pub(super) fn prefixed(prefix: Prefix) -> Unit {
+    if prefix.size < 1.0 { ratio("", 1.0, prefix.in_one) } else { of("", prefix.size) }
 }
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
@@ -93,6 +100,21 @@ pub(super) const TIME_UNITS: &[Unit] = &[
 ];
 pub(super) const FORCE_UNITS: &[Unit] =
     &[of("N", 1.0), of("kN", 1e3), of("MN", 1e6), ratio("lbf", LBF, LBF_OVER)];
+pub(super) const IMPULSE_UNITS: &[Unit] = &[
+    of("N s", 1.0),
+    of("Ns", 1.0),
+    of("kN s", 1e3),
+    of("kNs", 1e3),
+    ratio("lbf s", LBF, LBF_OVER),
+];
+pub(super) const ENERGY_UNITS: &[Unit] = &[
+    of("J", 1.0),
+    of("kJ", 1e3),
+    of("MJ", 1e6),
+    ratio("mJ", 1.0, 1e3),
+    // A foot is 0.3048 m.
+    ratio("ft lbf", 3048e-4 * LBF, LBF_OVER),
+];
 pub(super) const STIFFNESS_UNITS: &[Unit] = &[
     of("N/m", 1.0),
     of("kN/m", 1e3),
@@ -118,6 +140,14 @@ pub(super) const TWIST_UNITS: &[Unit] = &[
     of("rad/mm", 1e3),
     ratio("deg/m", 1.0, DEG_PER_RAD),
     ratio("deg/mm", 1e3, DEG_PER_RAD),
+];
+pub(super) const AREAL_MASS_UNITS: &[Unit] = &[
+    of("kg/m2", 1.0),
+    of("kg/m^2", 1.0),
+    of("g/cm2", 10.0),
+    of("g/cm^2", 10.0),
+    // A square foot is 0.09290304 m^2.
+    ratio("lb/ft2", 45_359_237.0, 9_290_304.0),
 ];
 pub(super) const INERTIA_UNITS: &[Unit] = &[
     of("kg m2", 1.0),

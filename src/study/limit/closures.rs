@@ -9,23 +9,30 @@ use crate::study::limit::alone;
 /// Limit velocities by the two closures, m/s; `None` where there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closures {
-    /// Flow strength 2 Y, with dishing, drag on half of rho v²/2: made for thin plates.
+    /// Flow strength 2 Y, with dishing: made for thin plates.
     pub double_yield_m_s: Option<f64>,
-    /// Pressure in an expanding cavity, without dishing, twice that drag: made for thick ones.
+    /// Its drag coefficient.
+    pub double_yield_drag: f64,
+    /// Pressure in an expanding cavity, without dishing, with twice that drag coefficient: made for thick ones.
     pub cavity_m_s: Option<f64>,
+    /// Its drag coefficient.
+    pub cavity_drag: f64,
 }
 
 impl Closures {
     /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
     pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
+        if scene.closure() == ClosureInEffect::Given {
+            return None;
+        }
         let mut by = |closure: Closure| {
             let own = Arc::new(by_closure(scene, closure));
-            alone(&own, context).ok().and_then(super::Limit::velocity_m_s)
+            let limit = alone(&own, context).ok();
+            (limit.and_then(super::Limit::velocity_m_s), own.drag_coefficient())
         };
-        (scene.closure() != ClosureInEffect::Given).then(|| Self {
-            double_yield_m_s: by(Closure::DoubleYield),
-            cavity_m_s: by(Closure::Cavity),
-        })
+        let (double_yield_m_s, double_yield_drag) = by(Closure::DoubleYield);
+        let (cavity_m_s, cavity_drag) = by(Closure::Cavity);
+        Some(Self { double_yield_m_s, double_yield_drag, cavity_m_s, cavity_drag })
     }
 
     /// The band, m/s, the lower end first; `None` where a closure has no limit.

@@ -105,6 +105,26 @@ mod tests {
         assert_eq!(of("steps"), expect("steps", ""));
     }
 
+    /// A value is typed as it is shown, whatever its prefix: a goal of the workbench is edited so.
+    #[test]
+    fn values_read_back_as_they_are_shown() {
+        for quantity in QUANTITIES {
+            for exponent in -6..=7 {
+                let value = 1.5 * 10f64.powi(exponent);
+                let shown = quantity.show(value, 4);
+                let read = quantity.parse(&shown).unwrap_or_else(|why| panic!("{shown}: {why}"));
+                assert!((read / value - 1.0).abs() < 1e-12, "{}: {shown}, {read}", quantity.name);
+            }
+        }
+        let read = |name, text| find(name).unwrap().parse(text);
+        assert_eq!(read("stored_energy_j", "1kJ"), Ok(1e3));
+        assert_eq!(read("mount_impulse_n_s", "12 N s"), Ok(12.0));
+        assert_eq!(read("areal_mass_kg_m2", "4 g/cm2"), Ok(40.0));
+        assert_eq!(read("percent_of_baseline", "60 %"), Ok(60.0));
+        let wrong = read("stored_energy_j", "1kN").unwrap_err();
+        assert!(wrong.contains("use J, kJ") && wrong.ends_with("or no unit for J"), "{wrong}");
+    }
+
     #[test]
     fn an_unknown_name_gets_the_nearest_names_in_a_short_line() {
         assert!(USUAL.iter().all(|name| find(name).is_some()));

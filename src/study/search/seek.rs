@@ -11,7 +11,7 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
-use crate::study::validity;
+use crate::study::validity::Checked;
 use roots::{Crossing, RootScan};
 
 pub mod roots;
@@ -102,10 +102,8 @@ pub struct Report {
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
     pub lines: Vec<Line>,
-    /// The warnings of each solution that the scene itself does not have.
-    pub warnings: Vec<Vec<String>>,
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
-    pub outside_at_ends: Vec<(Check, String)>,
+    /// What is to be said against each solution: neither the scene nor the ends of the range are the answer.
+    pub checked: Vec<Checked>,
     /// The least and the greatest value met with.
     pub range: Option<(Place, Place)>,
     /// The scan, for drawing: the variable's value and the measure's.
@@ -117,7 +115,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// The solutions, in the order of their warnings.
+    /// The solutions, in the order in which they were checked.
     pub fn solutions(&self) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(|line| line.kind.is_solution())
     }
@@ -177,8 +175,11 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         lines.extend(nearest.map(|seen| Line::new(Kind::Nearest, place(*seen))));
     }
     let solutions = lines.iter().filter(|line| line.kind.is_solution());
-    let designs: Vec<Scene> = solutions.map(|line| space.scene_of(&[line.place.at])).collect();
-    let warnings = validity::new_in_each(scene, &designs, &mut || context.goes_on());
+    let designs = solutions.map(|line| space.scene_of(&[line.place.at]));
+    let mut check =
+        |design: &Scene, known: &[Check]| Checked::of(design, known, &mut || context.goes_on());
+    let known = check(scene, &[]).fails;
+    let checked = designs.map(|design| check(&design, &known)).collect();
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),
@@ -186,8 +187,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         measure: space.outputs()[0],
         target: goal.target,
         lines,
-        warnings,
-        outside_at_ends: validity::new_at_ends(scene, std::slice::from_ref(axis)),
+        checked,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
         runs,

@@ -3,15 +3,16 @@
 //!
 //! A. Saltelli et al., *Computer Physics Communications* 181 (2010) 259-270: two independent designs A and B, and for every
 //! input a design that is A with the column of B. First order after that paper's table 2 (b), total after Jansen (f).
-//! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence.
+//! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence, continued by a Latin hypercube
+//! beyond its dimensions.
 
 use crate::numerics::random::Random;
 use crate::study::monte_carlo::Estimate;
 use crate::study::sensitivity::Function;
-use crate::study::sweep::sequence;
+use crate::study::sweep::{AXES_MAX, hypercube, sequence};
 
-/// The most inputs: the sequence has twelve dimensions, and each input takes two.
-pub const INPUTS_MAX: usize = 6;
+/// The most inputs.
+pub const INPUTS_MAX: usize = 12;
 const RESAMPLINGS: usize = 400;
 const BATCH: usize = 1024;
 
@@ -93,7 +94,7 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
     while next < rows {
         let until = if next + BATCH < rows { next + BATCH } else { rows };
         let points: Vec<Vec<f64>> =
-            (next..until).flat_map(|row| designs(inputs, row, seed)).collect();
+            (next..until).flat_map(|row| designs(inputs, row, rows, seed)).collect();
         let values = function(&points)?;
         all.extend(values.chunks(inputs + 2).filter_map(Row::of));
         next = until;
@@ -127,9 +128,14 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
     Some(result)
 }
 
-/// The points of a row: A, B, and A with each column of B.
-fn designs(inputs: usize, row: usize, seed: u64) -> Vec<Vec<f64>> {
-    let column = |axis: usize| sequence(row as u64, axis, seed);
+/// The points of one of the rows: A, B, and A with each column of B.
+fn designs(inputs: usize, row: usize, rows: usize, seed: u64) -> Vec<Vec<f64>> {
+    let column = |axis: usize| {
+        if axis < AXES_MAX {
+            return sequence(row as u64, axis, seed);
+        }
+        hypercube(row as u64, rows as u64, axis as u64, seed)
+    };
     let a: Vec<f64> = (0..inputs).map(column).collect();
     let b: Vec<f64> = (inputs..2 * inputs).map(column).collect();
     let mixed = (0..inputs).map(|input| {
@@ -192,6 +198,20 @@ mod tests {
                     assert!(low - 0.01 < exact && exact < high + 0.01, "{input} {index:?}");
                     assert!(low <= index.value && index.value <= high && high - low < 0.2);
                 }
+            }
+        }
+    }
+
+    /// Of the sum of i times input i the index of input i is i² over the sum of all squares, 650: alone and in total.
+    #[test]
+    fn valid_indices_of_as_many_inputs_as_there_may_be() {
+        let sum = |point: &[f64]| point.iter().zip(1..).map(|(x, i)| x * f64::from(i)).sum();
+        let found = indices(INPUTS_MAX, 8192, 1, sum);
+        for (input, i) in found.inputs.iter().zip(1..) {
+            let exact = f64::from(i * i) / 650.0;
+            for index in [input.first, input.total] {
+                let index = index.unwrap();
+                assert!((index.value - exact).abs() < 0.02, "{i}: {index:?}, {exact}");
             }
         }
     }

@@ -83,7 +83,7 @@ impl fmt::Display for Design {
 }
 
 /// How far along axis `axis` point `index` of a Latin hypercube of `points` lies, in (0, 1).
-pub(super) fn hypercube(index: u64, points: u64, axis: u64, seed: u64) -> f64 {
+pub(in crate::study) fn hypercube(index: u64, points: u64, axis: u64, seed: u64) -> f64 {
     let key = mix(seed ^ mix(axis.wrapping_add(1)));
     let slice = permuted(index, points, key);
     let within = unit(mix(key ^ mix(index)));

@@ -7,10 +7,8 @@ pub(crate) mod words;
 
 use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::{Needs, named};
-use crate::study::search::front::Front;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
-use crate::study::validity::counted;
 use crate::tui::app::history::{Snapshot, Stepping};
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
@@ -192,22 +190,8 @@ impl Page for SearchTab {
         let refused = || part(Severity::Error, "this cannot be searched for");
         let first = if problem { refused() } else { progress.part() };
         let count = count.map(|runs| part(Severity::Note, runs));
-        let front = tab.front().filter(|_| running.is_none() && tab.page == state::Page::Front);
-        let validity = match front.map(|(front, _)| front) {
-            Some(front) if front.outside.is_empty() => None,
-            Some(Front { designs, outside, .. }) if designs.len() == 1 => {
-                validity(outside.iter().map(|(check, _)| *check), " of the design", "")
-            }
-            Some(Front { designs, outside, .. }) => {
-                let list = format!("of {} designs: {}", designs.len(), counted(outside));
-                Some((
-                    Severity::Warning,
-                    format!("! outside validity, {list}"),
-                    format!("! {list}"),
-                ))
-            }
-            None => app.validity_part(),
-        };
+        let answer = tab.shown().filter(|_| running.is_none()).map(|found| &*found.answer);
+        let validity = words::validity_of(app, answer);
         let found = tab.shown().filter(|_| running.is_none() && !app.search_is_old());
         let ends = found.into_iter().flat_map(|found| found.answer.outside_at_ends());
         let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");

@@ -413,9 +413,8 @@ impl Answer {
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
     pub fn outside_at_ends(&self) -> &[(Check, String)] {
         match self {
-            Self::Seek(report) => &report.outside_at_ends,
             Self::Sensitivity(report) => &report.outside_at_ends,
-            Self::Front(..) | Self::MonteCarlo(_) => &[],
+            Self::Seek(_) | Self::Front(..) | Self::MonteCarlo(_) => &[],
         }
     }
 }

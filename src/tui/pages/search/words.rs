@@ -7,7 +7,9 @@ use crate::report::table::{Cells, Table};
 use crate::report::{self, Remark};
 use crate::study::search::front::{Front, Task};
 use crate::study::search::seek;
+use crate::study::validity::counted;
 use crate::study::{monte_carlo, sensitivity, sweep};
+use crate::tui::app::status::outside;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
@@ -113,14 +115,14 @@ impl App {
     fn sought_lines(&self, report: &seek::Report) -> Vec<TextLine> {
         let tab = &self.pages.search;
         let (order, selected) = (tab.order(), tab.selected());
-        let all: Vec<_> = report.solutions().zip(&report.warnings).collect();
+        let all: Vec<_> = report.solutions().zip(&report.checked).collect();
         let is_empty = order.is_empty() && !all.is_empty();
         let listed = order.iter().map(|at| all[*at]).enumerate();
-        let solutions = listed.flat_map(|(index, (found, warnings))| {
+        let solutions = listed.flat_map(|(index, (found, checked))| {
             let mark = if index == selected { ">" } else { " " };
             let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
-            let warnings = warnings.iter().map(|text| (format!("! {text}"), Role::Warning));
-            // There is room for the warnings of one solution.
+            let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
+            // There is room for the warnings of one solution; the status has every check that fails.
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
@@ -178,6 +180,25 @@ impl App {
         rows.extend(self.no_match(listed.is_empty() && !table.rows.is_empty()));
         lines.extend(rows);
         lines
+    }
+}
+
+/// What of the designs of an answer is outside validity; the scene, where the answer is no design.
+pub(super) fn validity_of(app: &App, answer: Option<&Answer>) -> Option<StatusPart> {
+    match answer {
+        Some(Answer::Seek(report)) => {
+            let fails = report.checked.iter().flat_map(|checked| &checked.fails);
+            let place = if report.checked.len() > 1 { " of solutions" } else { " of the solution" };
+            outside(fails.copied(), place, "")
+        }
+        Some(Answer::Front(front, _)) if front.designs.len() == 1 => {
+            outside(front.outside.iter().map(|(check, _)| *check), " of the design", "")
+        }
+        Some(Answer::Front(front, _)) => (!front.outside.is_empty()).then(|| {
+            let list = format!("of {} designs: {}", front.designs.len(), counted(&front.outside));
+            (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
+        }),
+        Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => app.validity_part(),
     }
 }
 
