@@ -285,7 +285,7 @@ impl App {
                     let full = report.cheapest_in_full(*target);
                     let other = full.filter(|full| full.method != found.method);
                     let full = other.map_or_else(String::new, |full| {
-                        format!("; {} with no term omitted", seconds(full.min_s))
+                        format!("; full simulation {}", seconds(full.min_s))
                     });
                     format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
