@@ -190,7 +190,7 @@ impl App {
         let mut parts = pages::of(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
         for (tab, _) in others {
-            let text = format!("{} is computing", tab.title());
+            let text = format!("{} is computing", tab.title(&self.keymap));
             let at = parts.len().min(1);
             parts.insert(at, (Severity::Note, text.clone(), text));
         }

@@ -312,7 +312,7 @@ impl<'a> ChartView<'a> {
         let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let is_log = app.pages.explore.value_scale == Scale::Log10;
-        let hint = if is_log { "Y: linear" } else { "Y: log" };
+        let hint = app.keymap.shown(if is_log { "<log-y>: linear" } else { "<log-y>: log" });
         let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
         let mut row = 0;
         let show = |value: f64| significant(value * factor, 4);

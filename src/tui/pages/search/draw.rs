@@ -226,7 +226,8 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let Some((_, summary)) = app.sampled() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
-        let text = "no sample has this result: Tab, then another one under Show".to_owned();
+        let text = "no sample has this result: <next-pane>, then another one under Show";
+        let text = app.keymap.shown(text);
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let width = (most - least) / BINS as f64;

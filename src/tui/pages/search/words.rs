@@ -135,9 +135,8 @@ impl App {
             vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
         lines.push(note("one variable at a time, from low to high end".to_owned()));
         if report.is_empty() {
-            let text =
-                "nothing to compare: no run has this result; Tab, then Of: choose another one";
-            return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
+            let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
+            return vec![lines.remove(0), (self.keymap.shown(text), Role::Warning)];
         }
         let listing = self.pages.search.listing();
         let bar = width.saturating_sub(36).clamp(4, 40);
