@@ -97,6 +97,12 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
     let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
+    // The warnings of a solution stand below it.
+    let choices = lines.iter().enumerate().filter(|(_, line)| line.1 != Role::Warning);
+    let mut choices = choices.map(|(at, _)| at).take(app.pages.search.choices());
+    canvas.rows(inner, (first, lines.len()), |line| {
+        Some(Target::Row(RESULTS, choices.position(|at| at == line)?))
+    });
     for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let text = clip(text, usize::from(inner.width));
         canvas.put(inner, (0, row), &text, *role);
