@@ -236,7 +236,7 @@ pub(crate) trait Page: Sync {
         self.form(app).is_some_and(|form| form.line().is_some_and(|line| line.takes_unit))
     }
 
-    /// Whether a text says something else than the row does; what does not count as it is counts when it is typed again.
+    /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
     fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
         let form = self.form(app);
         let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));

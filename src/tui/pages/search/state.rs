@@ -25,9 +25,9 @@ pub enum Page {
     /// Which values of a variable give a wanted result.
     #[default]
     Seek,
-    /// The designs that nothing beats.
+    /// The Pareto front: designs that no other one dominates.
     Front,
-    /// Which variables matter.
+    /// How strongly each variable acts on a quantity.
     Sensitivity,
     /// How results spread when inputs do.
     MonteCarlo,
@@ -376,9 +376,9 @@ pub(super) fn completeness(answer: &Answer) -> (bool, Option<String>) {
 pub enum Request {
     /// Which values of a variable give a wanted result, under which interface law.
     Seek(Goal, InterfaceLaw),
-    /// The designs that nothing beats.
+    /// The Pareto front: designs that no other one dominates.
     Front(Task),
-    /// Which variables matter to a result.
+    /// How strongly each variable acts on a quantity.
     Sensitivity {
         /// The variables and their bounds.
         axes: Vec<Axis>,
