@@ -90,6 +90,23 @@ fn each_page_of_the_search_has_its_own_zoom_until_other_results_come() {
 }
 
 #[test]
+fn the_histogram_of_the_samples_is_zoomed_and_another_quantity_is_shown_whole() {
+    let mut bench = sought((80, 24));
+    bench.keys("444");
+    search::answer(&mut bench);
+    let whole = bench.screen();
+    bench.keys("+");
+    let zoomed = bench.app.pages.search.zoomed().expect("a part");
+    assert_ne!(bench.screen(), whole);
+    bench.keys("]");
+    assert!(bench.app.pages.search.zoomed().expect("a part").lo() > zoomed.lo());
+    bench.keys("0");
+    assert_eq!(bench.screen(), whole);
+    bench.keys("+<Tab>/percent<Enter>l");
+    assert_eq!(bench.app.pages.search.zoomed(), None, "{}", bench.screen());
+}
+
+#[test]
 fn another_curve_of_the_limit_is_shown_whole() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
     bench.keys("l++");

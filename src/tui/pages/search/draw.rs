@@ -1,6 +1,7 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
 use crate::report::figures::axis_of;
+use crate::study::monte_carlo;
 use crate::study::search::front::Design;
 use crate::study::search::seek;
 use crate::study::sweep::PointOutcome;
@@ -169,7 +170,13 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
             Some((x, tab.chosen().and_then(|at| value(&front.designs[at]))))
         }
-        _ => None,
+        Answer::MonteCarlo(_) => {
+            let monte_carlo::Summary { measure, sorted, .. } = tab.sampled()?;
+            let values = sorted.iter().copied();
+            let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
+            Some((x?, None))
+        }
+        Answer::Sensitivity(_) => None,
     }
 }
 
@@ -229,7 +236,8 @@ fn mark(at: Option<(f64, f64)>, text: &str, role: Role, layout: &Layout, canvas:
 
 /// How often a value falls into each of some bins, as steps.
 fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let Some((_, summary)) = app.sampled() else { return };
+    let tab = &app.pages.search;
+    let Some(summary) = tab.sampled() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
         let text = "no sample has this result: <next-pane>, then another one under Show";
@@ -247,9 +255,7 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     }
     // Room above for the tags.
     let highest = steps.iter().map(|step| 1.3 * step.1);
-    let label = summary.measure.title();
-    let values = sorted.iter().copied();
-    let x = Axis::fitted(label, summary.measure.unit(), Scale::Linear, values);
+    let x = across(tab).map(|(x, _)| Axis { view: tab.zoomed().unwrap_or(x.view), ..x });
     let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
     let Some((x, y)) = x.zip(y) else { return };
     let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

@@ -98,6 +98,16 @@ impl Searching {
         }
     }
 
+    /// The measure that the Monte Carlo page draws, with its values.
+    pub(super) fn sampled(&self) -> Option<&Summary> {
+        let found = self.found[Page::MonteCarlo as usize].as_ref();
+        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
+            return None;
+        };
+        let name = self.setup.output;
+        report.summaries.iter().find(|summary| summary.measure.name == name)
+    }
+
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, task: &Task) -> usize {
         let by = self.listing[Page::Front as usize].sorting.0;

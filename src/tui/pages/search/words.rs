@@ -11,7 +11,7 @@ use crate::study::{monte_carlo, sensitivity, sweep};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, Page, Searching};
+use crate::tui::pages::search::state::{Answer, Searching};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::broken;
 
@@ -36,17 +36,6 @@ impl App {
             Answer::Sensitivity(report) => self.matters(report, width),
             Answer::MonteCarlo(report) => self.samples(report, width),
         }
-    }
-
-    /// The measure that the Monte Carlo page draws, with its values.
-    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
-        let found = self.pages.search.found[Page::MonteCarlo as usize].as_ref();
-        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
-            return None;
-        };
-        let name = self.pages.search.setup.output;
-        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
-        Some((report, summary))
     }
 }
 
