@@ -116,7 +116,9 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
 fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
-    let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+    let zoomed = app.pages.search.zoomed();
+    let seen = report.scan.iter().filter(|point| zoomed.is_none_or(|view| view.contains(point.0)));
+    let values = seen.filter_map(|point| point.1).chain([report.target]);
     let (_, scale) = app.pages.search.scales;
     let y = Axis::fitted("", report.measure.unit(), scale, values);
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
@@ -124,7 +126,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let x = axis_of(&report.axis);
-    let x = Axis { view: app.pages.search.zoomed().unwrap_or(x.view), ..x };
+    let x = Axis { view: zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
