@@ -148,10 +148,10 @@ fn table_of(report: &Report) -> String {
     format!("\n{}", table.page(&KEYS, width()))
 }
 
-/// The run times for some accuracies, and those with no term omitted.
+/// The run times for some accuracies, and those of the simulation with no term omitted.
 fn answers(page: &mut String, report: &Report) {
     let _ =
-        writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "with no term omitted");
+        writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "full simulation (N)");
     for target in ANSWERS {
         let found = report.cheapest(target).map_or_else(
             || "no method reaches it".to_owned(),

@@ -32,7 +32,7 @@ pub(super) fn page() -> String {
     let table = |text: &mut String, wanted: bool| {
         for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
             let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
-            let help = format!("{} [{}]", row.meaning, names.join(", "));
+            let help = format!("{} [{}]", map.shown(row.meaning), names.join(", "));
             line(text, &map.line_label(row), &help);
         }
     };

@@ -1,4 +1,4 @@
-//! `cmra optimise [SCENE] --over ...`: the designs that nothing beats, as a page, CSV or JSON.
+//! `cmra optimise [SCENE] --over ...`: the Pareto front, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;

@@ -21,7 +21,8 @@ const QUANTILES: [(&str, &str, f64); 7] = [
 /// The quantities.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     // Each row has the unit of its quantity.
-    let in_unit = |it: &&Summary, value: &Value| Some(it.measure.show(value.as_f64()?, DIGITS));
+    let in_unit =
+        |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
     let table = Table::of(&report.summaries)
         .with("scene", "scene", "", move |_| name)
         .with("output", "", "", |it| it.measure.name)

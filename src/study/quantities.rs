@@ -289,12 +289,21 @@ impl Quantity {
 
     /// A value with its unit, in a given number of digits: `64.27 %`, `37.98 mm`, `61.2 g`.
     pub fn show(&self, value: f64, digits: usize) -> String {
+        self.shown(value, digits, units::significant)
+    }
+
+    /// The same for a table, with all of the digits: `60.00 %`.
+    pub fn show_all_digits(&self, value: f64, digits: usize) -> String {
+        self.shown(value, digits, units::fixed_significant)
+    }
+
+    fn shown(&self, value: f64, digits: usize, number: fn(f64, usize) -> String) -> String {
         match self.unit() {
-            "" => units::significant(value, digits),
-            "%" => format!("{} %", units::significant(value, digits)),
             // A prefix stands before grams, not before kilograms.
             "kg" if value.abs() < 1e3 => engineering(1e3 * value, "g", digits),
-            unit @ ("kg" | "kg/m2") => format!("{} {unit}", units::significant(value, digits)),
+            unit @ ("" | "%" | "kg" | "kg/m2") => {
+                format!("{} {unit}", number(value, digits)).trim_end().to_owned()
+            }
             unit => engineering(value, unit, digits),
         }
     }

@@ -200,7 +200,9 @@ impl App {
 
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        let text = clean::line(&self.keymap.shown(&text.into())).into_owned();
+        // A file may have several errors, a line each.
+        let text = self.keymap.shown(&text.into()).replace('\n', "; ");
+        let text = clean::line(&text).into_owned();
         let notice = Notice { severity, text };
         self.keep(notice.clone());
         self.notice = Some(notice);

@@ -153,7 +153,7 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
         LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),
             pane: label,
-            help: line.meaning.to_owned(),
+            help: app.keymap.shown(line.meaning),
             action: line.keys[0].0,
         })
     };

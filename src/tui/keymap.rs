@@ -187,6 +187,10 @@ impl Key {
         let mut letters = name.chars();
         let code = match (named(name), letters.next(), letters.next()) {
             (Some(code), _, _) => code,
+            // Terminals send the small letter for both.
+            (None, Some(c), None) if !c.is_control() && modifiers == KeyModifiers::CONTROL => {
+                KeyCode::Char(c.to_ascii_lowercase())
+            }
             (None, Some(c), None) if !c.is_control() => KeyCode::Char(c),
             (None, Some('f' | 'F'), Some(_)) => KeyCode::F(name[1..].parse().ok()?),
             (None, _, _) => return None,
@@ -283,8 +287,8 @@ impl Keymap {
 
     /// The keys of a line of the table: `1-7`, `u Ctrl-r`, `h j k l`.
     pub fn line_label(&self, line: &Line) -> String {
-        let labels: Vec<String> =
-            line.keys.iter().map(|(action, _, _)| self.label(*action)).collect();
+        let labels = line.keys.iter().map(|(action, _, _)| self.label(*action));
+        let labels: Vec<String> = labels.filter(|label| !label.is_empty()).collect();
         let digits = labels.len() > 2
             && labels.iter().zip('1'..='9').all(|(label, digit)| *label == digit.to_string());
         match (labels.first(), labels.last()) {
@@ -412,7 +416,7 @@ pub static LINES: &[Line] = &[
     line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
     line(Everywhere, &[(A::TabPrevious, "previous-tab", "{"), (A::TabNext, "next-tab", "}")], "previous tab, next tab"),
     line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),
-    line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; h l change values"),
+    line(Everywhere, &[(A::Left, "left", "h Left"), (A::Down, "down", "j Down"), (A::Up, "up", "k Up"), (A::Right, "right", "l Right")], "move the selection or cursor, as arrows do; <left> <right> change values"),
     line(Everywhere, &[(A::FarLeft, "far-left", "H Shift-Left"), (A::FarRight, "far-right", "L Shift-Right")], "move or change by ten steps"),
     line(Everywhere, &[(A::First, "first", "g Home"), (A::Last, "last", "G End")], "first, last"),
     line(Everywhere, &[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
@@ -501,7 +505,8 @@ mod tests {
         for key in bound().flat_map(|(_, _, keys)| keys.split(' ')) {
             assert_eq!(Key::parse(key).map(Key::label).as_deref(), Some(key));
         }
-        for unknown in ["hyper", "Shift-u", "Shift-Space"] {
+        assert_eq!(Key::parse("Ctrl-R"), Key::parse("ctrl-r"));
+        for unknown in ["hyper", "Shift-u", "Shift-Space", "Ctrl-\u{7}"] {
             assert_eq!(Key::parse(unknown), None, "{unknown}");
         }
     }

@@ -36,7 +36,7 @@ pub(crate) mod prelude {
 
 use crate::model::scene::Scene;
 use crate::tui::app::jobs::{Kept, Running};
-use crate::tui::keymap::{Bound, Command, PaneSpec};
+use crate::tui::keymap::{Bound, Command, Keymap, PaneSpec};
 use crate::tui::message::PageTable;
 use crate::tui::pages::run::steps::Input;
 use crate::tui::prelude::*;
@@ -175,7 +175,7 @@ pub(crate) trait Page: Sync {
     /// Another of its panes has been given the keys.
     fn focused(&self, _app: &mut App) {}
 
-    /// What a key does here; `None` where the page has no meaning of its own for it.
+    /// Do what a key means here; `false` where the page has no meaning of its own for it.
     fn act(&self, _app: &mut App, _action: Action) -> bool {
         false
     }
@@ -236,7 +236,7 @@ pub(crate) trait Page: Sync {
         self.form(app).is_some_and(|form| form.line().is_some_and(|line| line.takes_unit))
     }
 
-    /// Whether a text says something else than the row does; what does not count as it is counts when it is typed again.
+    /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
     fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
         let form = self.form(app);
         let is_dim = form.is_some_and(|form| form.row(row).is_some_and(|it| it.role == Role::Dim));
@@ -288,13 +288,6 @@ macro_rules! pages {
 
         impl Tab {
             pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
-
-            /// The key that leads there.
-            pub fn key(self) -> &'static str {
-                match self {
-                    $(Self::$tab => $key,)*
-                }
-            }
         }
 
         /// The keys that lead to the tabs.
@@ -333,8 +326,9 @@ impl Tab {
     }
 
     /// The text in the title row, with the key that leads there.
-    pub fn title(self) -> String {
-        format!("{}:{}", self.key(), of(self).about().name)
+    pub(crate) fn title(self, keys: &Keymap) -> String {
+        let (key, name) = (keys.label(Action::Tab(self)), of(self).about().name);
+        if key.is_empty() { name.to_owned() } else { format!("{key}:{name}") }
     }
 }
 

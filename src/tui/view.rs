@@ -66,17 +66,20 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(area) = layout.pages {
         pages(app, area, canvas);
     }
-    message(app, layout.message, canvas);
     status(app, layout.status, canvas);
     render(app, layout.keys, canvas);
     dialogs::render(app, area, canvas);
+    // On top of a dialog, too: it may say in more lines than the area has why that refused.
+    message(app, layout.message, canvas);
 }
 
 fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (columns, rows) = SMALLEST;
     let needed = format!("{columns}x{rows}, here {}x{}", area.width, area.height);
-    let long = ["cmra needs more room:", &needed, "", "make the terminal larger", "(q quits)"];
-    let short = ["too small", &needed, "q quits"];
+    let quits = app.keymap.shown("<quit> quits");
+    let long =
+        ["cmra needs more room:", &needed, "", "make the terminal larger", &format!("({quits})")];
+    let short = ["too small", &needed, &quits];
     let fits = |lines: &[&str]| {
         lines.iter().all(|line| text::columns(line) <= area.width)
             && lines.len() <= usize::from(area.height)
@@ -216,14 +219,15 @@ fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     let common = common.map(|(action, what)| (key(action), what.to_owned()));
     let mut used = 1;
     let mut shown: Vec<(String, String)> = Vec::new();
-    for entry in own.chain(common) {
+    let has_key = |entry: &(String, String)| !entry.0.is_empty();
+    for entry in own.chain(common).filter(has_key) {
         used += size(&entry);
         if used > room {
             break;
         }
         shown.push(entry);
     }
-    shown.extend(last);
+    shown.extend(last.into_iter().filter(has_key));
     shown
 }
 
@@ -237,10 +241,12 @@ fn pair(app: &App, action: Action) -> String {
         _ => None,
     };
     let own = app.keymap.label(action);
-    match opposite.map(|(other, first)| (app.keymap.label(other), first)) {
-        Some((other, true)) => format!("{own}/{other}"),
-        Some((other, false)) => format!("{other}/{own}"),
-        None => own,
+    let other = opposite.map(|(other, _)| app.keymap.label(other)).filter(|it| !it.is_empty());
+    match (other, opposite) {
+        (Some(other), _) if own.is_empty() => other,
+        (Some(other), Some((_, true))) => format!("{own}/{other}"),
+        (Some(other), _) => format!("{other}/{own}"),
+        (None, _) => own,
     }
 }
 
@@ -255,10 +261,10 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         column = canvas.put(area, (1, 0), "cmra", Role::Title) + 2;
     }
     for tab in Tab::ALL {
-        let (title, target) = (tab.title(), Target::Tab(tab));
+        let (title, target) = (tab.title(&app.keymap), Target::Tab(tab));
         column = name(canvas, area, column, &title, tab == app.tab, target) + 1;
     }
-    let room = usize::from(area.width.saturating_sub(column + 2));
+    let room = usize::from(area.width.saturating_sub(column + 1));
     if room < 6 {
         return;
     }
@@ -313,7 +319,8 @@ pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let is_shown = at == page.shown(app);
         column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;
     }
-    let hint = format!("{}: next page", app.tab.key());
+    let key = app.keymap.label(Action::Tab(app.tab));
+    let hint = if key.is_empty() { key } else { format!("{key}: next page") };
     let start = area.width.saturating_sub(columns(&hint) + 1);
     if start > column {
         canvas.put(area, (start, 0), &hint, Role::Dim);
@@ -327,11 +334,10 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
     let above = count.saturating_sub(area.height).min(area.y);
     let area = Rect { y: area.y - above, height: area.height + above, ..area };
-    if above > 0 {
-        Clear.render(area, canvas);
-    }
     let mut before = None;
-    for (row, (severity, text)) in (0..area.height).zip(&lines) {
+    let with_text = (0..area.height).zip(&lines).filter(|(_, (_, text))| !text.is_empty());
+    for (row, (severity, text)) in with_text {
+        Clear.render(Rect { y: area.y + row, height: 1, ..area }, canvas);
         let role = text_role(*severity);
         if before != Some(*severity) {
             canvas.put(area, (1, row), severity.mark(), role);

@@ -24,7 +24,7 @@ fn the_page_has_chart_table_answers_and_reasons() {
         "thesis as printed",
         "DOP853 + events",
         "contact kernel",
-        "with no term omitted",
+        "full simulation (N)",
         "1e-6: ",
         "stored digits, row S2",
         "C no closed form: a mechanism acts",

@@ -164,3 +164,53 @@ fn every_file_has_a_head_and_a_bounded_length() {
     }
     assert_none(&complaints);
 }
+
+/// What looks like a key in a text of a page, where an action in brackets is meant: `<run>`, whatever its key is.
+fn key_in(text: &str) -> Option<&str> {
+    const NAMED: [&str; 8] = ["Tab", "Enter", "Esc", "Space", "PgUp", "PgDn", "Home", "End"];
+    const VERBS: [&str; 8] =
+        ["adds", "hides", "opens", "puts", "runs", "shows", "toggles", "turns"];
+    const PAIRS: [&str; 6] = ["hl", "jk", "HL", "nN", "h/l", "j/k"];
+    let is_letter = |word: &str| word.len() == 1 && word.starts_with(|c: char| c.is_alphabetic());
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let plain = |at: usize| words[at].trim_matches(|c: char| c.is_ascii_punctuation());
+    let is_key = |at: usize| {
+        let word = words[at];
+        // `key c`, `w puts ...`, `Y: log`, `(w: the next one)`
+        let called = at > 0 && ["key", "press"].contains(&plain(at - 1));
+        let acts = words.get(at + 1).is_some_and(|next| VERBS.contains(next));
+        let explained = word.ends_with(':') && (at == 0 || word.starts_with('('));
+        // `H L`
+        let pair = if at == 0 { String::new() } else { plain(at - 1).to_owned() } + plain(at);
+        let is_named = NAMED.contains(&plain(at)) || PAIRS.contains(&plain(at));
+        let is_pair = is_letter(plain(at)) && PAIRS.contains(&&*pair);
+        is_named || is_pair || is_letter(plain(at)) && (called || acts || explained)
+    };
+    (0..words.len()).find(|at| is_key(*at)).map(|at| words[at])
+}
+
+#[test]
+fn texts_of_pages_name_actions_not_their_keys() {
+    let caught = [
+        "n N",
+        "Y: log",
+        "by h/l",
+        "(j, k)",
+        "(key c: all)",
+        "no axis: w puts one",
+        "none; Tab, then Of:",
+    ];
+    assert!(caught.iter().all(|text| key_in(text).is_some()));
+    let mut complaints = Vec::new();
+    for source in sources() {
+        if !["tui/app", "tui/pages"].iter().any(|part| source.name.starts_with(part)) {
+            continue;
+        }
+        for (number, line) in source.lines().take(source.code().lines().count()) {
+            for key in line.split('"').skip(1).step_by(2).filter_map(key_in) {
+                complaints.push(format!("{}:{number}: the key `{key}`", source.name));
+            }
+        }
+    }
+    assert_none(&complaints);
+}

@@ -103,6 +103,9 @@ mod tests {
         assert_eq!(of("stroke_m"), expect("stroke", "m"));
         assert_eq!(of("residual_velocity_m_s"), expect("residual velocity", "m/s"));
         assert_eq!(of("steps"), expect("steps", ""));
+        let percent = find("percent_of_baseline").unwrap();
+        assert_eq!(percent.show(60.0, 4), "60 %");
+        assert_eq!(percent.show_all_digits(60.0, 4), "60.00 %");
     }
 
     /// A value is typed as it is shown, whatever its prefix: a goal of the workbench is edited so.

@@ -105,7 +105,7 @@ pub struct Design {
 /// How a design stands against a front.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Nothing on the front beats it.
+    /// No design of the front dominates it.
     OnFront,
     /// This design of the front is better in every objective it differs in.
     Dominated {

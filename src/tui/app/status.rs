@@ -11,6 +11,7 @@ use crate::study::quantities;
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
+use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart, note, old, part};
 use crate::tui::prelude::*;
@@ -82,7 +83,7 @@ impl App {
         if let Some(notice) = &self.notice {
             return Some((notice.severity, notice.text.clone()));
         }
-        let shows = self.first_run && self.tab == Tab::Run && self.dialog.is_none();
+        let shows = self.first_run && self.pane() == VARIABLES && self.dialog.is_none();
         shows.then(|| (Severity::Note, self.keymap.shown(&self.first_line())))
     }
 
@@ -190,7 +191,7 @@ impl App {
         let mut parts = pages::of(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
         for (tab, _) in others {
-            let text = format!("{} is computing", tab.title());
+            let text = format!("{} is computing", tab.title(&self.keymap));
             let at = parts.len().min(1);
             parts.insert(at, (Severity::Note, text.clone(), text));
         }

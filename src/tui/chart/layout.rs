@@ -145,14 +145,18 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
 
     let full = layout(chart, inner, false);
-    let title = title_text(chart, &full, left_out);
+    let title = title_text(chart, &full) + &hidden(left_out);
     let both = join(legend.clone(), axis(&full));
     if Span::raw(&title).width() + both.width() <= room {
         return Plan { layout: full, title, right: both, legend: Line::default() };
     }
     let layout = layout(chart, inner, legend.width() > 0);
-    let title = title_text(chart, &layout, left_out);
+    let title = title_text(chart, &layout);
     let axis = Line::from(axis(&layout));
+    let notes = [hidden(left_out), format!(" ({left_out} hidden)")];
+    let needed = Span::raw(&title).width() + axis.width();
+    let note = notes.into_iter().find(|note| left_out > 0 && needed + note.len() <= room);
+    let title = title + &note.unwrap_or_default();
     let room = room.saturating_sub(Span::raw(&title).width());
     let (right, legend) = if layout.legend.is_some() {
         // The row begins a blank from the frame.
@@ -177,18 +181,23 @@ fn left_out(chart: &Chart<'_>) -> usize {
     chart.curves.iter().map(count).sum()
 }
 
-fn title_text(chart: &Chart<'_>, layout: &Layout, left_out: usize) -> String {
+/// The points that a logarithmic axis does not show, for the title.
+fn hidden(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => " (1 point <= 0 not drawn)".to_owned(),
+        count => format!(" ({count} points <= 0 not drawn)"),
+    }
+}
+
+fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
     let unit = chart.y.unit_text(layout.y_ticks.exponent);
     let mut text = spaced(&chart.title, &unit);
     if let Some(axis) = &chart.right {
         text += ", right: ";
         text += &axis.text(layout.right_ticks.exponent);
     }
-    match left_out {
-        0 => text,
-        1 => text + " (1 point <= 0 not drawn)",
-        count => text + &format!(" ({count} points <= 0 not drawn)"),
-    }
+    text
 }
 
 /// The marker and the words of each curve that has a label.

@@ -172,6 +172,8 @@ fn a_logarithmic_axis_has_decades_and_counts_hidden_points() {
             "+---------------------------------------+",
         ]
     );
+    // With less room the quantity across stays in the frame's line.
+    assert_eq!(chart.to_lines(30, 9, Theme::PLAIN)[0], "+- e (2 hidden) ---------- n +");
 }
 
 #[test]

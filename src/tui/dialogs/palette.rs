@@ -117,7 +117,7 @@ impl App {
                     format!("Enter: put this {} into the scene", part.library.word())
                 }
                 (None, None) => {
-                    format!("Enter: load it and show it in {}", shown_in(entry).title())
+                    format!("Enter: load it and show it in {}", shown_in(entry).title(&self.keymap))
                 }
             },
         }

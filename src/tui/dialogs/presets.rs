@@ -62,7 +62,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     lines.extend(wrapped(title, width, Role::Title));
     if entry.part.is_none() {
         let tab = shown_in(entry);
-        let text = format!("shows on {}", tab.title());
+        let text = format!("shows on {}", tab.title(&app.keymap));
         lines.push((text, Role::Dim));
     }
     lines.push((String::new(), Role::Text));

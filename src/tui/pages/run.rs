@@ -23,14 +23,14 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
-        key(A::Right, "change", "change the value by a step (H L ten steps, , . a tenth)"),
+        key(A::Right, "change", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
         key(A::Down, "move", "move to another variable"),
         key(A::Find, "find", "find a variable by symbol or word"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
         key(A::Reset, "reset", "reset this row to the preset's value"),
     ] },
     PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
-        key(A::Right, "cursor", "move the cursor in time (H L ten columns)"),
+        key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
         key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),

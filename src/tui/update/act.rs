@@ -268,7 +268,9 @@ fn back(app: &mut App) {
         let kept = if app.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
             || format!("nothing to close: <quit> quits (the session {kept})"),
-            |tab| format!("nothing to stop here: <back> in {} stops its job", tab.title()),
+            |tab| {
+                format!("nothing to stop here: <back> in {} stops its job", tab.title(&app.keymap))
+            },
         );
         app.tell(text);
     }

@@ -35,7 +35,7 @@ pub(crate) struct Line {
     /// Its field takes a number with a unit.
     pub takes_unit: bool,
     pub is_changed: bool,
-    /// Headings are titles; what does not count as it is is dim.
+    /// Headings are titles; a value that has no effect at present is dim.
     pub role: Role,
 }
 

@@ -124,7 +124,7 @@ impl Sorting {
 #[derive(Clone, Debug, Default)]
 pub struct Listing {
     pub sorting: Sorting,
-    /// A cell of every row shown matches this.
+    /// A name or another word of every row shown matches this.
     pub filter: String,
 }
 
@@ -134,7 +134,8 @@ impl Listing {
         self.matching(self.sorting.order(table), || table.cells(keys))
     }
 
-    /// Of places in their order those whose cells match: the best match first, where no column was chosen to sort by.
+    /// Of places in their order those whose words match: the best match first, where no column was chosen to sort by. A unit
+    /// behind a number is none of them.
     pub(crate) fn matching(
         &self,
         places: Vec<usize>,
@@ -143,7 +144,8 @@ impl Listing {
         if self.filter.is_empty() {
             return places;
         }
-        let cells = cells();
+        let mut cells = cells();
+        cells.retain(|column| column.is_text);
         let is_sorted = self.sorting.0.is_some();
         ranked(places.into_iter(), |place| {
             let names: Vec<&str> = cells.iter().map(|column| &*column.cells[*place]).collect();
@@ -242,5 +244,12 @@ mod tests {
         assert_eq!(listed("spring k", None), [0]);
         assert_eq!(listed("", None), [0, 1, 2, 3]);
         assert!(listed("absent", None).is_empty());
+        // Not the unit of a number.
+        let table = Table::of([("mass", 2.0), ("stroke", 0.1)])
+            .with("name", "name", "", |row| row.0)
+            .with("value", "value", "", |row| row.1)
+            .shown(|_, value| Some(format!("{value} m")));
+        let listing = Listing { filter: "m".to_owned(), ..Listing::default() };
+        assert_eq!(listing.order(&table, &["name", "value"]), [0]);
     }
 }

@@ -261,3 +261,16 @@ fn every_column_and_every_method_can_be_reached_at_any_size() {
         assert!(bench.screen().contains("A auto"), "{size:?} {}", bench.screen());
     }
 }
+
+/// A method that is measured later may be faster.
+#[test]
+fn none_is_called_the_cheapest_before_all_are_measured() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("5");
+    answer(&mut bench, 9);
+    assert!(
+        bench.screen().contains("error 1e-6: not computed yet (30 of 79)"),
+        "{}",
+        bench.screen()
+    );
+}

@@ -36,6 +36,15 @@ fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
     bench.press("<Enter>");
     assert_eq!(bench.app.scene, before);
     assert!(bench.message().contains("cannot be loaded"), "{}", bench.message());
+    // A long error stands whole above the dialog.
+    let mut bench = Bench::ascii(80, 24);
+    let why = ["expected a length;"; 10].join(" ") + " write\nfor example 0.0295";
+    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), why.clone()));
+    bench.press("p/mine-too<Enter>");
+    let screen = bench.screen();
+    let lines: Vec<&str> = screen.lines().skip(18).map(str::trim).collect();
+    let refusal = format!("mine-too cannot be loaded: {why}").replace('\n', "; ");
+    assert!(lines.join(" ").contains(&refusal), "{screen}");
     // A text that no preset has loads none.
     let mut bench = Bench::ascii(80, 24);
     bench.press("p/zqx<Enter>");
@@ -252,7 +261,8 @@ fn v_in_a_chart_reaches_the_force_over_displacement() {
     bench.keys("<Tab>");
     for _ in 0..6 {
         bench.keys("v");
-        if bench.screen().contains("Mount force over displacement F(x)") {
+        if bench.screen().contains("Mount force F(x) [kN]") {
+            assert!(bench.screen().contains("x [mm] +"), "{}", bench.screen());
             return;
         }
     }

@@ -335,3 +335,24 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
     assert!(is_marked(&bench), "{}", bench.screen());
 }
+
+#[test]
+fn the_readouts_of_the_chart_have_the_value_of_every_run_at_80_columns() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jjl l <Tab>l");
+    let screen = bench.screen();
+    let readouts = screen.lines().filter(|line| line.starts_with('|') && line.contains("now "));
+    let readouts: Vec<&str> = readouts.filter(|line| line.contains(" mm ")).collect();
+    assert_eq!(readouts.len(), 2, "{screen}");
+    for row in readouts {
+        assert!(["now ", "  A ", "  B "].iter().all(|name| row.contains(name)), "{row}");
+    }
+}
+
+#[test]
+fn the_title_row_names_the_preset_in_full_as_far_as_it_has_room() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jjl");
+    let screen = bench.screen();
+    assert!(screen.lines().next().unwrap().ends_with(" thesis-baseline *"), "{screen}");
+}

@@ -90,6 +90,23 @@ fn each_page_of_the_search_has_its_own_zoom_until_other_results_come() {
 }
 
 #[test]
+fn the_histogram_of_the_samples_is_zoomed_and_another_quantity_is_shown_whole() {
+    let mut bench = sought((80, 24));
+    bench.keys("444");
+    search::answer(&mut bench);
+    let whole = bench.screen();
+    bench.keys("+");
+    let zoomed = bench.app.pages.search.zoomed().expect("a part");
+    assert_ne!(bench.screen(), whole);
+    bench.keys("]");
+    assert!(bench.app.pages.search.zoomed().expect("a part").lo() > zoomed.lo());
+    bench.keys("0");
+    assert_eq!(bench.screen(), whole);
+    bench.keys("+<Tab>/percent<Enter>l");
+    assert_eq!(bench.app.pages.search.zoomed(), None, "{}", bench.screen());
+}
+
+#[test]
 fn another_curve_of_the_limit_is_shown_whole() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
     bench.keys("l++");
@@ -196,6 +213,43 @@ fn texts_name_the_keys_in_force() {
     assert!(bench.message().contains("`r` does nothing here"), "{}", bench.message());
     bench.keys("2<Tab>g<Enter>zzz<Enter>");
     assert!(bench.message().contains("l steps through all of them"), "{}", bench.message());
+}
+
+/// No text and no footer has a key of the table where `config.toml` gives the action another one or none.
+#[test]
+fn no_text_has_a_key_that_is_not_in_force() {
+    let mut bench = Bench::ascii(160, 50);
+    let mut keys = BTreeMap::new();
+    for (action, key) in [
+        ("next-event", vec!["F1"]),
+        ("previous-event", vec!["F2"]),
+        ("far-left", vec!["F3"]),
+        ("far-right", vec!["F4"]),
+        ("second-axis", vec!["F5"]),
+        ("difference", vec!["F6"]),
+        ("tab-limit", vec!["F7"]),
+        ("window", vec![]),
+        ("mark", vec![]),
+    ] {
+        keys.insert(action.to_owned(), key.into_iter().map(str::to_owned).collect());
+    }
+    bench.app.keymap = Keymap::remapped(&keys).unwrap();
+    bench.keys("<Tab>");
+    let screen = bench.screen();
+    for words in [" F7:Limit ", "+- Events ------", " F1 F2 +"] {
+        assert!(screen.contains(words), "{words}: {screen}");
+    }
+    let footer = screen.lines().last().unwrap();
+    assert!(footer.contains(" F1/F2 event ") && !footer.contains("   "), "{footer}");
+    assert!(!footer.contains("window") && !footer.contains("pin"), "{footer}");
+    bench.keys("<F5>");
+    assert!(bench.message().contains("(F5: the next quantity"), "{}", bench.message());
+    bench.keys("?");
+    assert!(bench.screen().contains("(F3 F4 ten columns)"), "{}", bench.screen());
+    let keymap = bench.app.keymap;
+    let mut bench = Bench::ascii(96, 24);
+    bench.app.keymap = keymap;
+    assert!(bench.screen().contains("(:window: whole response)"), "{}", bench.screen());
 }
 
 /// The curve of the limit and the map of mass efficiency hold at any impact velocity.

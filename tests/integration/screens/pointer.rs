@@ -343,3 +343,22 @@ fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     click(&mut bench, at);
     assert_ne!(bench.app.scene, before);
 }
+
+#[test]
+fn a_click_on_a_row_of_results_selects_it_also_below_the_warnings_of_another() {
+    let mut bench = search::open(GlyphSet::Ascii, (120, 40));
+    bench.keys("<Tab>");
+    let results = cmra::tui::pages::search::RESULTS;
+    let lines = bench.app.search_lines(84);
+    let solutions = lines.iter().filter(|line| line.0.starts_with(['>', ' '])).take(2);
+    let texts: Vec<String> = solutions.map(|line| line.0[2..30].to_owned()).collect();
+    for (row, text) in texts.iter().enumerate() {
+        let hit = target(&bench.app, find(&bench, text));
+        assert_eq!(hit, Some(Target::Row(results, row)), "{text}");
+    }
+    bench.keys("4");
+    search::answer(&mut bench);
+    let at = find(&bench, "||  3  ");
+    click(&mut bench, (at.0 + 4, at.1));
+    assert_eq!(bench.app.pages.search.selected(), 2);
+}

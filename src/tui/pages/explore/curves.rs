@@ -67,10 +67,16 @@ fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canv
         (0..along).flat_map(|x| [point(x), (f64::NAN, f64::NAN)]).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
-    let values = lines.iter().flatten().map(|point| point.1);
+    // The values in view, as in Run; all of them where no point is.
+    let view = app.pages.explore.zoomed;
+    let values = |all: bool| {
+        let is_seen = move |x: f64| all || view.is_none_or(|view| view.contains(x));
+        lines.iter().flatten().filter(move |point| is_seen(point.0)).map(|point| point.1)
+    };
+    let fitted = |all| chart::Axis::fitted("", column.unit(), scale, values(all));
     let why = || app.keymap.shown(&no_value(grid, output).join("\n"));
     let title = column.title() + if old { ", of another scene" } else { "" };
-    let Some(y) = chart::Axis::fitted("", column.unit(), scale, values) else {
+    let Some(y) = fitted(false).or_else(|| fitted(true)) else {
         return nothing_exists(&title, &why(), area, canvas);
     };
     let (x, selected) = app.cursor_point(grid);
@@ -89,7 +95,7 @@ fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canv
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
-    let along_axis = match app.pages.explore.zoomed {
+    let along_axis = match view {
         Some(view) => zoomed_axis(&axes[0], view),
         None => axis_of(&axes[0]),
     };
@@ -312,7 +318,7 @@ impl<'a> ChartView<'a> {
         let Unit { factor, name: unit } = &self.values.unit;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let is_log = app.pages.explore.value_scale == Scale::Log10;
-        let hint = if is_log { "Y: linear" } else { "Y: log" };
+        let hint = app.keymap.shown(if is_log { "<log-y>: linear" } else { "<log-y>: log" });
         let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
         let mut row = 0;
         let show = |value: f64| significant(value * factor, 4);

@@ -72,9 +72,9 @@ pub struct Sweeping {
     pub zoomed: Option<ViewRange>,
     pub output: usize,
     pub value_scale: Scale,
-    /// No contour runs through the point under the cursor: all designs as good as this one.
+    /// The contour through the point under the cursor, of all designs with the same value, is hidden.
     pub hides_contour: bool,
-    /// The surface shows what a fitted quadratic leaves over.
+    /// The surface shows the residuals of a quadratic fit.
     pub residuals: bool,
     /// Curves of a family, and which points are visited.
     pub plan: SamplingPlan,

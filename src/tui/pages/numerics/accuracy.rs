@@ -281,21 +281,21 @@ impl App {
         TARGETS
             .iter()
             .map(|target| match report.cheapest(*target) {
-                Some(found) => {
+                Some(found) if report.is_complete => {
                     let full = report.cheapest_in_full(*target);
                     let other = full.filter(|full| full.method != found.method);
                     let full = other.map_or_else(String::new, |full| {
-                        format!("; {} with no term omitted", seconds(full.min_s))
+                        format!("; full simulation {}", seconds(full.min_s))
                     });
                     format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
-                None if !report.is_complete => {
+                _ if !report.is_complete => {
                     let running = self.jobs.running::<Measurements>();
                     let kept = (tab.points(), tab.points_in_all.max(tab.points()));
                     let (done, total) = running.and_then(|it| it.points).unwrap_or(kept);
                     format!("error {target:.0e}: not computed yet ({done} of {total})")
                 }
-                None => format!("error {target:.0e}: no method reaches it"),
+                _ => format!("error {target:.0e}: no method reaches it"),
             })
             .collect()
     }

@@ -338,10 +338,10 @@ pub(crate) fn show(app: &mut App, quantity: Quantity) {
 fn second_axis(app: &mut App) {
     let text = match app.next_second() {
         Some(quantity) => format!(
-            "right-hand axis: {} (w: the next quantity; after the last none)",
+            "right-hand axis: {} (<second-axis>: the next quantity; after the last none)",
             quantity.title().to_lowercase()
         ),
-        None => "no second axis: w puts a quantity there".to_owned(),
+        None => "no second axis: <second-axis> puts a quantity there".to_owned(),
     };
     app.tell(text);
 }
@@ -389,7 +389,7 @@ fn difference(app: &mut App) {
     };
     app.charts.difference = !app.charts.difference;
     let text = if app.charts.difference {
-        format!("curves are differences to {letter}: D shows the values again")
+        format!("curves are differences to {letter}: <difference> shows the values again")
     } else {
         "curves are values again".to_owned()
     };

@@ -278,12 +278,13 @@ fn foot(app: &App, width: usize) -> String {
         }
     }
     if let Some(points) = measured(variable, app) {
-        return clip(&format!("{}: Enter", extent(points)), width);
+        return clip(&app.keymap.shown(&format!("{}: <enter>", extent(points))), width);
     }
     let allowed = variable.allowed();
     let words = variable.words().len();
     if words > 2 && usize::from(columns(&allowed)) > width {
-        return clip(&format!("one of {words} words: Enter lists them"), width);
+        let text = app.keymap.shown(&format!("one of {words} words: <enter> lists them"));
+        return clip(&text, width);
     }
     clip(&allowed, width)
 }

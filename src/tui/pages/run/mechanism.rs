@@ -82,7 +82,8 @@ fn cells(fraction: f64, of: u16) -> u16 {
 }
 
 pub(crate) fn events(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new("Events").right("n N").draw(area, canvas);
+    let keys = app.keymap.shown("<next-event> <previous-event>");
+    let inner = PaneFrame::new("Events").right(keys).draw(area, canvas);
     let Some(shown) = &app.shown else { return };
     let lines = page::events(&shown.run);
     if lines.is_empty() {

@@ -339,7 +339,7 @@ fn selected(app: &mut App) -> Option<Pin> {
         app.tell(if app.pins.is_empty() {
             "no run is pinned yet: <mark> pins the current one"
         } else {
-            "select a pinned run first (j, k): the first row is the current run"
+            "select a pinned run first (<down>, <up>): the first row is the current run"
         });
     }
     found

@@ -1,6 +1,7 @@
 //! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
 
 use crate::report::figures::axis_of;
+use crate::study::monte_carlo;
 use crate::study::search::front::Design;
 use crate::study::search::seek;
 use crate::study::sweep::PointOutcome;
@@ -97,6 +98,12 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
     let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
+    // The warnings of a solution stand below it.
+    let choices = lines.iter().enumerate().filter(|(_, line)| line.1 != Role::Warning);
+    let mut choices = choices.map(|(at, _)| at).take(app.pages.search.choices());
+    canvas.rows(inner, (first, lines.len()), |line| {
+        Some(Target::Row(RESULTS, choices.position(|at| at == line)?))
+    });
     for (row, (text, role)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let text = clip(text, usize::from(inner.width));
         canvas.put(inner, (0, row), &text, *role);
@@ -109,7 +116,9 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
 fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
-    let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+    let zoomed = app.pages.search.zoomed();
+    let seen = report.scan.iter().filter(|point| zoomed.is_none_or(|view| view.contains(point.0)));
+    let values = seen.filter_map(|point| point.1).chain([report.target]);
     let (_, scale) = app.pages.search.scales;
     let y = Axis::fitted("", report.measure.unit(), scale, values);
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
@@ -117,7 +126,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let x = axis_of(&report.axis);
-    let x = Axis { view: app.pages.search.zoomed().unwrap_or(x.view), ..x };
+    let x = Axis { view: zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
@@ -163,7 +172,13 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
             Some((x, tab.chosen().and_then(|at| value(&front.designs[at]))))
         }
-        _ => None,
+        Answer::MonteCarlo(_) => {
+            let monte_carlo::Summary { measure, sorted, .. } = tab.sampled()?;
+            let values = sorted.iter().copied();
+            let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
+            Some((x?, None))
+        }
+        Answer::Sensitivity(_) => None,
     }
 }
 
@@ -223,10 +238,12 @@ fn mark(at: Option<(f64, f64)>, text: &str, role: Role, layout: &Layout, canvas:
 
 /// How often a value falls into each of some bins, as steps.
 fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let Some((_, summary)) = app.sampled() else { return };
+    let tab = &app.pages.search;
+    let Some(summary) = tab.sampled() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
-        let text = "no sample has this result: Tab, then another one under Show".to_owned();
+        let text = "no sample has this result: <next-pane>, then another one under Show";
+        let text = app.keymap.shown(text);
         return lines_below(app, &[(text, Role::Warning)], area, canvas);
     };
     let width = (most - least) / BINS as f64;
@@ -240,9 +257,7 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     }
     // Room above for the tags.
     let highest = steps.iter().map(|step| 1.3 * step.1);
-    let label = summary.measure.title();
-    let values = sorted.iter().copied();
-    let x = Axis::fitted(label, summary.measure.unit(), Scale::Linear, values);
+    let x = across(tab).map(|(x, _)| Axis { view: tab.zoomed().unwrap_or(x.view), ..x });
     let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
     let Some((x, y)) = x.zip(y) else { return };
     let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));

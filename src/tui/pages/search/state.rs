@@ -25,9 +25,9 @@ pub enum Page {
     /// Which values of a variable give a wanted result.
     #[default]
     Seek,
-    /// The designs that nothing beats.
+    /// The Pareto front: designs that no other one dominates.
     Front,
-    /// Which variables matter.
+    /// How strongly each variable acts on a quantity.
     Sensitivity,
     /// How results spread when inputs do.
     MonteCarlo,
@@ -96,6 +96,16 @@ impl Searching {
             Answer::Front(front, task) => Some((front, task)),
             _ => None,
         }
+    }
+
+    /// The measure that the Monte Carlo page draws, with its values.
+    pub(super) fn sampled(&self) -> Option<&Summary> {
+        let found = self.found[Page::MonteCarlo as usize].as_ref();
+        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
+            return None;
+        };
+        let name = self.setup.output;
+        report.summaries.iter().find(|summary| summary.measure.name == name)
     }
 
     /// The measure that the table of the front is sorted by, by its place.
@@ -376,9 +386,9 @@ pub(super) fn completeness(answer: &Answer) -> (bool, Option<String>) {
 pub enum Request {
     /// Which values of a variable give a wanted result, under which interface law.
     Seek(Goal, InterfaceLaw),
-    /// The designs that nothing beats.
+    /// The Pareto front: designs that no other one dominates.
     Front(Task),
-    /// Which variables matter to a result.
+    /// How strongly each variable acts on a quantity.
     Sensitivity {
         /// The variables and their bounds.
         axes: Vec<Axis>,

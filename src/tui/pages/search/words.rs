@@ -13,7 +13,7 @@ use crate::tui::app::status::outside;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, Page, Searching};
+use crate::tui::pages::search::state::{Answer, Searching};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::broken;
 
@@ -38,17 +38,6 @@ impl App {
             Answer::Sensitivity(report) => self.matters(report, width),
             Answer::MonteCarlo(report) => self.samples(report, width),
         }
-    }
-
-    /// The measure that the Monte Carlo page draws, with its values.
-    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
-        let found = self.pages.search.found[Page::MonteCarlo as usize].as_ref();
-        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
-            return None;
-        };
-        let name = self.pages.search.setup.output;
-        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
-        Some((report, summary))
     }
 }
 
@@ -137,9 +126,8 @@ impl App {
             vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
         lines.push(note("one variable at a time, from low to high end".to_owned()));
         if report.is_empty() {
-            let text =
-                "nothing to compare: no run has this result; Tab, then Of: choose another one";
-            return vec![lines.remove(0), (text.to_owned(), Role::Warning)];
+            let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
+            return vec![lines.remove(0), (self.keymap.shown(text), Role::Warning)];
         }
         let listing = self.pages.search.listing();
         let bar = width.saturating_sub(36).clamp(4, 40);

@@ -184,9 +184,10 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.thesis;
-    let pane = PaneFrame::new("Screening matrix (Table 7.1), weights h/l")
-        .right(app.keymap.shown("<next-pane>: claims"))
-        .focused(app.dialog.is_none());
+    let pane =
+        PaneFrame::new(app.keymap.shown("Screening matrix (Table 7.1), weights <left>/<right>"))
+            .right(app.keymap.shown("<next-pane>: claims"))
+            .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     let places = rank(&tab.weights);
     // On a narrow screen every concept counts for more than the end of a criterion's name, which is in the message row.

@@ -216,6 +216,8 @@ fn title(app: &App, quantity: Quantity) -> String {
     // The unit stands behind it, and is to have room.
     let is_short = !first.is_empty() && app.size.0 < NARROW;
     let name = if is_short { "" } else { quantity.title() };
+    // The axis below says the rest.
+    let name = name.trim_end_matches(" over displacement");
     format!("{name} {}{first}", quantity.symbol()).trim_start().to_owned()
 }
 
@@ -228,9 +230,11 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
         let kept = if lead.is_empty() { name.chars().count() + 2 } else { lead.chars().count() };
         let mut left = usize::from(area.width).saturating_sub(kept + 1);
-        for (place, view) in views.iter().rev().enumerate() {
+        let values = views.iter().rev().map(|view| (short_name(view), value(view))).collect();
+        let values = in_one_unit(values, left);
+        for (place, (view, (name, value))) in views.iter().rev().zip(values).enumerate() {
             let blank = if place == 0 && lead.is_empty() { "" } else { "  " };
-            let (name, value) = (format!("{blank}{} ", short_name(view)), value(view));
+            let name = format!("{blank}{name} ");
             let width = name.chars().count() + value.chars().count();
             let room = if place + 1 < views.len() { MORE.len() } else { 0 };
             if width + room > left {
@@ -273,6 +277,20 @@ fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
+/// Names and values; where that makes room for all of them, a unit that they share stands at the last one only.
+fn in_one_unit(mut values: Vec<(String, String)>, room: usize) -> Vec<(String, String)> {
+    let needed: usize = values.iter().map(|(name, value)| name.len() + value.len() + 3).sum();
+    let Some(((_, last), others)) = values.split_last_mut() else { return values };
+    let unit = last.rfind(' ').map_or("", |at| &last[at..]);
+    let is_shared = others.iter().all(|(_, value)| value.ends_with(unit));
+    if is_shared && needed > room && needed - others.len() * unit.len() <= room {
+        for (_, value) in others {
+            value.truncate(value.len() - unit.len());
+        }
+    }
+    values
+}
+
 /// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.
 fn events_in_view(app: &App, width: usize) -> String {
     let (from, to) = app.time_range_s();
@@ -284,10 +302,10 @@ fn events_in_view(app: &App, width: usize) -> String {
         .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
         .collect();
     let text = words.join("  ");
-    let hint = match app.charts.window {
-        Window::Contact => "(key c: whole response)",
-        Window::Whole => "(key c: contact only)",
-    };
+    let hint = app.keymap.shown(match app.charts.window {
+        Window::Contact => "(<window>: whole response)",
+        Window::Whole => "(<window>: contact only)",
+    });
     if run.is_some() && text.chars().count() + hint.chars().count() + 2 <= width {
         return format!("{text}  {hint}").trim_start().to_owned();
     }
