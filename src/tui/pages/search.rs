@@ -261,7 +261,7 @@ impl Page for SearchTab {
     }
 
     fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        let row = app.search_choices()[row];
+        let row = app.search_choices(app.pages.search.page)[row];
         let before = app.snapshot();
         change(app, row, input)?;
         note_change(app, row, before, matches!(input, Input::Step(_)));
@@ -289,7 +289,9 @@ impl Page for SearchTab {
 
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
-            SETUP => app.pages.search.row = app.search_choices()[row],
+            SETUP => {
+                app.pages.search.row = app.search_choices(app.pages.search.page)[row];
+            }
             _ => app.pages.search.select(row),
         }
     }
