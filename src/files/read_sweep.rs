@@ -29,7 +29,7 @@ struct AxisRow {
     name: Spanned<String>,
     from: Option<f64>,
     to: Option<f64>,
-    count: Option<usize>,
+    count: Option<u64>,
     #[serde(default)]
     log: bool,
     values: Option<Vec<f64>>,
@@ -40,6 +40,7 @@ impl AxisRow {
         let name = self.name.get_ref();
         let axis = match (self.from, self.to, self.count, &self.values) {
             (Some(from), Some(to), Some(count), None) => {
+                let count = usize::try_from(count).unwrap_or(usize::MAX);
                 SweepAxis { log: self.log, ..SweepAxis::linear(name, from, to, count) }
             }
             (None, None, None, Some(values)) if !self.log => {
