@@ -117,7 +117,7 @@ impl App {
             size: (80, 24),
             theme,
             best_depth: theme.depth,
-            focus: Tab::ALL.map(|tab| pages::of(tab).about().panes[0].pane),
+            focus: Tab::ALL.map(|tab| tab.about().panes[0].pane),
             scene: Arc::clone(&base.scene),
             base,
             current_visible: true,
@@ -145,7 +145,7 @@ impl App {
     }
 
     pub fn layout(&self) -> Layout {
-        layout::layout(self.size, pages::of(self.tab).about().pages.len() > 1)
+        layout::layout(self.size, self.tab.about().pages.len() > 1)
     }
 
     /// Rows of a list that fills the body.

@@ -42,7 +42,7 @@ pub const SETUP: Pane = Pane::of(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
@@ -62,7 +62,7 @@ const PANES: &[PaneSpec] = &[
 
 const BOTH: &[Pane] = &[SETUP, RESULTS];
 /// The pages, in the order of [`state::Page`].
-const PAGES: &[PageSpec] = &[
+pub(super) const PAGES: &[PageSpec] = &[
     PageSpec { name: "Goal seek", panes: BOTH },
     PageSpec { name: "Pareto front", panes: BOTH },
     PageSpec { name: "Sensitivity", panes: BOTH },
@@ -70,7 +70,7 @@ const PAGES: &[PageSpec] = &[
 ];
 
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
     Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
@@ -81,10 +81,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Search", pages: PAGES, panes: PANES, commands: COMMANDS }
-    }
-
     fn shown(&self, app: &App) -> usize {
         app.pages.search.page as usize
     }
