@@ -158,11 +158,6 @@ impl App {
         self.full_pane[self.tab.index()]
     }
 
-    /// Whether the scene is the baseline, untouched.
-    pub fn is_baseline(&self) -> bool {
-        self.base.name == crate::files::bundled::BASELINE && !self.is_modified()
-    }
-
     /// Whether the newest message refuses something.
     pub fn is_refused(&self) -> bool {
         self.notice.as_ref().is_some_and(|notice| notice.severity == Severity::Error)

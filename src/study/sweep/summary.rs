@@ -76,11 +76,6 @@ impl Summary {
         self.outcomes.total()
     }
 
-    /// How many failed.
-    pub fn failed(&self) -> u64 {
-        self.outcomes.failed
-    }
-
     /// Add rows, the first of which is point `first`.
     pub fn add(&mut self, first: u64, rows: &Rows) {
         for (row, point) in (0..rows.len()).zip(first..) {

@@ -109,10 +109,6 @@ impl Stability {
         }
     }
 
-    pub fn sort_next(&mut self) {
-        self.listing.sorting = self.listing.sorting.next(&keys());
-    }
-
     /// The places of the scenes listed, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
         self.listing.order(&table(self.rows()), &keys())
@@ -272,7 +268,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run if on_scenes => ask_battery(app),
         Action::View if on_scenes => tab.table_page += 1,
-        Action::Sort if on_scenes => tab.sort_next(),
+        Action::Sort if on_scenes => tab.listing.sorting = tab.listing.sorting.next(&keys()),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
