@@ -43,16 +43,16 @@ impl AxisRow {
                 let count = usize::try_from(count).unwrap_or(usize::MAX);
                 SweepAxis { log: self.log, ..SweepAxis::linear(name, from, to, count) }
             }
-            (None, None, None, Some(values)) if !self.log => {
+            (None, None, None, Some(values)) if !self.log && !values.is_empty() => {
                 SweepAxis { values: values.clone(), ..SweepAxis::linear(name, 0.0, 0.0, 0) }
             }
-            (.., None) => {
-                return Err(format!("{name} lacks from, to or count; write for example {EXAMPLE}"));
-            }
-            (.., Some(_)) => {
+            (.., Some(values)) if !values.is_empty() => {
                 return Err(format!(
                     "{name} has `values` and a range: an axis has one of them; omit the other"
                 ));
+            }
+            _ => {
+                return Err(format!("{name} lacks from, to or count; write for example {EXAMPLE}"));
             }
         };
         let axis = Axis::of(&axis, &COUNTS).map_err(|error| error.to_string())?;

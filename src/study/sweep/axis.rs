@@ -75,13 +75,13 @@ impl Axis {
             range.to = range.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             (range.count, range.log) = (range.values.len(), false);
         }
-        check_count(&range, counts)?;
         let ends = [range.from, range.to];
         let values = if range.values.is_empty() { &ends } else { range.values.as_slice() };
         if let Some(end) = values.iter().find(|value| !number.allowed.contains(**value)) {
             return Err(impossible(variable, number, *end));
         }
         check_distinct(&range)?;
+        check_count(&range, counts)?;
         Ok(Self { variable, number, range })
     }
 
