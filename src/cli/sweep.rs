@@ -166,8 +166,11 @@ impl Job<'_> {
             let took = page::duration(start.elapsed().as_secs_f64());
             output::note(&format!("{} points in {took}: {}", ended.points(), ended.outcomes));
         }
-        if ended.failed() > 0 {
-            output::note(&format!("{} points failed: see the column `error`", ended.failed()));
+        if ended.outcomes.failed > 0 {
+            output::note(&format!(
+                "{} points failed: see the column `error`",
+                ended.outcomes.failed
+            ));
             return ExitCode::FAILURE;
         }
         ExitCode::SUCCESS

@@ -9,7 +9,7 @@ use crate::files::read::{Reader, misfit};
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::variables;
 use crate::study::quantities;
-use crate::study::sweep::{Axis, COUNTS, Spacing};
+use crate::study::sweep::{Axis, COUNTS};
 
 const EXAMPLE: &str = r#"axes = [{ name = "gamma", from = 0.8, to = 7.0, count = 101 }]"#;
 
@@ -40,20 +40,22 @@ impl AxisRow {
         let name = self.name.get_ref();
         let axis = match (self.from, self.to, self.count, &self.values) {
             (Some(from), Some(to), Some(count), None) => {
-                let spacing = if self.log { Spacing::Log } else { Spacing::Linear };
-                Axis::new(name, (from, to), count, spacing)
+                let count = usize::try_from(count).unwrap_or(usize::MAX);
+                SweepAxis { log: self.log, ..SweepAxis::linear(name, from, to, count) }
             }
-            (None, None, None, Some(values)) if !self.log => Axis::listed(name, values, &COUNTS),
-            (.., None) => {
-                return Err(format!("{name} lacks from, to or count; write for example {EXAMPLE}"));
+            (None, None, None, Some(values)) if !self.log && !values.is_empty() => {
+                SweepAxis { values: values.clone(), ..SweepAxis::linear(name, 0.0, 0.0, 0) }
             }
-            (.., Some(_)) => {
+            (.., Some(values)) if !values.is_empty() => {
                 return Err(format!(
                     "{name} has `values` and a range: an axis has one of them; omit the other"
                 ));
             }
+            _ => {
+                return Err(format!("{name} lacks from, to or count; write for example {EXAMPLE}"));
+            }
         };
-        let axis = axis.map_err(|error| error.to_string())?;
+        let axis = Axis::of(&axis, &COUNTS).map_err(|error| error.to_string())?;
         Ok(SweepAxis { name: name.clone(), ..axis.to_sweep_axis() })
     }
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::model::run::Outcome;
 use crate::model::scene::InterfaceLaw;
 use crate::model::units::significant;
 use crate::report::Remark;
@@ -18,11 +19,10 @@ pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
             Remark::caution("", format!("violates {}", task.constraints[*at].words()))
         }
         Standing::NoValue(outcome) => {
-            let is_at_rest = matches!(outcome, PointOutcome::Arrested | PointOutcome::Separated);
             let measures = task.objectives.iter().map(|it| it.measure);
             let missing = measures.zip(&candidate.measures).find(|(_, value)| value.is_none());
             let why = match missing.map(|it| it.0) {
-                Some(it) if it.name == "peak_mount_force_n" && is_at_rest => {
+                Some(it) if it.name == "peak_mount_force_n" && outcome.is_stopped() => {
                     "a rigid stop is hit, the force is unbounded"
                 }
                 Some(it) => outcome.without_value(it),
@@ -39,7 +39,7 @@ pub fn lacks(front: &Front) -> Vec<String> {
     let v = front.base.projectile.velocity_m_s;
     let say = |lack: &Lack| {
         let why = match lack.outcome {
-            PointOutcome::Perforated => format!(
+            PointOutcome::Ended(Outcome::Perforated) => format!(
                 "the shot of v_i = {} m/s perforates them; set a slower v_i, or take a quantity that does not depend on the shot, such \
                  as plate_mass_kg",
                 significant(v, 4)

@@ -62,7 +62,7 @@ pub fn json(name: &str, report: &Report) -> Value {
             "parameters": [first, second], "redrawn": redrawn,
         })
     });
-    let outcomes = report.outcomes.each().into_iter();
+    let outcomes = report.outcomes.each();
     let outcomes = outcomes.map(|(word, count)| (word.to_owned(), Value::from(count)));
     let table = table(name, report);
     let outputs = table.rows.iter().map(|summary| {

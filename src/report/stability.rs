@@ -139,7 +139,7 @@ pub fn picture(found: &Map) -> map::Map<'static> {
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     map::Map {
         line: (0..counts.1).map(|row| found.limit_column(row)).collect(),
-        present: found.present_at().map(|(row, column)| ((column, row), '+')),
+        present: found.present_at().map(|at| (at, '+')),
         marks,
         ..map::Map::new(found.method.name(), axes, counts, None, cell)
     }

@@ -5,6 +5,7 @@
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
+use crate::model::run::Outcome;
 use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
 use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
@@ -268,8 +269,8 @@ impl<'t> Draw<'t> {
 
 /// The part that perforates, of all that came to an end.
 fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
-    let ended = (counts.arrested + counts.perforated + counts.separated) as f64;
-    let part = counts.perforated as f64 / ended;
+    let ended = (counts.total() - counts.failed - counts.of(Outcome::Moving)) as f64;
+    let part = counts.of(Outcome::Perforated) as f64 / ended;
     (ended > 0.0).then(|| {
         let (low_95, high_95) = wilson(part, ended);
         Estimate { value: part, low_95, high_95 }

@@ -117,7 +117,7 @@ impl App {
             size: (80, 24),
             theme,
             best_depth: theme.depth,
-            focus: Tab::ALL.map(|tab| pages::of(tab).about().panes[0].pane),
+            focus: Tab::ALL.map(|tab| tab.about().panes[0].pane),
             scene: Arc::clone(&base.scene),
             base,
             current_visible: true,
@@ -145,7 +145,7 @@ impl App {
     }
 
     pub fn layout(&self) -> Layout {
-        layout::layout(self.size, pages::of(self.tab).about().pages.len() > 1)
+        layout::layout(self.size, self.tab.about().pages.len() > 1)
     }
 
     /// Rows of a list that fills the body.
@@ -156,11 +156,6 @@ impl App {
     /// Whether the pane that has the keys fills the body.
     pub fn is_full(&self) -> bool {
         self.full_pane[self.tab.index()]
-    }
-
-    /// Whether the scene is the baseline, untouched.
-    pub fn is_baseline(&self) -> bool {
-        self.base.name == crate::files::bundled::BASELINE && !self.is_modified()
     }
 
     /// Whether the newest message refuses something.

@@ -8,6 +8,8 @@ pub mod options;
 pub mod palette;
 pub(crate) mod presets;
 
+use std::path::Path;
+
 use ratatui::widgets::{Clear, Widget};
 
 use crate::model::scene::WhichSpring;
@@ -37,14 +39,30 @@ impl Dialog {
 }
 
 /// The dialog on top if it is the one that asked: meanwhile another one may have been opened.
-pub(crate) fn asking(
-    dialog: &mut Option<Dialog>,
-    is_it: impl FnOnce(&Ask) -> bool,
-) -> Option<&mut Ask> {
-    match dialog {
-        Some(Dialog::Ask(ask)) => Some(&mut **ask).filter(|ask| is_it(ask)),
+pub(crate) fn asking(app: &mut App, is_it: impl FnOnce(&Ask, &Path) -> bool) -> Option<&mut Ask> {
+    match &mut app.dialog {
+        Some(Dialog::Ask(ask)) => Some(&mut **ask).filter(|ask| is_it(ask, &app.directory)),
         Some(Dialog::List(..)) | None => None,
     }
+}
+
+/// What an effect came to that a dialog asked for: it closes the dialog, or the reason why there is nothing stands in it.
+pub(crate) fn answered<T>(
+    app: &mut App,
+    outcome: Result<T, String>,
+    is_it: impl FnOnce(&Ask, &Path) -> bool,
+) -> Option<T> {
+    match (outcome, asking(app, is_it)) {
+        (Ok(found), asked) => {
+            if asked.is_some() {
+                app.dialog = None;
+            }
+            return Some(found);
+        }
+        (Err(text), Some(ask)) => ask.text.error = Some(text),
+        (Err(text), None) => app.refuse(text),
+    }
+    None
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use KeyCode as C;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::tui::dialogs::options::OptionRow;
-use crate::tui::pages::{self, TAB_KEYS, Tab};
+use crate::tui::pages::{TAB_KEYS, Tab};
 use Action as A;
 use OptionRow as O;
 use Scope::{Everywhere, Listed, With};
@@ -334,7 +334,7 @@ const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Co
 /// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
 pub fn commands() -> impl Iterator<Item = &'static Command> {
     let of = |within: bool| {
-        let all = Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).about().commands);
+        let all = Tab::ALL.into_iter().flat_map(|tab| tab.about().commands);
         all.filter(move |command| matches!(command.call, Call::In(..)) == within)
     };
     of(false).chain(GENERAL).chain(of(true))

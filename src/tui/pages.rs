@@ -14,8 +14,8 @@ pub(crate) mod prelude {
     pub(crate) use std::error::Error;
     pub(crate) use std::sync::Arc;
 
-    pub(crate) use super::{About, LabelledScene, Page, PageSpec, Progress, Rows, StatusPart};
     pub(crate) use super::{BEING_COMPUTED, note, nothing, old, part, progress};
+    pub(crate) use super::{LabelledScene, Page, PageSpec, Progress, Rows, StatusPart};
     pub(crate) use crate::model::scene::Scene;
     pub(crate) use crate::model::units::significant;
     pub(crate) use crate::study::context::Context;
@@ -147,23 +147,22 @@ pub(crate) struct About {
 
 /// A tab of the workbench. What applies to a pane applies to the focused one, which is one of the page's own.
 pub(crate) trait Page: Sync {
-    fn about(&self) -> &'static About;
-
     /// The panes shown, in the order in which Tab goes through them.
     fn shown_panes(&self, app: &App) -> Vec<Pane> {
-        let all = || self.about().panes.iter().map(|spec| spec.pane).collect();
-        self.about().pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
+        let About { panes, pages, .. } = app.tab.about();
+        let all = || panes.iter().map(|spec| spec.pane).collect();
+        pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
     }
 
     /// The page shown, by its place: the first one that has the pane with the keys.
     fn shown(&self, app: &App) -> usize {
-        let pages = self.about().pages.iter();
+        let pages = app.tab.about().pages.iter();
         pages.take_while(|page| !page.panes.contains(&app.pane())).count()
     }
 
     /// Show another page; it computes what it has not.
     fn turn_to(&self, app: &mut App, page: usize) {
-        if let Some(page) = self.about().pages.get(page) {
+        if let Some(page) = app.tab.about().pages.get(page) {
             app.focus_on(page.panes[0]);
             self.enter(app);
         }
@@ -274,7 +273,7 @@ pub(crate) trait Page: Sync {
 }
 
 macro_rules! pages {
-    ($($tab:ident, $page:expr, $id:literal, $key:literal, $about:literal $(, $field:ident: $state:ty)?;)*) => {
+    ($($tab:ident, $module:ident::$page:ident, $id:literal, $key:literal, $about:literal $(, $field:ident: $state:ty)?;)*) => {
         #[derive(Clone, Debug, Default)]
         pub struct States {
             $($(#[doc = $about] pub $field: $state,)?)*
@@ -288,6 +287,15 @@ macro_rules! pages {
 
         impl Tab {
             pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
+
+            pub(crate) fn about(self) -> &'static About {
+                match self {
+                    $(Self::$tab => &const {
+                        use $module::{COMMANDS as commands, PAGES as pages, PANES as panes};
+                        About { name: stringify!($tab), pages, panes, commands }
+                    },)*
+                }
+            }
         }
 
         /// The keys that lead to the tabs.
@@ -297,7 +305,7 @@ macro_rules! pages {
 
         pub(crate) fn of(tab: Tab) -> &'static dyn Page {
             match tab {
-                $(Tab::$tab => &$page,)*
+                $(Tab::$tab => &$module::$page,)*
             }
         }
     };
@@ -327,18 +335,18 @@ impl Tab {
 
     /// The text in the title row, with the key that leads there.
     pub(crate) fn title(self, keys: &Keymap) -> String {
-        let (key, name) = (keys.label(Action::Tab(self)), of(self).about().name);
+        let (key, name) = (keys.label(Action::Tab(self)), self.about().name);
         if key.is_empty() { name.to_owned() } else { format!("{key}:{name}") }
     }
 }
 
 /// All panes, in the order of the tabs.
 pub fn all_panes() -> impl Iterator<Item = &'static PaneSpec> {
-    Tab::ALL.into_iter().flat_map(|tab| of(tab).about().panes)
+    Tab::ALL.into_iter().flat_map(|tab| tab.about().panes)
 }
 
 pub fn spec(pane: Pane) -> &'static PaneSpec {
-    let panes = of(pane.tab).about().panes;
+    let panes = pane.tab.about().panes;
     panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 

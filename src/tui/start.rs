@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::Options;
+use crate::files::bundled::BASELINE;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
@@ -64,7 +65,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     if let Some(path) = opened {
         app.note_recent(&path);
     }
-    app.first_run = is_first && app.is_baseline();
+    app.first_run = is_first && app.base.name == BASELINE && !app.is_modified();
     if let Some(paths) = paths {
         configure(&mut app, &paths.config, options.glyphs);
     }
@@ -197,11 +198,7 @@ fn base_of(preset: Preset) -> Base {
 /// Every bundled preset can be read (a test reads them); the scene's defaults are those of the baseline in any case.
 fn baseline() -> Base {
     preset::baseline().map_or_else(
-        |_| Base {
-            name: crate::files::bundled::BASELINE.to_owned(),
-            is_mine: false,
-            scene: Arc::default(),
-        },
+        |_| Base { name: BASELINE.to_owned(), is_mine: false, scene: Arc::default() },
         base_of,
     )
 }

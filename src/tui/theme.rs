@@ -161,9 +161,7 @@ mod tests {
 
     #[test]
     fn errors_warnings_and_notes_differ_at_every_depth() {
-        for depth in
-            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
-        {
+        for depth in ColourDepth::ALL {
             let theme = Theme { glyphs: GlyphSet::Ascii, depth };
             let [error, warning, note, text] =
                 [Role::Error, Role::Warning, Role::Note, Role::Text].map(|role| theme.style(role));

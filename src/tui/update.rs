@@ -13,7 +13,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
-use crate::tui::dialogs::{ask, asking, list};
+use crate::tui::dialogs::{Ask, answered, ask, asking, list};
 use crate::tui::keymap::{Key, PaneSpec, Part};
 use crate::tui::message::{EffectReport, ExportOutcome, Message};
 use crate::tui::pages;
@@ -399,20 +399,7 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
 }
 
 fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
-    let asked = asking(&mut app.dialog, |ask| ask.saves(&name));
-    let path = match (outcome, asked) {
-        (Ok(path), asked) => {
-            if asked.is_some() {
-                app.dialog = None;
-            }
-            path
-        }
-        (Err(text), Some(ask)) => {
-            ask.text.error = Some(text);
-            return;
-        }
-        (Err(text), None) => return app.refuse(text),
-    };
+    let Some(path) = answered(app, outcome, |ask, _| ask.saves(&name)) else { return };
     app.tell(format!("saved `{name}` as {}", path.display()));
     app.base = Base { name, is_mine: true, scene: Arc::clone(&app.scene) };
     app.list_presets();
@@ -420,20 +407,17 @@ fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
 }
 
 fn exported(app: &mut App, path: &Path, outcome: ExportOutcome) {
-    let asked = asking(&mut app.dialog, |ask| ask.exports_to(&app.directory, path));
-    match (outcome, asked) {
-        (ExportOutcome::Written(files), asked) => {
-            if asked.is_some() {
-                app.dialog = None;
-            }
-            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-            app.tell(format!("written: {}", names.join(" and ")));
-        }
-        (ExportOutcome::Exists(_), Some(ask)) => ask.question = true,
-        (ExportOutcome::Failed(text), Some(ask)) => ask.text.error = Some(text),
-        (ExportOutcome::Exists(path), None) => {
-            app.refuse(format!("{} already exists and was not replaced", path.display()));
-        }
-        (ExportOutcome::Failed(text), None) => app.refuse(text),
+    let is_it = |ask: &Ask, directory: &Path| ask.exports_to(directory, path);
+    let outcome = match outcome {
+        ExportOutcome::Written(files) => Ok(files),
+        ExportOutcome::Failed(text) => Err(text),
+        ExportOutcome::Exists(path) => match asking(app, is_it) {
+            Some(ask) => return ask.question = true,
+            None => Err(format!("{} already exists and was not replaced", path.display())),
+        },
+    };
+    if let Some(files) = answered(app, outcome, is_it) {
+        let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+        app.tell(format!("written: {}", names.join(" and ")));
     }
 }

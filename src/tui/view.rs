@@ -315,7 +315,7 @@ fn name(
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, PageSpec { name: title, .. }) in page.about().pages.iter().enumerate() {
+    for (at, PageSpec { name: title, .. }) in app.tab.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         column = name(canvas, area, column, title, is_shown, Target::Page(at)) + 2;
     }

@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::table::choice;
 use crate::files::preset::Preset;
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare, Quantity};
 use crate::model::variables;
 use crate::report::sweep::Columns;
@@ -101,14 +101,16 @@ pub(in crate::cli) fn over(
     let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(FORM.to_owned()))?;
     let name = name.trim();
     if let Some((low, rest)) = rest.split_once("..") {
-        let (high, count, spacing) = high_end(rest, counts).map_err(refuse)?;
+        let (high, count, log) = high_end(rest, counts).map_err(refuse)?;
         let missing = || refuse(format!("COUNT is missing; {FORM}"));
         let count = count.or(usual).ok_or_else(missing)?;
-        let ends = (value(name, low, "LO", refuse)?, value(name, high, "HI", refuse)?);
+        let (from, to) = (value(name, low, "LO", refuse)?, value(name, high, "HI", refuse)?);
         if let Some(problem) = quantity(name).and_then(|it| units::one_bare_end(low, high, it)) {
             return Err(refuse(problem));
         }
-        return Ok(Axis::within(name, ends, count, spacing, counts)?);
+        let count = usize::try_from(count).unwrap_or(usize::MAX);
+        let axis = SweepAxis { log, ..SweepAxis::linear(name, from, to, count) };
+        return Ok(Axis::of(&axis, counts)?);
     }
     let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
     let [first, others @ ..] = &parts[..] else { return Err(refuse(FORM.to_owned())) };
@@ -122,7 +124,7 @@ pub(in crate::cli) fn over(
     if quantity(name).is_some_and(mixed) {
         return Err(refuse("give all values of the list a unit, or none".to_owned()));
     }
-    Ok(Axis::listed(name, &values, counts)?)
+    Ok(Axis::of(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)?)
 }
 
 /// The same where only a range has a meaning.
@@ -143,18 +145,18 @@ pub(in crate::cli) fn range(
     )))
 }
 
-/// Reads the text after `..`: the other end, the number of points, the spacing.
+/// Reads the text after `..`: the other end, the number of points, whether at equal ratios.
 fn high_end<'t>(
     text: &'t str,
     counts: &RangeInclusive<u64>,
-) -> Result<(&'t str, Option<u64>, Spacing), String> {
+) -> Result<(&'t str, Option<u64>, bool), String> {
     let mut parts = text.split(':');
     let high = parts.next().unwrap_or_default();
-    let (mut count, mut spacing) = (None, Spacing::Linear);
+    let (mut count, mut log) = (None, false);
     for part in parts {
         match part.trim() {
-            "log" => spacing = Spacing::Log,
-            "lin" | "linear" => spacing = Spacing::Linear,
+            "log" => log = true,
+            "lin" | "linear" => log = false,
             text if count.is_none() => {
                 let (least, most) = (counts.start(), counts.end());
                 let wrong = || {
@@ -165,7 +167,7 @@ fn high_end<'t>(
             text => return Err(format!("`{text}` is neither COUNT nor log; {FORM}")),
         }
     }
-    Ok((high, count, spacing))
+    Ok((high, count, log))
 }
 
 /// The kind of quantity of a variable; `None` for a variable of words, which is refused later.

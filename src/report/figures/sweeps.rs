@@ -1,5 +1,6 @@
 //! The pictures of a sweep: a curve of each output over one axis, a map over two.
 
+use crate::model::run::Outcome;
 use crate::numerics::statistics::sorted_by;
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve, Scale};
@@ -80,8 +81,8 @@ pub fn marks(
 /// How the letter of a point without a value stands out.
 pub fn tone(outcome: PointOutcome) -> Tone {
     match outcome {
-        PointOutcome::Arrested | PointOutcome::Separated => Tone::Faint,
-        PointOutcome::Perforated | PointOutcome::Failed(_) => Tone::Error,
-        PointOutcome::Moving => Tone::Warning,
+        PointOutcome::Ended(Outcome::Arrested | Outcome::Separated) => Tone::Faint,
+        PointOutcome::Ended(Outcome::Perforated) | PointOutcome::Failed(_) => Tone::Error,
+        PointOutcome::Ended(Outcome::Moving) => Tone::Warning,
     }
 }

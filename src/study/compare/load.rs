@@ -50,10 +50,9 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
-    if run.scene.plate.mount == Mount::Rigid {
-        return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
-    }
-    if holds_still(&run.scene, run.max_plate_displacement_m) {
+    if run.scene.plate.mount == Mount::Rigid
+        || holds_still(&run.scene, run.max_plate_displacement_m)
+    {
         return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
     }
     let mechanism = Mechanism::of(&run.scene);

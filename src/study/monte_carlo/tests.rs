@@ -39,7 +39,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
         assert!(width < 0.02 * depth);
     }
     assert_eq!(
-        (report.samples, report.outcomes.arrested, report.is_complete),
+        (report.samples, report.outcomes.of(Outcome::Arrested), report.is_complete),
         (20_000, 20_000, true)
     );
     let Estimate { value, low_95, high_95 } = report.perforated.unwrap();
@@ -158,5 +158,8 @@ fn valid_probability_of_perforation() {
     let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
     let Estimate { value: part, low_95: low, high_95: high } = report.perforated.unwrap();
     assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
-    assert_eq!(report.outcomes.perforated + report.summaries[0].sorted.len() as u64, 4000);
+    assert_eq!(
+        report.outcomes.of(Outcome::Perforated) + report.summaries[0].sorted.len() as u64,
+        4000
+    );
 }

@@ -186,9 +186,14 @@ impl Map {
         !self.cells.contains(&Cell::Waiting)
     }
 
-    /// Row and column of the present point; `None` where it lies outside.
+    /// Column and row of the present point; `None` where it lies outside.
     pub fn present_at(&self) -> Option<(usize, usize)> {
-        nearest(&self.values, self.present).zip(nearest(&self.dt_s, THESIS_DT_S))
+        self.nearest(THESIS_DT_S, self.present)
+    }
+
+    /// Column and row of the cell nearest to a step and a value; `None` outside the map.
+    pub fn nearest(&self, dt_s: f64, value: f64) -> Option<(usize, usize)> {
+        nearest(&self.dt_s, dt_s).zip(nearest(&self.values, value))
     }
 
     /// The first column of a row beyond its analytic limit, if that lies within the map.
@@ -200,7 +205,7 @@ impl Map {
 }
 
 /// The nearest of rising values by ratio; `None` for a value outside them.
-pub fn nearest(values: &[f64], value: f64) -> Option<usize> {
+fn nearest(values: &[f64], value: f64) -> Option<usize> {
     let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
     let distance = |other: f64| (other / value).ln().abs();
     let all = 0..values.len();

@@ -3,12 +3,12 @@
 //! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
 //! what is allowed is one interval for every variable. Rules between variables are the plan's business.
 
-use std::ops::RangeInclusive;
-use std::sync::Arc;
+use std::ops::{Range, RangeInclusive};
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Allowed, Number, Variable};
+use crate::numerics::larger;
 use crate::study::sweep::SweepError;
 
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
@@ -30,12 +30,8 @@ pub enum Spacing {
 pub struct Axis {
     variable: &'static Variable,
     number: &'static Number,
-    from: f64,
-    to: f64,
-    count: u64,
-    spacing: Spacing,
-    /// The values in their order, where they are listed.
-    list: Arc<[f64]>,
+    /// As a scene file has it; of a list the ends are its least and its greatest value.
+    range: SweepAxis,
 }
 
 impl std::fmt::Debug for Axis {
@@ -46,11 +42,7 @@ impl std::fmt::Debug for Axis {
 
 impl PartialEq for Axis {
     fn eq(&self, other: &Self) -> bool {
-        self.variable.key == other.variable.key
-            && self.from.to_bits() == other.from.to_bits()
-            && self.to.to_bits() == other.to.to_bits()
-            && (self.count, self.spacing) == (other.count, other.spacing)
-            && self.list.iter().map(|it| it.to_bits()).eq(other.list.iter().map(|it| it.to_bits()))
+        self.range == other.range
     }
 }
 
@@ -62,95 +54,35 @@ impl Axis {
     /// positive at equal ratios.
     pub fn new(
         name: &str,
-        ends: (f64, f64),
-        count: u64,
-        spacing: Spacing,
-    ) -> Result<Self, SweepError> {
-        Self::within(name, ends, count, spacing, &COUNTS)
-    }
-
-    /// The same where an axis may have a given number of points.
-    ///
-    /// # Errors
-    /// As [`Axis::new`].
-    pub fn within(
-        name: &str,
         (from, to): (f64, f64),
         count: u64,
         spacing: Spacing,
-        counts: &RangeInclusive<u64>,
     ) -> Result<Self, SweepError> {
-        let (variable, number) = numeric(name)?;
-        let axis = variable.symbol;
-        for end in [from, to] {
-            if !number.allowed.contains(end) {
-                return Err(impossible(variable, number, end));
-            }
-        }
-        let shown = units::shortest;
-        if from.to_bits() == to.to_bits() || shown(from) == shown(to) {
-            return Err(SweepError(format!(
-                "axis {axis}: both ends are {}: the two ends must differ; widen the range, or hold {axis} at one value",
-                shown(from)
-            )));
-        }
-        if spacing == Spacing::Log && (from <= 0.0 || to <= 0.0) {
-            let high = if from > to { from } else { to };
-            let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
-            return Err(SweepError(format!(
-                "axis {axis}: {} to {} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
-                 example at {start}",
-                shown(from),
-                shown(to)
-            )));
-        }
-        check_count(axis, count, counts, &shown(from))?;
-        Ok(Self { variable, number, from, to, count, spacing, list: Arc::default() })
-    }
-
-    /// An axis over a list of values of the variable `name`, in its stored unit and in their order.
-    ///
-    /// # Errors
-    /// [`SweepError`] for an unknown or wordy variable, fewer than two or too many values, an impossible one, and one that
-    /// stands twice.
-    pub fn listed(
-        name: &str,
-        values: &[f64],
-        counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
-        let (variable, number) = numeric(name)?;
-        let axis = variable.symbol;
-        for (at, value) in values.iter().enumerate() {
-            if !number.allowed.contains(*value) {
-                return Err(impossible(variable, number, *value));
-            }
-            if values[..at].iter().any(|other| units::shortest(*other) == units::shortest(*value)) {
-                let value = units::shortest(*value);
-                let text =
-                    format!("axis {axis}: {value} occurs twice in the list; omit one of them");
-                return Err(SweepError(text));
-            }
-        }
-        let count = values.len() as u64;
-        let first = values.first().map_or_else(|| "VALUE".to_owned(), |it| units::shortest(*it));
-        check_count(axis, count, counts, &first)?;
-        let from = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let to = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let list = values.into();
-        Ok(Self { variable, number, from, to, count, spacing: Spacing::Listed, list })
+        let count = usize::try_from(count).unwrap_or(usize::MAX);
+        let log = spacing == Spacing::Log;
+        Self::of(&SweepAxis { log, ..SweepAxis::linear(name, from, to, count) }, &COUNTS)
     }
 
     /// The axis a scene requests, where it may have a given number of points.
     ///
     /// # Errors
-    /// As [`Axis::new`].
-    pub fn of(axis: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
-        if !axis.values.is_empty() {
-            return Self::listed(&axis.name, &axis.values, counts);
+    /// As [`Axis::new`]; of a list also for a value that stands twice.
+    pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
+        let (variable, number) = numeric(&asked.name)?;
+        let mut range = SweepAxis { name: variable.symbol.to_owned(), ..asked.clone() };
+        if !range.values.is_empty() {
+            range.from = range.values.iter().copied().fold(f64::INFINITY, f64::min);
+            range.to = range.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            (range.count, range.log) = (range.values.len(), false);
         }
-        let spacing = if axis.log { Spacing::Log } else { Spacing::Linear };
-        let count = u64::try_from(axis.count).unwrap_or(u64::MAX);
-        Self::within(&axis.name, (axis.from, axis.to), count, spacing, counts)
+        let ends = [range.from, range.to];
+        let values = if range.values.is_empty() { &ends } else { range.values.as_slice() };
+        if let Some(end) = values.iter().find(|value| !number.allowed.contains(**value)) {
+            return Err(impossible(variable, number, *end));
+        }
+        check_distinct(&range)?;
+        check_count(&range, counts)?;
+        Ok(Self { variable, number, range })
     }
 
     /// The axes of a sweep as a scene keeps it.
@@ -194,128 +126,104 @@ impl Axis {
 
     /// The same axis as a scene file has it.
     pub fn to_sweep_axis(&self) -> SweepAxis {
-        SweepAxis {
-            name: self.symbol().to_owned(),
-            from: self.from,
-            to: self.to,
-            count: usize::try_from(self.count).unwrap_or(usize::MAX),
-            log: self.spacing == Spacing::Log,
-            values: self.list.to_vec(),
-        }
+        self.range.clone()
     }
 
     /// The values as `--over` has them: `LO..HI:COUNT[:log]`, or a list.
     pub fn range(&self) -> String {
         let shown = units::shortest;
-        let log = match self.spacing {
-            Spacing::Listed => {
-                let values: Vec<String> = self.list.iter().map(|value| shown(*value)).collect();
-                return values.join(",");
-            }
-            Spacing::Linear => "",
-            Spacing::Log => ":log",
-        };
-        format!("{}..{}:{}{log}", shown(self.from), shown(self.to), self.count)
+        if self.spacing() == Spacing::Listed {
+            let values: Vec<String> = self.list().iter().map(|value| shown(*value)).collect();
+            return values.join(",");
+        }
+        let SweepAxis { from, to, count, log, .. } = self.range;
+        format!("{}..{}:{count}{}", shown(from), shown(to), if log { ":log" } else { "" })
     }
 
     /// The values of a list in their order; empty for a range.
     pub fn list(&self) -> &[f64] {
-        &self.list
+        &self.range.values
     }
 
     /// First and last value of a range, least and greatest of a list, in the stored unit.
     pub fn ends(&self) -> (f64, f64) {
-        (self.from, self.to)
+        (self.range.from, self.range.to)
     }
 
     /// Number of points.
     pub fn count(&self) -> u64 {
-        self.count
+        self.range.count as u64
     }
 
     /// How they are spread.
     pub fn spacing(&self) -> Spacing {
-        self.spacing
+        match self.range.log {
+            _ if !self.list().is_empty() => Spacing::Listed,
+            true => Spacing::Log,
+            false => Spacing::Linear,
+        }
     }
 
     /// The value of point `index`, counted from 0; the ends come out to the digit, and an axis turned round gives the same
     /// values in the other order.
     pub fn value(&self, index: u64) -> f64 {
-        let last = self.count - 1;
-        if self.spacing == Spacing::Listed {
-            return self.list[usize::try_from(index.min(last)).unwrap_or(usize::MAX)];
+        let last = self.count() - 1;
+        if self.spacing() == Spacing::Listed {
+            return self.list()[usize::try_from(index.min(last)).unwrap_or(usize::MAX)];
         }
-        if index == 0 {
-            return self.from;
+        match index {
+            0 => self.range.from,
+            _ if index >= last => self.range.to,
+            _ => self.between(index as f64, (last - index) as f64),
         }
-        if index >= last {
-            return self.to;
-        }
-        self.between(index as f64, (last - index) as f64)
     }
 
     /// The point whose value is nearest, by the spacing.
     pub fn nearest(&self, value: f64) -> u64 {
-        if self.spacing == Spacing::Listed {
-            let gap = |index: &u64| (self.value(*index) - value).abs();
-            let nearest = (0..self.count).min_by(|a, b| gap(a).total_cmp(&gap(b)));
-            return nearest.unwrap_or(0);
+        let gap = |index: &u64| (self.place(self.value(*index)) - self.place(value)).abs();
+        let near = |points: Range<u64>| points.min_by(|a, b| gap(a).total_cmp(&gap(b)));
+        if self.spacing() == Spacing::Listed {
+            return near(0..self.count()).unwrap_or(0);
         }
-        let rising = self.from < self.to;
-        let before = |index: u64| (self.value(index) < value) == rising;
-        // The first point that is not before the value.
-        let (mut low, mut high) = (0, self.count - 1);
-        while low < high {
+        let rising = self.range.from < self.range.to;
+        // Neighbours, the value between them.
+        let (mut low, mut high) = (0, self.count() - 1);
+        while high - low > 1 {
             let middle = low + (high - low) / 2;
-            if before(middle) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
+            if (self.value(middle) < value) == rising { low = middle } else { high = middle }
         }
-        let place = |value| self.place(value);
-        let gap = |index: u64| (place(self.value(index)) - place(value)).abs();
-        if low > 0 && gap(low - 1) <= gap(low) { low - 1 } else { low }
+        near(low..high + 1).unwrap_or(low)
     }
 
     /// The value at a share of the way, 0 to 1.
     pub fn at_share(&self, share: f64) -> f64 {
-        if self.spacing == Spacing::Listed {
+        if self.spacing() == Spacing::Listed {
             // As many equal parts as values.
-            let at = (0..self.count - 1).find(|at| share * (self.count as f64) < (at + 1) as f64);
-            return self.value(at.unwrap_or(self.count - 1));
+            let (count, list) = (self.count() as f64, self.list());
+            let at = (1..list.len()).find(|at| share * count < *at as f64);
+            return list[at.unwrap_or(list.len()) - 1];
         }
         self.between(share, 1.0 - share)
     }
 
     /// The share of the way at which a value lies; `None` outside the ends.
     pub fn share(&self, value: f64) -> Option<f64> {
-        let (from, to) = (self.place(self.from), self.place(self.to));
+        let (from, to) = (self.place(self.range.from), self.place(self.range.to));
         let share = (self.place(value) - from) / (to - from);
         (0.0..=1.0).contains(&share).then_some(share)
     }
 
     /// A value on the scale on which the axis is even.
     fn place(&self, value: f64) -> f64 {
-        match self.spacing {
-            Spacing::Linear | Spacing::Listed => value,
-            Spacing::Log => value.ln(),
-        }
+        if self.range.log { value.ln() } else { value }
     }
 
     /// The mean of the ends, weighted by how far each is: multiplied before divided, so that round numbers stay round.
     fn between(&self, gone: f64, left: f64) -> f64 {
-        let (low, high) =
-            if self.from < self.to { (self.from, self.to) } else { (self.to, self.from) };
-        let value = match self.spacing {
-            Spacing::Linear | Spacing::Listed => {
-                (self.from * left + self.to * gone) / (gone + left)
-            }
-            Spacing::Log => {
-                let mean = (self.from.ln() * left + self.to.ln() * gone) / (gone + left);
-                nearest_short(mean.exp())
-            }
-        };
+        let (from, to) = self.ends();
+        let mean = (self.place(from) * left + self.place(to) * gone) / (gone + left);
+        let value = if self.range.log { nearest_short(mean.exp()) } else { mean };
+        let (low, high) = if from < to { (from, to) } else { (to, from) };
         // Rounding, or an overflow of the products, must not leave the range.
         if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
     }
@@ -330,17 +238,44 @@ pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
     own
 }
 
-/// Checks whether an axis may have this number of points; `value` is one to hold it at.
-fn check_count(
-    axis: &str,
-    count: u64,
-    counts: &RangeInclusive<u64>,
-    value: &str,
-) -> Result<(), SweepError> {
-    if counts.contains(&count) {
+/// Checks that no value of an axis stands twice, and that both ends of one at equal ratios are positive.
+fn check_distinct(range: &SweepAxis) -> Result<(), SweepError> {
+    let (axis, shown) = (&range.name, units::shortest);
+    let values = &range.values;
+    if !values.is_empty() {
+        let twice = |at: &usize| values[..*at].iter().any(|it| shown(*it) == shown(values[*at]));
+        return (0..values.len()).find(twice).map_or(Ok(()), |at| {
+            let value = shown(values[at]);
+            Err(SweepError(format!(
+                "axis {axis}: {value} occurs twice in the list; omit one of them"
+            )))
+        });
+    }
+    let [from, to] = [range.from, range.to].map(shown);
+    if from == to {
+        return Err(SweepError(format!(
+            "axis {axis}: both ends are {from}: the two ends must differ; widen the range, or hold {axis} at one value"
+        )));
+    }
+    if range.log && (range.from <= 0.0 || range.to <= 0.0) {
+        let high = larger(range.from, range.to);
+        let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
+        return Err(SweepError(format!(
+            "axis {axis}: {from} to {to} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
+             example at {start}"
+        )));
+    }
+    Ok(())
+}
+
+/// Checks whether an axis may have this number of points.
+fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), SweepError> {
+    let SweepAxis { name: axis, from, count, values, .. } = range;
+    if counts.contains(&(*count as u64)) {
         return Ok(());
     }
     let (least, most) = (counts.start(), counts.end());
+    let value = units::shortest(values.first().copied().unwrap_or(*from));
     Err(SweepError(format!(
         "axis {axis}: count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
          to one value ({axis}={value})"
@@ -456,7 +391,11 @@ mod tests {
 
     #[test]
     fn a_list_has_its_values_in_their_order() {
-        let axis = Axis::listed("k", &[1e5, 1e4, 3e6], &COUNTS).unwrap();
+        let listed = |values: &[f64]| {
+            let values = values.to_vec();
+            Axis::of(&SweepAxis { values, ..SweepAxis::linear("k", 0.0, 0.0, 0) }, &COUNTS)
+        };
+        let axis = listed(&[1e5, 1e4, 3e6]).unwrap();
         let values: Vec<f64> = (0..axis.count()).map(|index| axis.value(index)).collect();
         assert_eq!(values, [1e5, 1e4, 3e6]);
         assert_eq!(axis.ends(), (1e4, 3e6));
@@ -469,7 +408,7 @@ mod tests {
             (&[1e5, 2e5, 1e5], "1e5 occurs twice"),
             (&[1e5, -1.0], "reaches -1 N/m^n"),
         ] {
-            let text = Axis::listed("k", values, &COUNTS).unwrap_err().to_string();
+            let text = listed(values).unwrap_err().to_string();
             assert!(text.contains(fragment), "{text}");
         }
     }

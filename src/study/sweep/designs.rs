@@ -77,7 +77,7 @@ mod tests {
 
     use super::*;
     use crate::model::mechanism::Mechanism;
-    use crate::model::run::EndReason;
+    use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
     use crate::study::context::{to_its_end, until};
@@ -154,7 +154,7 @@ mod tests {
         let free = whole(&space, &designs, 1);
         let found = whole(&space.limited(1000), &designs, 1);
         assert_eq!(found[0], free[0]);
-        assert_eq!(free[1].outcome, PointOutcome::Arrested);
+        assert_eq!(free[1].outcome, PointOutcome::Ended(Outcome::Arrested));
         assert_eq!(found[1].outcome, PointOutcome::Failed(Failure::Early(EndReason::StepBudget)));
         assert_eq!(found[1].values, [None, None]);
     }
@@ -164,7 +164,7 @@ mod tests {
         let space =
             Plan::for_designs(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
         let found = whole(&space, &[vec![100.0], vec![800.0]], 1);
-        assert_eq!(found[1].outcome, PointOutcome::Perforated);
+        assert_eq!(found[1].outcome, PointOutcome::Ended(Outcome::Perforated));
         assert!(found[1].values.iter().all(Option::is_none) && found[0].values[0].is_some());
         let many = vec![vec![100.0]; 200];
         let mut watch = until::<()>(40);

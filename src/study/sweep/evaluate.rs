@@ -19,14 +19,8 @@ use crate::study::sweep::kernel::Kernel;
 /// The outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointOutcome {
-    /// The projectile stays in the plate.
-    Arrested,
-    /// The nose passed the rear face.
-    Perforated,
-    /// The projectile left through the entry face.
-    Separated,
-    /// Not decided at the horizon.
-    Moving,
+    /// That of its shot.
+    Ended(Outcome),
     /// There is no result.
     Failed(Failure),
 }
@@ -57,10 +51,7 @@ impl PointOutcome {
     /// The word used in files and on screens.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Arrested => Outcome::Arrested.word(),
-            Self::Perforated => Outcome::Perforated.word(),
-            Self::Separated => Outcome::Separated.word(),
-            Self::Moving => Outcome::Moving.word(),
+            Self::Ended(outcome) => outcome.word(),
             Self::Failed(_) => "failed",
         }
     }
@@ -68,9 +59,9 @@ impl PointOutcome {
     /// The letter drawn where the point has no value.
     pub fn letter(self) -> char {
         match self {
-            Self::Arrested | Self::Separated => 'n',
-            Self::Perforated => 'P',
-            Self::Moving => 'M',
+            Self::Ended(Outcome::Arrested | Outcome::Separated) => 'n',
+            Self::Ended(Outcome::Perforated) => 'P',
+            Self::Ended(Outcome::Moving) => 'M',
             Self::Failed(_) => '?',
         }
     }
@@ -78,24 +69,25 @@ impl PointOutcome {
     /// The meaning of that letter for an output.
     pub fn without_value(self, output: &Quantity) -> &'static str {
         match self {
-            Self::Arrested | Self::Separated => output.absence,
-            Self::Perforated => "perforated",
-            Self::Moving => "still moving",
+            Self::Ended(Outcome::Arrested | Outcome::Separated) => output.absence,
+            Self::Ended(Outcome::Perforated) => "perforated",
+            Self::Ended(Outcome::Moving) => "still moving",
             Self::Failed(_) => "failed",
         }
     }
 
     /// The outcome of a run's shot.
     pub fn of(run: &Run) -> Self {
-        if !run.end.is_complete() {
-            return Self::Failed(Failure::Early(run.end));
+        if run.end.is_complete() {
+            Self::Ended(run.shot_outcome())
+        } else {
+            Self::Failed(Failure::Early(run.end))
         }
-        match run.shot_outcome() {
-            Outcome::Arrested => Self::Arrested,
-            Outcome::Perforated => Self::Perforated,
-            Outcome::Separated => Self::Separated,
-            Outcome::Moving => Self::Moving,
-        }
+    }
+
+    /// Whether the shot was stopped.
+    pub fn is_stopped(self) -> bool {
+        matches!(self, Self::Ended(Outcome::Arrested | Outcome::Separated))
     }
 }
 
@@ -139,7 +131,7 @@ impl Rows {
     pub fn reason(&self, row: usize) -> Option<&str> {
         match self.outcomes[row] {
             PointOutcome::Failed(failure) => Some(failure.words()),
-            _ => self.reasons.get(&row).map(String::as_str),
+            PointOutcome::Ended(_) => self.reasons.get(&row).map(String::as_str),
         }
     }
 

@@ -7,6 +7,7 @@
 use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
+use crate::model::run::Outcome;
 use crate::model::run::envelope::Check;
 use crate::study::context::{Context, Work};
 use crate::study::quantities::Quantity;
@@ -266,9 +267,9 @@ impl Grid {
 /// Whether a number means something where a point ended like this: the depth of a perforation does not.
 pub fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
     match outcome {
+        PointOutcome::Ended(Outcome::Perforated) => output.tells_of_perforation(),
         // A quantity that is not final has no value.
-        PointOutcome::Arrested | PointOutcome::Separated | PointOutcome::Moving => true,
-        PointOutcome::Perforated => output.tells_of_perforation(),
+        PointOutcome::Ended(_) => true,
         PointOutcome::Failed(_) => false,
     }
 }

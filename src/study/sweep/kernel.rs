@@ -10,6 +10,7 @@ use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{Contact, ContactEnd, contact_end, run_batch};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
@@ -144,8 +145,11 @@ impl<'p> Kernel<'p> {
         };
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
-        let outcome = if end.arrested { PointOutcome::Arrested } else { PointOutcome::Perforated };
-        (outcome, Answer { end, baseline_m, max_displacement_m, start_m: scene.start_m() })
+        let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
+        (
+            PointOutcome::Ended(outcome),
+            Answer { end, baseline_m, max_displacement_m, start_m: scene.start_m() },
+        )
     }
 }
 

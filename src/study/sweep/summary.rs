@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::model::run::Outcome;
 use crate::study::sweep::{PointOutcome, Rows};
 
 /// The least and the greatest value of an output and the points where they were found first.
@@ -25,14 +26,7 @@ pub struct Summary {
 /// How many points ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OutcomeCounts {
-    /// The projectile stays in the plate.
-    pub arrested: u64,
-    /// The nose passed the rear face.
-    pub perforated: u64,
-    /// The projectile left through the entry face.
-    pub separated: u64,
-    /// Not decided at the horizon.
-    pub moving: u64,
+    ended: [u64; Outcome::ALL.len()],
     /// There is no result.
     pub failed: u64,
 }
@@ -41,34 +35,30 @@ impl OutcomeCounts {
     /// Count a point.
     pub fn add(&mut self, outcome: PointOutcome) {
         *match outcome {
-            PointOutcome::Arrested => &mut self.arrested,
-            PointOutcome::Perforated => &mut self.perforated,
-            PointOutcome::Separated => &mut self.separated,
-            PointOutcome::Moving => &mut self.moving,
+            PointOutcome::Ended(outcome) => &mut self.ended[outcome as usize],
             PointOutcome::Failed(_) => &mut self.failed,
         } += 1;
     }
 
+    /// How many shots ended like this.
+    pub fn of(self, outcome: Outcome) -> u64 {
+        self.ended[outcome as usize]
+    }
+
     /// All points.
     pub fn total(self) -> u64 {
-        self.each().iter().map(|(_, count)| count).sum()
+        self.each().map(|(_, count)| count).sum()
     }
 
     /// Each count with its word, those of no point among them.
-    pub fn each(self) -> [(&'static str, u64); 5] {
-        [
-            ("arrested", self.arrested),
-            ("perforated", self.perforated),
-            ("separated", self.separated),
-            ("moving", self.moving),
-            ("failed", self.failed),
-        ]
+    pub fn each(self) -> impl Iterator<Item = (&'static str, u64)> {
+        Outcome::WORDS.into_iter().zip(self.ended).chain([("failed", self.failed)])
     }
 }
 
 impl fmt::Display for OutcomeCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let known = self.each().into_iter().filter(|(_, count)| *count > 0);
+        let known = self.each().filter(|(_, count)| *count > 0);
         let parts: Vec<String> = known.map(|(word, count)| format!("{count} {word}")).collect();
         f.write_str(if parts.is_empty() { "no point" } else { "" })?;
         f.write_str(&parts.join(", "))
@@ -86,19 +76,13 @@ impl Summary {
         self.outcomes.total()
     }
 
-    /// How many failed.
-    pub fn failed(&self) -> u64 {
-        self.outcomes.failed
-    }
-
     /// Add rows, the first of which is point `first`.
     pub fn add(&mut self, first: u64, rows: &Rows) {
         for (row, point) in (0..rows.len()).zip(first..) {
             let outcome = rows.outcome(row);
             self.outcomes.add(outcome);
-            let counts = matches!(outcome, PointOutcome::Arrested | PointOutcome::Separated);
             for output in 0..self.extremes.len() {
-                if let Some(value) = rows.value(row, output).filter(|_| counts) {
+                if let Some(value) = rows.value(row, output).filter(|_| outcome.is_stopped()) {
                     self.consider(output, value, point);
                 }
             }

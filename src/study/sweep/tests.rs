@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::grid::{Cell, Grid};
 use super::*;
+use crate::model::run::Outcome;
 use crate::study::context::{Context, Stop, to_its_end, until};
 use crate::study::parallel::{self, Work};
 use crate::study::plain_run;
@@ -237,7 +238,7 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
         }
     }
     // k = 0: nothing stops the plate.
-    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Arrested));
+    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
 }
 
 #[test]
@@ -261,10 +262,10 @@ fn a_perforation_is_never_a_number() {
     let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
     // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
     assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
-    assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Perforated));
-    assert_eq!(grid.cell(4, 0, 2), Cell::Outcome(PointOutcome::Perforated));
+    assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
+    assert_eq!(grid.cell(4, 0, 2), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
     assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
-    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Arrested));
+    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
 }
 
 /// A design other than the full grid is kept point by point, with the values of a sweep over it.

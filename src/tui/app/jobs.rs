@@ -62,11 +62,6 @@ pub struct Jobs {
 }
 
 impl Jobs {
-    pub fn next_id(&mut self) -> u64 {
-        self.last_id += 1;
-        self.last_id
-    }
-
     /// The study of this type that has not ended, with what it was asked.
     pub fn study<S: Study>(&self) -> Option<(&Running, &S)> {
         self.studies.iter().find_map(|running| Some((running, running.study.of()?)))
@@ -83,9 +78,10 @@ impl Jobs {
         self.study::<S>().map(|(running, _)| running)
     }
 
-    /// Whether a study of this type is under way for a scene.
-    pub fn is_coming<S: Study>(&self, scene: &Scene) -> bool {
-        self.running::<S>().is_some_and(|running| *running.scene == *scene)
+    /// Whether the result of a study of this type for a scene is neither kept nor under way.
+    pub fn lacks<S: Study, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
+        let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
+        !kept.is_there(scene) && !is_coming
     }
 }
 
@@ -131,12 +127,5 @@ impl<T> Kept<T> {
     /// Whether it belongs to a scene and need not be computed: what a person stopped waits for the key that runs it again.
     pub fn is_there(&self, scene: &Scene) -> bool {
         self.found.is_some() && self.has_ended && *self.scene == *scene
-    }
-}
-
-impl Jobs {
-    /// Whether the result of a study of this type for a scene is neither kept nor under way.
-    pub fn lacks<S: Study, T>(&self, kept: &Kept<T>, scene: &Scene) -> bool {
-        !kept.is_there(scene) && !self.is_coming::<S>(scene)
     }
 }

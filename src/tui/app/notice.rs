@@ -1,36 +1,23 @@
 //! Messages to the person: the message row shows the newest, the Log tab keeps them all.
 
+use cmra_studies::enumeration;
+
 use crate::model::run::{Run, Warning};
 use crate::model::units::{fixed_significant, scientific};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Severity {
+enumeration! {
+    pub enum Severity in SeverityRow {
+        /// The mark in front of the text; colour is never the only channel.
+        mark: &'static str,
+        /// The word in the Log tab.
+        word: &'static str,
+    }
     /// Good to know.
-    Note,
+    Note { mark: " ", word: "note" }
     /// Legal, yet worth a second look.
-    Warning,
+    Warning { mark: "!", word: "warning" }
     /// It did not work.
-    Error,
-}
-
-impl Severity {
-    /// The mark in front of the text; colour is never the only channel.
-    pub fn mark(self) -> &'static str {
-        match self {
-            Self::Note => " ",
-            Self::Warning => "!",
-            Self::Error => "x",
-        }
-    }
-
-    /// The word in the Log tab.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Note => "note",
-            Self::Warning => "warning",
-            Self::Error => "error",
-        }
-    }
+    Error { mark: "x", word: "error" }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -12,7 +12,7 @@ use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
 use crate::tui::dialogs::export::{self as runs, Choices};
-use crate::tui::dialogs::{Ask, Dialog, Purpose, asking, frame};
+use crate::tui::dialogs::{Ask, Dialog, Purpose, answered, frame};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages;
 use crate::tui::pages::run::report;
@@ -369,16 +369,11 @@ pub(crate) fn read(
         variables::validate(&scene).map_err(|error| error.to_string())?;
         Ok((scene, count))
     });
-    let is_it = |ask: &Ask| ask.purpose == Purpose::Curve(which) && ask.is_of(&app.directory, path);
-    match (taken, asking(&mut app.dialog, is_it)) {
-        (Ok((scene, count)), asked) => {
-            if asked.is_some() {
-                app.dialog = None;
-            }
-            app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
-            edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
-        }
-        (Err(text), Some(ask)) => ask.text.error = Some(text),
-        (Err(text), None) => app.refuse(text),
+    let is_it = |ask: &Ask, directory: &Path| {
+        ask.purpose == Purpose::Curve(which) && ask.is_of(directory, path)
+    };
+    if let Some((scene, count)) = answered(app, taken, is_it) {
+        app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
+        edit::commit_scene(app, scene, format!("spring curve from {name}"), None);
     }
 }

@@ -1,5 +1,7 @@
 //! The options menu: characters, colours, mouse, auto-run, threads, interface law and contact model, each switched by name.
 
+use cmra_studies::enumeration;
+
 use crate::model::variables::{self, Kind, VARIABLES, Value};
 use crate::study::parallel::cores;
 use crate::tui::dialogs::{self, Picker, frame};
@@ -8,69 +10,55 @@ use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::RowList;
 use crate::tui::widgets::text::wrapped;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum OptionRow {
-    Characters,
-    Colours,
-    Mouse,
+enumeration! {
+    #[derive(Hash, PartialOrd, Ord)]
+    pub enum OptionRow in OptionText {
+        name: &'static str,
+        meaning: &'static str,
+    }
+    Characters {
+        name: "characters", meaning: "what charts are drawn with: ASCII, blocks or braille dots"
+    }
+    Colours { name: "colours", meaning: "how many colours the terminal shows" }
+    Mouse {
+        name: "mouse",
+        meaning: "on: a click selects, a second one opens, the wheel moves; off: the terminal selects text"
+    }
     /// Whether every edit runs.
-    AutoRun,
+    AutoRun { name: "auto-run", meaning: "on: every edit runs at once; off: <run> runs" }
     /// On how many threads sweeps and studies run.
-    Threads,
-    Interface,
-    Contact,
+    Threads { name: "threads", meaning: "how many threads sweeps and studies use" }
+    Interface {
+        name: "interface law",
+        meaning: "whether projectile and plate stay together after the first arrest"
+    }
+    Contact { name: "contact model", meaning: "the force between projectile and plate" }
 }
 
 impl OptionRow {
-    pub const ALL: [Self; 7] = [
-        Self::Characters,
-        Self::Colours,
-        Self::Mouse,
-        Self::AutoRun,
-        Self::Threads,
-        Self::Interface,
-        Self::Contact,
-    ];
-
-    /// Its name and its present value.
-    pub fn shown(self, app: &App) -> (&'static str, String) {
+    /// Its present value.
+    pub fn value(self, app: &App) -> String {
         let on = |on: bool| if on { "on" } else { "off" }.to_owned();
         let of = |key: &str| {
             variables::find(key).map_or_else(|_| String::new(), |found| found.show(&app.scene))
         };
         match self {
-            Self::Characters => ("characters", app.theme.glyphs.to_string()),
-            Self::Colours => ("colours", app.theme.depth.word().to_owned()),
-            Self::Mouse => ("mouse", on(app.mouse)),
-            Self::AutoRun => ("auto-run", on(app.auto_run)),
-            Self::Threads => (
-                "threads",
-                app.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string()),
-            ),
-            Self::Interface => ("interface law", of("interface.law")),
-            Self::Contact => ("contact model", of("contact.model")),
-        }
-    }
-
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Self::Characters => "what charts are drawn with: ASCII, blocks or braille dots",
-            Self::Colours => "how many colours the terminal shows",
-            Self::Mouse => {
-                "on: a click selects, a second one opens, the wheel moves; off: the terminal selects text"
+            Self::Characters => app.theme.glyphs.to_string(),
+            Self::Colours => app.theme.depth.word().to_owned(),
+            Self::Mouse => on(app.mouse),
+            Self::AutoRun => on(app.auto_run),
+            Self::Threads => {
+                app.threads.map_or_else(|| "one per core".to_owned(), |count| count.to_string())
             }
-            Self::AutoRun => "on: every edit runs at once; off: <run> runs",
-            Self::Threads => "how many threads sweeps and studies use",
-            Self::Interface => "whether projectile and plate stay together after the first arrest",
-            Self::Contact => "the force between projectile and plate",
+            Self::Interface => of("interface.law"),
+            Self::Contact => of("contact.model"),
         }
     }
 }
 
 pub(crate) fn switch(app: &mut App, row: OptionRow) {
     change(app, row, true);
-    let (name, value) = row.shown(app);
-    app.tell(format!("{name}: {value}"));
+    app.tell(format!("{}: {}", row.name(), row.value(app)));
 }
 
 pub(crate) fn change(app: &mut App, row: OptionRow, forward: bool) {
@@ -130,9 +118,9 @@ pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canv
     let area = Rect { height: rows.min(inner.height), ..inner };
     let list = RowList { count, selected: picker.selected, painted: true };
     list.in_dialog(canvas, area, |canvas, row, index| {
-        let (name, value) = OptionRow::ALL[index].shown(app);
-        canvas.put(row, (1, 0), name, Role::Text);
-        canvas.put(row, (VALUE, 0), &format!("< {value} >"), Role::Title);
+        let option = OptionRow::ALL[index];
+        canvas.put(row, (1, 0), option.name(), Role::Text);
+        canvas.put(row, (VALUE, 0), &format!("< {} >", option.value(app)), Role::Title);
     });
     let meaning = OptionRow::ALL.get(picker.selected).map_or("", |row| row.meaning());
     let meaning = &app.keymap.shown(meaning);

@@ -29,7 +29,7 @@ pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
 pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESULTS, label: "Explore", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
         key(A::Enter, "load", "load the design under the cursor into the scene (<undo> undoes)"),
@@ -47,8 +47,10 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+pub(super) const PAGES: &[PageSpec] = &[];
+
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
     Command::new(Call::In(RESULTS, A::Contour), "Contour through the cursor", "level line"),
     Command::new(Call::In(RESULTS, A::FitResiduals), "Toggle residuals of the quadratic fit", "response surface r2"),
@@ -57,10 +59,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct ExploreTab;
 
 impl Page for ExploreTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Explore", pages: &[], panes: PANES, commands: COMMANDS }
-    }
-
     fn enter(&self, app: &mut App) {
         let picture = app.picture();
         let plan = app.sweep_plan(picture);
@@ -140,7 +138,7 @@ impl Page for ExploreTab {
             }
         }];
         if let Some(found) = found {
-            let others = found.grid.outcomes().each().into_iter();
+            let others = found.grid.outcomes().each();
             for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));

@@ -28,7 +28,7 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 pub const SETUP: Pane = Pane::of(Tab::Limit, 3);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
         key(A::View, "V50", "V50 and its spread, by the setup (v_i is exact)"),
@@ -54,8 +54,10 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+pub(super) const PAGES: &[PageSpec] = &[];
+
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
@@ -66,10 +68,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct LimitTab;
 
 impl Page for LimitTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Limit", pages: &[], panes: PANES, commands: COMMANDS }
-    }
-
     fn enter(&self, app: &mut App) {
         if app.lacks_limit() {
             find(app);

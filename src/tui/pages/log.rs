@@ -11,15 +11,17 @@ use crate::tui::widgets::text::{broken, text_role};
 pub const LOG: Pane = Pane::of(Tab::Log, 0);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: LOG, label: "Log", has: &[], keys: &[
         key(A::Down, "scroll", "scroll"),
         key(A::Find, "find", "show only the lines that contain a text"),
     ] },
 ];
 
+pub(super) const PAGES: &[PageSpec] = &[];
+
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Log)), "Log tab", "messages warnings events energy paths"),
 ];
 
@@ -34,10 +36,6 @@ pub struct Log {
 pub(crate) struct LogTab;
 
 impl Page for LogTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Log", pages: &[], panes: PANES, commands: COMMANDS }
-    }
-
     fn enter(&self, app: &mut App) {
         app.pages.log.scroll = 0;
     }

@@ -23,7 +23,7 @@ pub struct Numerics {
 }
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[Part::Chart], keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "set tol", "take the tolerance at which auto reaches 1e-6"),
@@ -46,13 +46,13 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-const PAGES: &[PageSpec] = &[
+pub(super) const PAGES: &[PageSpec] = &[
     PageSpec { name: "Accuracy", panes: &[ACCURACY] },
     PageSpec { name: "Stability", panes: &[STABILITY, STIFF_SCENES] },
 ];
 
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
     Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
     Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
@@ -64,10 +64,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct NumericsTab;
 
 impl Page for NumericsTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Numerics", pages: PAGES, panes: PANES, commands: COMMANDS }
-    }
-
     fn enter(&self, app: &mut App) {
         match app.pane() {
             ACCURACY => accuracy::enter(app),

@@ -20,7 +20,7 @@ pub const CHARTS: Pane = Pane::of(Tab::Run, 1);
 pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Right, "change", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
@@ -51,8 +51,10 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
+pub(super) const PAGES: &[PageSpec] = &[];
+
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Run)), "Run tab", "variables charts curves impact simulation"),
     Command::new(Call::In(VARIABLES, A::Find), "Find a variable", "filter search"),
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
@@ -70,10 +72,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct RunTab;
 
 impl Page for RunTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Run", pages: &[], panes: PANES, commands: COMMANDS }
-    }
-
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
             (Action::Run, _) => jobs::run_now(app),

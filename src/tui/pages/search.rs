@@ -40,7 +40,7 @@ pub const SETUP: Pane = Pane::of(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
         key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off) or a goal"),
         key(A::Right, "change", "take the next value, or switch on and off"),
@@ -60,7 +60,7 @@ const PANES: &[PaneSpec] = &[
 
 const BOTH: &[Pane] = &[SETUP, RESULTS];
 /// The pages, in the order of [`state::Page`].
-const PAGES: &[PageSpec] = &[
+pub(super) const PAGES: &[PageSpec] = &[
     PageSpec { name: "Goal seek", panes: BOTH },
     PageSpec { name: "Pareto front", panes: BOTH },
     PageSpec { name: "Sensitivity", panes: BOTH },
@@ -68,7 +68,7 @@ const PAGES: &[PageSpec] = &[
 ];
 
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
     Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
@@ -79,10 +79,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct SearchTab;
 
 impl Page for SearchTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Search", pages: PAGES, panes: PANES, commands: COMMANDS }
-    }
-
     fn shown(&self, app: &App) -> usize {
         app.pages.search.page as usize
     }
@@ -245,7 +241,7 @@ impl Page for SearchTab {
     }
 
     fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        let row = app.search_choices()[row];
+        let row = app.search_choices(app.pages.search.page)[row];
         let before = app.snapshot();
         change(app, row, input)?;
         note_change(app, row, before, matches!(input, Input::Step(_)));
@@ -273,7 +269,9 @@ impl Page for SearchTab {
 
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
-            SETUP => app.pages.search.row = app.search_choices()[row],
+            SETUP => {
+                app.pages.search.row = app.search_choices(app.pages.search.page)[row];
+            }
             _ => app.pages.search.select(row),
         }
     }

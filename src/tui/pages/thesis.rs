@@ -23,7 +23,7 @@ pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
 pub const SCREENING: Pane = Pane::of(Tab::Thesis, 2);
 
 #[rustfmt::skip]
-const PANES: &[PaneSpec] = &[
+pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the claim's scene and show it"),
@@ -44,14 +44,14 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-const PAGES: &[PageSpec] = &[
+pub(super) const PAGES: &[PageSpec] = &[
     PageSpec { name: "Claims", panes: &[CLAIMS] },
     PageSpec { name: "Principles", panes: &[PRINCIPLES] },
     PageSpec { name: "Screening", panes: &[SCREENING] },
 ];
 
 #[rustfmt::skip]
-const COMMANDS: &[Command] = &[
+pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
     Command::new(Call::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
     Command::new(Call::Show(PRINCIPLES, None), "Principles", "families functions"),
@@ -61,10 +61,6 @@ const COMMANDS: &[Command] = &[
 pub(crate) struct ThesisTab;
 
 impl Page for ThesisTab {
-    fn about(&self) -> &'static About {
-        &About { name: "Thesis", pages: PAGES, panes: PANES, commands: COMMANDS }
-    }
-
     fn enter(&self, app: &mut App) {
         let lacks = app.jobs.lacks::<Claims, _>(&app.pages.thesis.report, &Scene::default());
         if lacks && app.pane() == CLAIMS {

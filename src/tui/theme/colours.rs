@@ -4,16 +4,20 @@
 //! and no two curves differ by red against green. In sixteen colours the terminal's own palette decides; blue is not used,
 //! because many palettes make it unreadable on black.
 
+use cmra_studies::enumeration;
 use ratatui::style::Color;
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum ColourDepth {
+enumeration! {
+    #[derive(Default, Hash)]
+    pub enum ColourDepth in DepthRow {
+        word: &'static str,
+    }
     /// None: `NO_COLOR`, or a terminal without colours.
     #[default]
-    None,
-    Sixteen,
-    Ansi256,
-    Rgb,
+    None { word: "none" }
+    Sixteen { word: "sixteen" }
+    Ansi256 { word: "256" }
+    Rgb { word: "full" }
 }
 
 impl ColourDepth {
@@ -54,18 +58,7 @@ impl ColourDepth {
 
     /// The depth with this word.
     pub fn named(word: &str) -> Option<Self> {
-        [Self::None, Self::Sixteen, Self::Ansi256, Self::Rgb]
-            .into_iter()
-            .find(|it| it.word() == word)
-    }
-
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Sixteen => "sixteen",
-            Self::Ansi256 => "256",
-            Self::Rgb => "full",
-        }
+        Self::ALL.into_iter().find(|it| it.word() == word)
     }
 }
 

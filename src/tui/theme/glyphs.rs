@@ -5,23 +5,32 @@
 
 use std::fmt;
 
+use cmra_studies::enumeration;
 use ratatui::buffer::Buffer;
 use ratatui::symbols::border;
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum GlyphSet {
+enumeration! {
+    #[derive(Default, Hash)]
+    pub enum GlyphSet in GlyphRow {
+        /// The word used on the command line and in files.
+        word: &'static str,
+        /// Dots in a cell: across, down.
+        dots: (u16, u16),
+        /// The frames of panes in this set.
+        border: border::Set<'static>,
+        /// The characters of its axes and rules.
+        lines: &'static Lines,
+    }
     /// `+ - |` and letters: one dot a cell, works everywhere.
     #[default]
-    Ascii,
+    Ascii { word: "ascii", dots: (1, 1), border: ASCII_BORDER, lines: &ASCII_LINES }
     /// Lines and half blocks: two dots a cell, one above the other.
-    Block,
+    Block { word: "block", dots: (1, 2), border: border::PLAIN, lines: &BLOCK_LINES }
     /// Lines and braille: two by four dots a cell.
-    Braille,
+    Braille { word: "braille", dots: (2, 4), border: border::PLAIN, lines: &BRAILLE_LINES }
 }
 
 impl GlyphSet {
-    pub const ALL: [Self; 3] = [Self::Ascii, Self::Block, Self::Braille];
-
     /// The set with this word; `auto`, what the terminal can show, is none in particular.
     pub fn named(word: &str) -> Result<Option<Self>, String> {
         if word.eq_ignore_ascii_case("auto") {
@@ -56,40 +65,6 @@ impl GlyphSet {
     #[must_use]
     pub fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
-    }
-
-    /// The word used on the command line and in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Ascii => "ascii",
-            Self::Block => "block",
-            Self::Braille => "braille",
-        }
-    }
-
-    /// Dots in a cell: across, down.
-    pub fn dots(self) -> (u16, u16) {
-        match self {
-            Self::Ascii => (1, 1),
-            Self::Block => (1, 2),
-            Self::Braille => (2, 4),
-        }
-    }
-
-    /// The frames of panes in this set.
-    pub(super) fn border(self) -> border::Set<'static> {
-        match self {
-            Self::Ascii => ASCII_BORDER,
-            Self::Block | Self::Braille => border::PLAIN,
-        }
-    }
-
-    pub fn lines(self) -> &'static Lines {
-        match self {
-            Self::Ascii => &ASCII_LINES,
-            Self::Block => &BLOCK_LINES,
-            Self::Braille => &BRAILLE_LINES,
-        }
     }
 }
 

@@ -122,9 +122,7 @@ mod tests {
     #[test]
     fn the_focused_pane_is_distinguished_at_every_colour_depth() {
         let area = Rect::new(0, 0, 20, 3);
-        for depth in
-            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
-        {
+        for depth in ColourDepth::ALL {
             let theme = Theme { depth, ..Theme::PLAIN };
             let title = |focused| {
                 let mut buffer = Buffer::empty(area);

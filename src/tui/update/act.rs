@@ -185,7 +185,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
-    let count = page.about().pages.len();
+    let count = app.tab.about().pages.len();
     if count > 1 {
         page.turn_to(app, wrap(page.shown(app), by, count));
     }
@@ -206,7 +206,7 @@ fn focus(app: &mut App, by: isize) {
     let page = pages::of(app.tab);
     let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if page.about().pages.len() < 2 {
+        if app.tab.about().pages.len() < 2 {
             app.tell("this tab has one pane; <next-tab> and <previous-tab> change tabs");
         }
         return next_page(app, by);

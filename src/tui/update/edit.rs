@@ -78,15 +78,12 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
         Ok(design) if design.scene == *app.scene => {
             app.tell("the scene is this design already: <tab-run> shows its run");
         }
-        Ok(design) => load_scene(app, design.scene, &design.label),
+        Ok(LabelledScene { scene, label }) => {
+            commit_scene(app, scene, format!("load {label}"), None);
+            app.tell(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
+        }
         Err(why) => app.refuse(why),
     }
-}
-
-/// Make a scene the current one, as one edit, and say so.
-pub(crate) fn load_scene(app: &mut App, scene: Scene, label: &str) {
-    commit_scene(app, scene, format!("load {label}"), None);
-    app.tell(format!("loaded {label}: <tab-run> shows its run, <undo> undoes"));
 }
 
 /// Make another scene current, compare it with another preset, and sweep it by this plan, as one edit.

@@ -81,7 +81,8 @@ pub(crate) fn study_of<S: Study>(app: &mut App, tab: Tab, scene: &Arc<Scene>, st
 
 /// Submit a task.
 fn task(app: &mut App, tab: Tab, scene: &Arc<Scene>, study: Arc<dyn Study>) -> Running {
-    let (id, scene) = (app.jobs.next_id(), Arc::clone(scene));
+    app.jobs.last_id += 1;
+    let (id, scene) = (app.jobs.last_id, Arc::clone(scene));
     // A run cannot be divided.
     let threads = if study.lane() == Lane::Runs { 1 } else { app.crew() };
     let task = Task { id, threads, scene: Arc::clone(&scene), study: Arc::clone(&study) };

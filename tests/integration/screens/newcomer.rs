@@ -164,13 +164,13 @@ fn lists_and_maps_have_their_ends_and_their_pages() {
     bench.keys("g");
     assert_eq!(bench.app.pages.limit.cursor, Some(0));
     let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
-    let (row, column) = bench.app.pages.numerics.stability.cursor().unwrap();
+    let (column, row) = bench.app.pages.numerics.stability.cursor().unwrap();
     // On the scene itself its words stay in one row: a second one would move the map.
     assert!(bench.message().ends_with("; the scene"), "{}", bench.message());
     bench.keys("<PgUp>");
-    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((row + 10, column)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((column, row + 10)));
     bench.keys("<PgDn>");
-    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((row, column)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor(), Some((column, row)));
 }
 
 #[test]

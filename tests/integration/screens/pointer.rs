@@ -194,7 +194,7 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     let map = bench.app.pages.numerics.stability.map.found.clone().unwrap();
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     // The plot stands right of the values of its rows and above axis and steps.
-    let corners = [((7, 3), (rows - 1, 0)), ((116, 3), (rows - 1, steps - 1)), ((7, 51), (0, 0))];
+    let corners = [((7, 3), (0, rows - 1)), ((116, 3), (steps - 1, rows - 1)), ((7, 51), (0, 0))];
     for (at, cell) in corners {
         assert_eq!(target(&bench.app, at), Some(Target::Cell(numerics::STABILITY, cell)), "{at:?}");
         click(&mut bench, at);
@@ -202,7 +202,7 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     }
     let below = bench.app.pages.numerics.stability.cursor;
     bench.send(Message::Wheel(true, target(&bench.app, (7, 51))));
-    assert_eq!(bench.app.pages.numerics.stability.cursor, below.map(|(row, step)| (row + 1, step)));
+    assert_eq!(bench.app.pages.numerics.stability.cursor, below.map(|(step, row)| (step, row + 1)));
     bench.keys("<Tab>");
     stability::answer(&mut bench);
     let name = bench.app.pages.numerics.stability.rows()[1].case.name;

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, Study, ended};
+use cmra::model::run::Outcome;
 use cmra::model::run::envelope::Check;
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
@@ -29,13 +30,13 @@ fn front(scene: &Scene, task: &Task) -> Front {
     let design = |i: u8| Design {
         values: task.axes.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
         measures: measures(f64::from(i)),
-        outcome: PointOutcome::Arrested,
+        outcome: PointOutcome::Ended(Outcome::Arrested),
     };
     let candidate = |(name, i, standing): (&'static str, f64, Standing)| Candidate {
         name,
         source: "made up",
         scene: Some(scene.clone()),
-        outcome: Some(PointOutcome::Arrested),
+        outcome: Some(PointOutcome::Ended(Outcome::Arrested)),
         measures: measures(i),
         standing,
     };

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use cmra::files::preset;
+use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::sweep::grid::{Grid, PIECE};
@@ -234,8 +235,8 @@ fn valid_9_11_a_little_cocking_makes_a_stiff_spring_useful() {
     // Displacement follows d almost whatever k is.
     let travel = across(&grid, TRAVEL, 8);
     assert!(span(&travel[1..]) < 0.05 * 0.5 + 0.05, "{travel:?}");
-    assert_eq!(grid.outcomes().arrested, 81);
-    assert_eq!(grid.outcome(0, 0), Some(PointOutcome::Arrested));
+    assert_eq!(grid.outcomes().of(Outcome::Arrested), 81);
+    assert_eq!(grid.outcome(0, 0), Some(PointOutcome::Ended(Outcome::Arrested)));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::*;
+use crate::model::run::Outcome;
 use crate::model::scene::Mount;
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::Spacing;
@@ -42,7 +43,10 @@ fn valid_velocity_for_a_depth_on_a_rigid_mount() {
         let report = found(&scene, &goal("v_i", (5.0, 150.0), "final_penetration_m", depth_m));
         assert_eq!(report.solutions().count(), 1, "{depth_m}");
         close(report.solutions().next().unwrap().place.at, exact, 1e-9);
-        assert_eq!(report.solutions().next().unwrap().outcome, Some(PointOutcome::Arrested));
+        assert_eq!(
+            report.solutions().next().unwrap().outcome,
+            Some(PointOutcome::Ended(Outcome::Arrested))
+        );
         assert!(report.lines.len() == 1 && report.is_complete);
     }
 }
@@ -71,7 +75,10 @@ fn perforations_are_a_gap_and_not_a_number() {
     let report = found(&scene, &goal("v_i", (100.0, 400.0), "final_penetration_m", 0.02));
     assert_eq!(report.solutions().count(), 1);
     let gap = report.of(Kind::Gap).last().unwrap();
-    assert_eq!((gap.outcome, gap.until.unwrap().at), (Some(PointOutcome::Perforated), 400.0));
+    assert_eq!(
+        (gap.outcome, gap.until.unwrap().at),
+        (Some(PointOutcome::Ended(Outcome::Perforated)), 400.0)
+    );
     assert!(
         gap.place.at > 232.295_378 && report.solutions().next().unwrap().place.at < 232.295_378
     );

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::model::run::Outcome;
 use crate::model::scene::PlateSize;
 use crate::model::variables;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
@@ -94,19 +95,19 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     let counts = grid.outcomes();
     let all = counts.total();
     let other = "<view>, or Show in the setup (<next-pane>): another output";
-    if counts.perforated == all {
+    if counts.of(Outcome::Perforated) == all {
         let instead = "or show residual_velocity_m_s (<next-pane>, Show)";
         let cure = ["lower v_i, or raise h or S_y (<next-pane>, Hold)", instead];
         return lines(&format!("every point perforates: no {name}"), &cure);
     }
-    if counts.arrested + counts.separated == all {
+    if counts.of(Outcome::Arrested) + counts.of(Outcome::Separated) == all {
         let why = match column.name {
             "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
-            _ => PointOutcome::Arrested.without_value(column),
+            _ => PointOutcome::Ended(Outcome::Arrested).without_value(column),
         };
         return lines(&format!("no {name}: {why}"), &[other]);
     }
-    if counts.moving == all {
+    if counts.of(Outcome::Moving) == all {
         let cure = ["a longer horizon decides them (<next-pane>, Hold)", other];
         return lines(&format!("every point still moves at the end: no {name}"), &cure);
     }
@@ -123,14 +124,10 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
 pub(crate) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
     let (along, up) = grid.counts();
     let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-    let rested = |(x, y): (usize, usize)| match grid.outcome(x, y)? {
-        outcome @ (PointOutcome::Arrested | PointOutcome::Separated) => {
-            Some((outcome, grid.value(x, y, output)))
-        }
-        PointOutcome::Perforated | PointOutcome::Moving | PointOutcome::Failed(_) => None,
-    };
-    let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
-    let (outcome, _) = without.next()?;
+    let is_empty = |(x, y): &(usize, usize)| grid.value(*x, *y, output).is_none();
+    let outcomes = points.filter(is_empty).filter_map(|(x, y)| grid.outcome(x, y));
+    let mut without = outcomes.filter(|outcome| outcome.is_stopped());
+    let outcome = without.next()?;
     let why = outcome.without_value(grid.plan().outputs()[output]);
     let points = match without.count() {
         0 => "1 point".to_owned(),

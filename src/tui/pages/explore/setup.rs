@@ -86,36 +86,38 @@ impl App {
 
     pub(crate) fn setup_form(&self) -> Form {
         let sweep = sweep_of(&self.scene);
+        Form::new(&self.setup_rows(), self.setup_row(), |row| self.setup_line(row, &sweep))
+    }
+
+    /// A row of the setup, with the sweep of the scene.
+    pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> Line {
+        let picture = self.picture();
         // A default for the second axis is not shown as chosen.
-        let has_one = self.picture() == Picture::Line && !has_family(&self.scene);
-        let line = |row| {
-            match row {
+        let has_one = picture == Picture::Line && !has_family(&self.scene);
+        match row {
             SetupRow::Heading(text) => Line::heading(text),
             SetupRow::Axis(1, Part::Name) if has_one => Line::typed("variable", "none").means(
                 "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
             ),
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
             SetupRow::Picture => {
-                let word = if self.picture() == Picture::Line { "curves" } else { "map" };
+                let word = if picture == Picture::Line { "curves" } else { "map" };
                 Line::word("shown as", word).means(
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
             }
             SetupRow::Design => {
-                let word = self.pages.explore.sampling(self.picture()).label();
-                Line::word("design", word).means(
+                Line::word("design", self.pages.explore.sampling(picture).label()).means(
                     "every combination; or a Latin hypercube or Sobol's sequence of so many points",
                 )
             }
             SetupRow::Curves => Line::typed("curves", self.pages.explore.plan.curves.to_string())
                 .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
-                Line::quantity(&sweep.outputs[self.pages.explore.output_of(&sweep)])
+                Line::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
             }
             SetupRow::Held(index) => self.held_line(index),
         }
-        };
-        Form::new(&self.setup_rows(), self.setup_row(), line)
     }
 
     fn held_line(&self, index: usize) -> Line {

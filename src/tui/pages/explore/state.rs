@@ -12,7 +12,7 @@ use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, PointOutcome, Sampling, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Sampling, USUAL_OUTPUTS};
 use crate::tui::pages::prelude::*;
 
 use crate::tui::pages::explore::plan::PictureSweep;
@@ -269,13 +269,11 @@ impl App {
                     format!("{} of baseline", output_value(output, value))
                 }
                 Cell::Value(value) => format!("{name} {}", output_value(output, value)),
+                Cell::Outcome(outcome) if outcome.is_stopped() => {
+                    format!("{name}: {}", outcome.without_value(output))
+                }
                 // The whole point is so, whatever the output.
-                Cell::Outcome(
-                    outcome @ (PointOutcome::Perforated
-                    | PointOutcome::Moving
-                    | PointOutcome::Failed(_)),
-                ) => outcome.without_value(output).to_owned(),
-                Cell::Outcome(outcome) => format!("{name}: {}", outcome.without_value(output)),
+                Cell::Outcome(outcome) => outcome.without_value(output).to_owned(),
                 Cell::Waiting => "not computed yet".to_owned(),
             };
             if !parts.contains(&text) {

@@ -4,7 +4,7 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::accuracy::seconds;
 use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
-use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, Wanted, nearest};
+use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Basis, Row};
 use crate::tui::chart::heatmap::role;
@@ -72,7 +72,7 @@ pub struct Stability {
     pub part: Option<MapPart>,
     /// The steps and values of all of it.
     whole: Option<MapPart>,
-    /// The crosshair: row and column of the map; `None` at the present point.
+    /// The crosshair: column and row of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
     /// How the table of stiff scenes is listed.
     pub listing: Listing,
@@ -99,20 +99,14 @@ impl Stability {
     /// Where the crosshair stands: the middle of the map where nothing else is known.
     pub fn cursor(&self) -> Option<(usize, usize)> {
         let map = self.map.found.as_ref()?;
-        let middle = (map.values.len() / 2, map.dt_s.len() / 2);
+        let middle = (map.dt_s.len() / 2, map.values.len() / 2);
         self.cursor.or_else(|| self.present()).or(Some(middle))
     }
 
     fn move_cursor(&mut self, by: (isize, isize)) {
-        if let (Some((row, column)), Some(map)) = (self.cursor(), &self.map.found) {
-            let counts = (map.dt_s.len(), map.values.len());
-            let (column, row) = moved((column, row), by, counts);
-            self.cursor = Some((row, column));
+        if let (Some(at), Some(map)) = (self.cursor(), &self.map.found) {
+            self.cursor = Some(moved(at, by, (map.dt_s.len(), map.values.len())));
         }
-    }
-
-    pub fn sort_next(&mut self) {
-        self.listing.sorting = self.listing.sorting.next(&keys());
     }
 
     /// The places of the scenes listed, in the order of the table.
@@ -138,9 +132,9 @@ impl App {
     /// The cell at the crosshair in words.
     pub fn map_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.stability;
-        let (map, (row, column)) = tab.map.found.as_ref().zip(tab.cursor())?;
+        let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
         // In one row of 80 columns: a second one would move the map.
-        let here = if tab.present() == Some((row, column)) { "; the scene" } else { "" };
+        let here = if tab.present() == Some((column, row)) { "; the scene" } else { "" };
         let limit = map.limit_s[row];
         let limit = limit.map_or_else(|| "none".to_owned(), |it| significant(it, 2) + " s");
         Some(format!(
@@ -209,9 +203,8 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     {
         // The crosshair stays at its step and value.
         let same = before.filter(|before| before.axis == map.axis);
-        tab.cursor = same.zip(tab.cursor).and_then(|(before, (row, column))| {
-            let row = nearest(&map.values, before.values[row])?;
-            Some((row, nearest(&map.dt_s, before.dt_s[column])?))
+        tab.cursor = same.zip(tab.cursor).and_then(|(before, (column, row))| {
+            map.nearest(before.dt_s[column], before.values[row])
         });
         if running.study.of::<StabilityMap>().is_some_and(|asked| asked.0.ends.is_none()) {
             tab.whole = Some([&map.dt_s, &map.values].map(|values| ends(values)));
@@ -228,7 +221,7 @@ fn ends(values: &[f64]) -> ViewRange {
 /// The steps and the values of the map shown, as they are zoomed about its crosshair.
 pub(crate) fn map_axes(app: &App) -> Option<[Span; 2]> {
     let tab = &app.pages.numerics.stability;
-    let (map, (row, column)) = tab.map.found.as_ref().zip(tab.cursor())?;
+    let (map, (column, row)) = tab.map.found.as_ref().zip(tab.cursor())?;
     let span = |values: &[f64], at: usize, home: ViewRange| Span {
         view: ends(values),
         home,
@@ -275,7 +268,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run if on_scenes => ask_battery(app),
         Action::View if on_scenes => tab.table_page += 1,
-        Action::Sort if on_scenes => tab.sort_next(),
+        Action::Sort if on_scenes => tab.listing.sorting = tab.listing.sorting.next(&keys()),
         _ if on_scenes => return false,
         Action::Run => ask_map(app),
         Action::View => {
@@ -296,7 +289,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 fn load(app: &mut App) {
     let tab = &app.pages.numerics.stability;
     let found = tab.map.found.as_ref().zip(tab.cursor());
-    let Some((map, (row, _))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
+    let Some((map, (_, row))) = found.filter(|_| !tab.map.is_old(&app.scene)) else {
         return app.refuse(nothing::<StabilityMap>(app, BEING_COMPUTED, None));
     };
     let (symbol, value) = (map.axis.symbol(), map.values[row]);
@@ -332,8 +325,8 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
     };
-    let cursor = tab.cursor().map(|(row, column)| (column, row));
     let title = format!("{}, up: {}{old}", found.method.name(), found.axis.symbol());
+    let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let layout = canvas.draw(&map, above);
@@ -341,10 +334,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let hint = app.keymap.shown(" <next-pane>: stiff scenes ");
     let column = above.width.saturating_sub(columns(&hint) + 1);
     canvas.put(above, (column, above.height.saturating_sub(1)), &hint, Role::Dim);
-    canvas.plot(&layout, |dt_s, value| {
-        let row = nearest(&found.values, value)?;
-        Some(Target::Cell(STABILITY, (row, nearest(&found.dt_s, dt_s)?)))
-    });
+    canvas.plot(&layout, |dt_s, value| Some(Target::Cell(STABILITY, found.nearest(dt_s, value)?)));
 }
 
 /// The legend of letters and marks, as long as there is room.

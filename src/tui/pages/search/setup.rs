@@ -127,13 +127,8 @@ impl App {
         if kept.is_empty() { usual_bounds(&self.scene) } else { kept.clone() }
     }
 
-    /// The rows of the setup, headings included.
-    pub(crate) fn search_rows(&self) -> Vec<Row> {
-        self.search_rows_of(self.pages.search.page)
-    }
-
-    /// The same of any page.
-    pub(crate) fn search_rows_of(&self, page: Page) -> Vec<Row> {
+    /// The rows of the setup of a page, headings included.
+    fn search_rows(&self, page: Page) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
         let mut rows = Vec::new();
         match page {
@@ -168,22 +163,23 @@ impl App {
     }
 
     /// The rows that can be selected.
-    pub(crate) fn search_choices(&self) -> Vec<Row> {
-        let mut rows = self.search_rows();
+    pub(crate) fn search_choices(&self, page: Page) -> Vec<Row> {
+        let mut rows = self.search_rows(page);
         rows.retain(|row| !matches!(row, Row::Heading(_)));
         rows
     }
 
     /// The selected row; where the selection is not there any more, what a person changes first: the goal, else the first row.
     pub(crate) fn search_row(&self) -> Row {
-        let (rows, row) = (self.search_choices(), self.pages.search.row);
+        let (rows, row) = (self.search_choices(self.pages.search.page), self.pages.search.row);
         let there = [row, Row::Goal].into_iter().find(|row| rows.contains(row));
         there.or_else(|| rows.first().copied()).unwrap_or_default()
     }
 
     pub(crate) fn search_form(&self) -> Form {
         let bounds = self.search_bounds();
-        Form::new(&self.search_rows(), self.search_row(), |row| self.search_line(row, &bounds))
+        let rows = self.search_rows(self.pages.search.page);
+        Form::new(&rows, self.search_row(), |row| self.search_line(row, &bounds))
     }
 
     /// A row of the setup, with these variables to vary.
