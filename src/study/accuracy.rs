@@ -284,8 +284,8 @@ impl MethodReport {
 }
 
 impl Report {
-    /// The cheapest way to an accuracy with nothing omitted: the engine's general path, with events and ledger of every law, also
-    /// where a closed form, a bound or a leaner way would do.
+    /// The cheapest way to an accuracy by the simulation's general path, also where a closed form, a bound or the contact kernel
+    /// would do.
     pub fn cheapest_in_full(&self, target: f64) -> Option<Cheapest> {
         self.methods.iter().find(|it| it.method == Method::Full)?.cheapest(target)
     }
