@@ -75,7 +75,7 @@ impl Body<'_> {
             events.add(EventId::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
             events.add(EventId::StopReached, EventFunction::plate(at, -1.0));
-            if self.is_beyond_stop() {
+            if mechanism.elastic_stop().is_some() && self.state.plate_m > at {
                 events.add(EventId::StopPressed, self.stop_force(-1.0));
             }
         }
