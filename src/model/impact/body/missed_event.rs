@@ -4,6 +4,12 @@ use super::Body;
 use crate::model::event_function::{ActiveEvents, EventId};
 use crate::model::impact::TERMS;
 use crate::model::motion::Expansion;
+use crate::numerics::larger;
+
+/// How many of the series' coefficients tell which way a function goes, and the part of the greatest up to which one is rounding: an
+/// oblique section has no exact zero at first contact.
+const RATES: usize = 5;
+const NOISE: f64 = 1e-9;
 
 impl Body<'_> {
     /// The event whose function is at zero or below and goes on falling: no step would show it to change its sign. One unit of
@@ -19,8 +25,9 @@ impl Body<'_> {
             let value = form.value_beyond_rounding(&motion, &self.state);
             let falls = || {
                 let e: Expansion<TERMS> = motion.expand(&self.state, unit_s);
-                let series = form.along(&motion, &e);
-                series[1..].iter().find(|c| **c != 0.0).is_some_and(|c| *c < 0.0)
+                let rates = &form.along(&motion, &e)[1..RATES];
+                let noise = NOISE * rates.iter().fold(0.0, |most, c| larger(c.abs(), most));
+                rates.iter().find(|c| c.abs() > noise).is_some_and(|c| *c < 0.0)
             };
             match event {
                 // Each law of a power knows the side of its zero.
