@@ -223,7 +223,7 @@ impl Problem {
         }
     }
 
-    /// Long enough for the contact, many oscillations of the spring with all energy in it, and a damper to die down.
+    /// Long enough for the contact, and many oscillations of the spring with all energy in it.
     fn horizon_of_scene(&self) -> f64 {
         let passage_s = self.geometry.exit_m / self.velocity_m_s;
         let longest_s = if self.flows() { passage_s } else { self.contact.scales().duration_s };
@@ -231,10 +231,9 @@ impl Problem {
         if self.rigid {
             return contact;
         }
-        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
         let energy = self.energy_j;
         let speed = (2.0 * energy / self.plate_kg).sqrt();
-        let far = match spring {
+        let far = match &self.mechanism.spring {
             Spring::Power(law) => law.at_integral(energy),
             Spring::Curve(curve) => {
                 let (x, e) = (self.start_m, energy);
@@ -244,20 +243,9 @@ impl Problem {
             }
         };
         let oscillation = far / speed * 8.0;
-        // The time in which the damper alone takes most of the speed.
-        let fading = if damper.is_absent() {
-            0.0
-        } else {
-            20.0 * self.joined_kg * speed / damper.force(speed)
-        };
-        let mut horizon = contact;
         // The first half-oscillation of a joined body decides; one that slips in its hole loses energy for many oscillations.
         let oscillations = if self.plastic { PLASTIC_OSCILLATIONS } else { OSCILLATIONS };
-        for part in [oscillations * oscillation, fading] {
-            if part.is_finite() {
-                horizon += part;
-            }
-        }
-        horizon
+        let oscillating = oscillations * oscillation;
+        contact + if oscillating.is_finite() { oscillating } else { 0.0 }
     }
 }
