@@ -25,9 +25,11 @@ impl Body<'_> {
             let value = form.value_beyond_rounding(&motion, &self.state);
             let falls = || {
                 let e: Expansion<TERMS> = motion.expand(&self.state, unit_s);
-                let rates = &form.along(&motion, &e)[1..RATES];
-                let noise = NOISE * rates.iter().fold(0.0, |most, c| larger(c.abs(), most));
-                rates.iter().find(|c| c.abs() > noise).is_some_and(|c| *c < 0.0)
+                let series = form.along(&motion, &e);
+                // Those of a section's edge are not finite.
+                let mut rates = series[1..RATES].iter().filter(|c| c.is_finite());
+                let noise = NOISE * rates.clone().fold(0.0, |most, c| larger(c.abs(), most));
+                rates.find(|c| c.abs() > noise).is_some_and(|c| *c < 0.0)
             };
             match event {
                 // Each law of a power knows the side of its zero.
