@@ -43,8 +43,6 @@ const DIFFERENCE_ROUNDING: f64 = 3e-14;
 /// The least path of a crossing step on an elastic stop, relative to the displacement: the stop's force is known to the
 /// displacement's rounding.
 const STOP_PATH_MIN: f64 = 1e-3;
-/// Part of its greatest value on a stretch from which on an event function that starts from zero shows its sign.
-const SIGN_THRESHOLD: f64 = 1e-9;
 /// How far from zero an event function may be where it has fallen, relative to its value at the start.
 const EVENT_TOLERANCE: f64 = 1e-9;
 /// Ulps of the time that a fall keeps from the zero.
@@ -154,17 +152,13 @@ impl Simulation<'_> {
             let value = |state: &State| form.value_beyond_rounding(variable.motion, state);
             let start = value(&self.body.state);
             let values = whole.states.each_ref().map(value);
-            // One that rises from zero is of either sign until it is seen.
-            let sign_threshold = if start == 0.0 { sign_threshold(&values) } else { 0.0 };
-            if start == 0.0
-                && values.iter().find(|it| it.abs() > sign_threshold).is_some_and(|it| *it < 0.0)
-            {
+            if start == 0.0 && values.iter().find(|it| **it != 0.0).is_some_and(|it| *it < 0.0) {
                 // It may have risen and fallen in between, or have fallen from the start.
                 return None;
             }
             let samples = values.into_iter().enumerate().map(|(i, value)| (part_at(i), value));
             let samples = samples.chain([(1.0, value(&whole.end))]);
-            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= sign_threshold);
+            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= 0.0);
             let found = first_sign_change(samples, |part| value(&taken.dense(part)));
             if let Some(sign_change) = found
                 && first.as_ref().is_none_or(|first| sign_change.part < first.2.part)
@@ -293,9 +287,4 @@ impl Taken<'_, '_> {
         let (dense, anew) = (|part| self.dense(part), |part| self.anew(part));
         land(sign_change, dense, anew, value, near).map(|(_, stretch)| stretch)
     }
-}
-
-/// The bound that an event function from zero must exceed on a stretch to have a sign.
-fn sign_threshold(values: &[f64; POINTS]) -> f64 {
-    SIGN_THRESHOLD * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }
