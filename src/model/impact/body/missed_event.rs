@@ -6,21 +6,20 @@ use crate::model::impact::TERMS;
 use crate::model::motion::Expansion;
 use crate::numerics::larger;
 
-/// How many of the series' coefficients tell which way a function goes, and the part of the greatest up to which one is rounding: an
-/// oblique section has no exact zero at first contact.
+/// The time unit of the series that tells which way a function goes, over the time in which the projectile travels its tip's radius;
+/// how many of its coefficients do; and the part of the greatest up to which one is rounding: an oblique section has no exact zero at
+/// first contact.
+const UNIT: f64 = 0.1;
 const RATES: usize = 5;
 const NOISE: f64 = 1e-9;
 
 impl Body<'_> {
-    /// The event whose function is at zero or below and goes on falling: no step would show it to change its sign. One unit of
-    /// time is this long, s.
-    pub(in crate::model::impact) fn missed_event(
-        &self,
-        events: &ActiveEvents,
-        unit_s: f64,
-    ) -> Option<EventId> {
+    /// The event whose function is at zero or below and goes on falling: no step would show it to change its sign.
+    pub(in crate::model::impact) fn missed_event(&self, events: &ActiveEvents) -> Option<EventId> {
         use EventId as E;
         let motion = self.motion();
+        // A step may be too long to tell: a constant force is expanded for ever.
+        let unit_s = UNIT * self.problem.geometry.nose.radius_m / self.problem.velocity_m_s;
         let missed = events.iter().find(|(event, form)| {
             let value = form.value_beyond_rounding(&motion, &self.state);
             let falls = || {
