@@ -21,7 +21,7 @@ impl Simulation<'_> {
         if !self.contact_in_closed_form() {
             let scales = self.body.problem.time_scales();
             self.control.unit_s = 0.1 * scales.contact_s;
-            match self.body.missed_event(&self.active_events()) {
+            match self.body.missed_event(&self.active_events(), self.control.unit_s) {
                 // A collision that takes no time.
                 Some(EventId::HistoryEnd) => self.apply_transition(EventId::HistoryEnd),
                 _ => self.point(),

@@ -4,22 +4,28 @@ use super::Body;
 use crate::model::event_function::{ActiveEvents, EventId};
 use crate::model::impact::TERMS;
 use crate::model::motion::Expansion;
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
-/// The time unit of the series that tells which way a function goes, over the time in which the projectile travels its tip's radius;
+/// The longest time unit of the series that tells which way a function goes, over the time the projectile takes for its tip's radius;
 /// how many of its coefficients do; and the part of the greatest up to which one is rounding: an oblique section has no exact zero at
 /// first contact.
-const UNIT: f64 = 0.1;
+const UNIT_MAX: f64 = 0.1;
 const RATES: usize = 5;
 const NOISE: f64 = 1e-9;
 
 impl Body<'_> {
-    /// The event whose function is at zero or below and goes on falling: no step would show it to change its sign.
-    pub(in crate::model::impact) fn missed_event(&self, events: &ActiveEvents) -> Option<EventId> {
+    /// The event whose function is at zero or below and goes on falling: no step would show it to change its sign. The next step
+    /// takes about `step_s`.
+    pub(in crate::model::impact) fn missed_event(
+        &self,
+        events: &ActiveEvents,
+        step_s: f64,
+    ) -> Option<EventId> {
         use EventId as E;
         let motion = self.motion();
-        // A step may be too long to tell: a constant force is expanded for ever.
-        let unit_s = UNIT * self.problem.geometry.nose.radius_m / self.problem.velocity_m_s;
+        // Under a constant force a step may be without end.
+        let longest_s = UNIT_MAX * self.problem.geometry.nose.radius_m / self.problem.velocity_m_s;
+        let unit_s = smaller(step_s, longest_s);
         let missed = events.iter().find(|(event, form)| {
             let value = form.value_beyond_rounding(&motion, &self.state);
             let falls = || {

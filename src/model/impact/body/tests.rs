@@ -64,7 +64,7 @@ fn an_event_behind_the_state_is_found_once_it_is_behind() {
     ] {
         let problem = Problem::with(pairs);
         let body = body(&problem, mode, state);
-        let found = body.missed_event(&body.active_events(false, Noted::default()));
+        let found = body.missed_event(&body.active_events(false, Noted::default()), 1e-6);
         assert_eq!(found, expected, "{pairs} {mode:?} {state:?}");
     }
 }
