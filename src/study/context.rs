@@ -44,7 +44,7 @@ impl Stop {
         if self.is_set() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Set it, or take it back.
+    /// Sets or clears it.
     pub fn store(&self, is_set: bool) {
         self.0.store(is_set, Ordering::Relaxed);
     }

@@ -10,10 +10,10 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
-/// Pieces that are out for each thread.
+/// Pieces that are handed out, per thread, before the first of them is taken.
 const OUT: u64 = 8;
 
-/// How often somebody who waits for a result is asked whether to go on.
+/// Time between two calls of `take` while no result is ready.
 const ASKED_EVERY: Duration = Duration::from_millis(20);
 
 /// How much work there is.
@@ -44,8 +44,8 @@ pub fn cores() -> usize {
 }
 
 /// Does work on a number of threads, >= 1: each gets a worker of its own from `worker`, and `take` is given every result in the
-/// order of the points. It is also asked regularly while there is no result (`None`): a piece may take longer than anybody wants
-/// to wait for the word to stop. `Break` ends it; pieces under way are dropped.
+/// order of the points. It is also called regularly (`None`) while no result is ready, so that a study can be cancelled during a long
+/// piece. `Break` ends the work; running pieces are dropped.
 pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
     threads: usize,
     work: Work,

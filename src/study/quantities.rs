@@ -42,9 +42,9 @@ pub struct Quantity {
     short: &'static str,
     /// Why a shot that is stopped may be without it.
     pub(in crate::study) absence: &'static str,
-    /// A perforation has it: others that have been computed for one would mislead.
+    /// It describes a perforation; most others would mislead there.
     is_of_perforation: bool,
-    /// It tells of the computation, not of the design.
+    /// It describes the computation, not the design.
     is_of_computation: bool,
     of_stack: OfStack,
     /// A count of the computation, which JSON has as a whole number.
@@ -166,7 +166,7 @@ use OfStack::{Elements, Known, Plates, Whole};
 const UNSTOPPED: &str = "nothing stops the plate";
 const NO_BASELINE: &str = "no baseline (perforated)";
 
-/// What stands for the ratio of a tension to no strength at all.
+/// The greatest ratio that is reported: it stands for infinity, the ratio to a strength of zero.
 const GRIPLESS: f64 = 1e6;
 
 /// Every quantity, in the order of files.

@@ -17,8 +17,6 @@ const TAIL_STEPS: usize = 200;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
-/// Loss of energy, relative, from which on the outcome is computed again: far above rounding, far below an oscillation's.
-const ENERGY_CHANGE: f64 = 1e-9;
 /// A plate slowed by its damper alone to this part of its speed has arrived, to be drawn.
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Part of the interface's load by which it may still grow without being followed.
@@ -32,8 +30,6 @@ pub(super) struct Termination {
     /// The outcome, once it is decided, and the steps taken until then.
     pub(super) decided: Option<(Outcome, usize)>,
     pub(super) max_displacement: MaximumDisplacement,
-    /// For what the outcome was last computed, on a curve.
-    computed_for: Option<Conditions>,
     /// How far the first half-oscillation of the joined body has come.
     oscillation: HalfOscillation,
 }
@@ -47,20 +43,12 @@ enum HalfOscillation {
     Over,
 }
 
-/// The state that the outcome depends on while projectile and plate are together; unchanged state means unchanged outcome.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Conditions {
-    energy_j: f64,
-    travel_m: f64,
-    slips: usize,
-}
-
 impl Simulation<'_> {
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         self.note_half_oscillation();
         let at_horizon =
             self.body.state.t_s >= self.body.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-        if self.termination.decided.is_none() && self.may_have_decided() {
+        if self.termination.decided.is_none() {
             let outcome = self.body.outcome();
             if outcome != Outcome::Moving {
                 self.termination.max_displacement =
@@ -84,28 +72,6 @@ impl Simulation<'_> {
             || self.demand_may_grow()
             || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
-    }
-
-    /// Whether the outcome is to be computed again. On a curve that costs roots; without losses, in the same hole, it is what
-    /// it was at the step before, and an undamped mount may oscillate a million times.
-    fn may_have_decided(&mut self) -> bool {
-        if self.body.mode != Mode::Fused || self.body.problem.mechanism.spring.curve().is_none() {
-            return true;
-        }
-        let now = Conditions {
-            energy_j: self.body.energy_j(),
-            travel_m: self.body.state.travel_m,
-            slips: self.body.yields_since_deeper,
-        };
-        let same = self.termination.computed_for.is_some_and(|before| {
-            before.travel_m.to_bits() == now.travel_m.to_bits()
-                && before.slips == now.slips
-                && now.energy_j > before.energy_j * (1.0 - ENERGY_CHANGE)
-        });
-        if !same {
-            self.termination.computed_for = Some(now);
-        }
-        !same
     }
 
     /// The time at which the tail after the contact ends, s.

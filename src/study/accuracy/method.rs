@@ -149,7 +149,7 @@ enumeration! {
 }
 
 impl Method {
-    /// The contact phase of a valid scene, of which is not known when it ends.
+    /// Computes the contact phase of a valid scene whose end time is unknown.
     ///
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.

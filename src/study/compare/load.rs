@@ -83,8 +83,8 @@ pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f6
         && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
 }
 
-/// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the
-/// plate is farthest out (or at the end of the run, where nothing turns it).
+/// The impulse into the mount along the plate's normal, N s: the momentum that projectile and plate have lost when the plate has its
+/// greatest displacement, or at the end of the run where nothing stops it.
 pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let scene = &run.scene;
     // The other models do not all keep the momentum of the projectile.

@@ -32,9 +32,9 @@ impl Thickness {
     }
 }
 
-/// Thickness of the plate of the scene's material that moves freely, or not at all, and has this limit velocity, m/s, against the
-/// scene's projectile; `None` for another contact model, or without strength or limit. Of a closure by thickness it is that of the thinner
-/// plates where one of them has the limit.
+/// The thickness, m, at which a free (`moves`) or rigid plate of the scene's material has this limit velocity, m/s, against the scene's
+/// projectile; `None` for another contact model, or without strength or limit. A closure that depends on thickness gives the thinner of
+/// two such plates.
 pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<Thickness> {
     let of_nose = |tip_radius_m: f64| {
         let target = scene.target.in_effect(tip_radius_m);

@@ -39,7 +39,7 @@ impl Scan {
         Self { low_m_s: RANGE_M_S.0, high_m_s: RANGE_M_S.1, points: SCAN, width: WIDTH };
 }
 
-/// The firing range: shots at a scene, counted.
+/// What every shot at a scene needs. Shots count as pieces of work.
 pub(super) struct Range<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) criterion: Criterion,

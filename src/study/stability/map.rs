@@ -45,9 +45,9 @@ enumeration! {
     pub enum FixedStep in FixedStepRow {
         /// Its name.
         name: &'static str,
-        /// The word of the command line, and its description.
+        /// Its word on the command line.
         word: &'static str,
-        /// See `word`.
+        /// Its description on the command line.
         about: &'static str,
         /// The scheme of the listing that is followed.
         scheme: Reading,
