@@ -40,6 +40,8 @@ impl Body<'_> {
                 // Each law of a power knows the side of its zero.
                 E::PlateZero | E::PlateSpeedZero | E::PlateClear | E::PlateSpeedClear => false,
                 E::SlipZero => value < 0.0,
+                // The velocity may have jumped when the history of a contact ended.
+                E::StopPressed if value < -form.rounding(&motion, &self.state) => true,
                 E::StopReached if self.released => false,
                 _ => value <= 0.0 && falls(),
             }
