@@ -4,9 +4,6 @@ use super::{Body, NearZero};
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::run::Mode;
 
-/// Part of the other forces on the plate below which one is lost in their rounding.
-const ROUNDED: f64 = 8.0 * f64::EPSILON;
-
 /// Which excesses of the fused interface are noted already, and need not be found again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub(in crate::model::impact) struct Noted {
@@ -81,27 +78,16 @@ impl Body<'_> {
         }
     }
 
-    /// The force of an elastic stop while it touches (or, times -1, the force missing until it pushes again), N, and what nothing
-    /// feels besides.
-    pub(in crate::model::impact) fn stop_force(&self, sign: f64) -> EventFunction {
+    /// The force of an elastic stop while it touches, or, times -1, the force missing until it pushes again, N.
+    fn stop_force(&self, sign: f64) -> EventFunction {
         let mechanism = &self.problem.mechanism;
         let stop = mechanism.elastic_stop().unwrap_or_default();
         EventFunction {
-            offset: self.force_resolution_n() - sign * stop.stiffness_n_m * mechanism.stop_at_m,
+            offset: -sign * stop.stiffness_n_m * mechanism.stop_at_m,
             plate: sign * stop.stiffness_n_m,
             plate_speed: sign * stop.damping_n_s_m,
             ..EventFunction::default()
         }
-    }
-
-    /// A force on the plate that is lost in the rounding of the others, N: a stop beside a plate that follows the slow manifold
-    /// of a spring infinitely steep at zero would let go and press again at every step.
-    fn force_resolution_n(&self) -> f64 {
-        let (motion, state) = (self.motion(), &self.state);
-        let contact_n = motion.coupling * motion.contact_force(state);
-        let spring_n = motion.spring.force(state.plate_m);
-        let damper_n = motion.damper.force(state.plate_m_s);
-        ROUNDED * (contact_n.abs() + spring_n.abs() + damper_n.abs())
     }
 
     fn add_knots_events(&self, events: &mut ActiveEvents) {
