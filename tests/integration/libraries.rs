@@ -138,7 +138,11 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
         ),
         (
             &["mount=rigid", "k=1e6"],
-            "k has no effect on this scene: it is used unless mount = rigid",
+            "k has no effect on this scene: it is used where mount = sprung",
+        ),
+        (
+            &["face=0.1", "mount=rigid"],
+            "face changes only masses here, not the motion: it is used where mount = sprung",
         ),
         (&["e=0.5"], "e has no effect on this scene: it is used where x_stop given"),
         (&["l_beam=0.2"], "l_beam has no effect on this scene: it is used where spring = prbm"),
