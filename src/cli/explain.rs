@@ -6,8 +6,9 @@ use clap::Args;
 
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, variables};
+use crate::model::scene::Scene;
 use crate::model::units::shortest;
-use crate::model::variables::{find, nearest, used_when};
+use crate::model::variables::{Variable, find, nearest, used_when};
 use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
 
@@ -64,11 +65,11 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     table.alone().deliver(&page, variables::rows(std::slice::from_ref(variable)))
 }
 
-/// A value to write: the default, or the first that is allowed.
-fn example(variable: &crate::model::variables::Variable) -> String {
-    let default = variable.show(&crate::model::scene::Scene::default());
-    let words = variable.words();
-    words.last().map_or(default, |word| (*word).to_owned())
+/// A value to write: the default, or the first word of a choice that is not.
+fn example(variable: &Variable) -> String {
+    let default = variable.show(&Scene::default());
+    let other = variable.words().iter().find(|word| **word != default);
+    other.map_or(default, |word| (*word).to_owned())
 }
 
 fn quantity_page(quantity: &Quantity) -> String {

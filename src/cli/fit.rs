@@ -16,7 +16,7 @@ use crate::numerics::statistics::sorted_by;
 use crate::report::fit as tables;
 use crate::report::fit::table;
 use crate::study::fit::calibrate::{Calibration, calibrate};
-use crate::study::fit::{Estimator, Report, fit};
+use crate::study::fit::{Estimator, Report, Shot, fit};
 
 #[derive(Debug, Args)]
 #[command(
@@ -52,6 +52,9 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     let mut found = None;
     if is_calibrated {
         let preset = arguments.scene.load()?;
+        for note in too_deep(&report.shots, preset.scene.target.thickness_m) {
+            output::note(&note);
+        }
         let calibration = progress::study(1, "shots to calibrate the strength", |context| {
             calibrate(&preset.scene, &report.logistic, &report.shots, context)
         })?;
@@ -66,6 +69,20 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     };
     table.deliver_report(&page, object, tables::table(&report))?;
     Ok(progress::exit_code(calibration.is_none_or(|it| it.from_limit_pa.is_some())))
+}
+
+/// A warning for each shot that was stopped deeper than the plate is thick.
+fn too_deep(shots: &[Shot], thickness_m: f64) -> Vec<String> {
+    let stopped = shots.iter().filter(|shot| !shot.perforated);
+    let deep = stopped.filter_map(|shot| Some((shot.velocity_m_s, shot.penetration_m?)));
+    deep.filter(|(_, depth_m)| *depth_m > thickness_m)
+        .map(|(velocity_m_s, depth_m)| {
+            format!(
+                "warning: shot of {velocity_m_s} m/s: penetration_m = {depth_m} m is more than the plate's thickness of {thickness_m} m; \
+                 write it in metres (its depth is not used)"
+            )
+        })
+        .collect()
 }
 
 /// The page; a calibration with the name of its scene.

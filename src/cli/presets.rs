@@ -6,9 +6,9 @@ use clap::{Args, Subcommand};
 
 use crate::cli::table::{TableArguments, Target};
 use crate::cli::{CliError, output, scene};
-use crate::files::clean;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
+use crate::files::{clean, write};
 use crate::report::table::Table;
 
 #[derive(Debug, Args)]
@@ -43,7 +43,19 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
             let text = "presets show prints the preset's file: --json and --csv are for the list";
             Err(CliError::Option(text.to_owned()))
         }
-        Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
+        Some(Action::Show { name }) => output::print(&whole(&scene::named(name.as_ref())?)),
+    }
+}
+
+/// A preset's file with every value; one's own file may have only those that differ from the baseline.
+fn whole(preset: &Preset) -> String {
+    if preset.origin == Origin::Bundled {
+        return preset.text.clone();
+    }
+    let fresh = write::fresh(&preset.scene);
+    match preset.comment.trim_end() {
+        "" => fresh,
+        comment => format!("# {}\n{fresh}", comment.replace('\n', "\n# ")),
     }
 }
 

@@ -18,7 +18,7 @@ use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, PlateSize, Scene, Spring, SpringKind, Table, WhichSpring};
 use crate::model::units::{self, Bare, Quantity, shortest};
-use crate::model::variables::{self, VARIABLES, Variable, used_when};
+use crate::model::variables::{self, VARIABLES, Variable, is_used, used_where};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
 
@@ -124,19 +124,21 @@ impl Changes {
         Ok(())
     }
 
-    /// Names every `--set` that the scene does not use, and what would: what a search or an axis changes may do so. Names every
-    /// stiffness or damping of a linear law whose law is not linear.
+    /// Names every `--set` that the scene does not use, and the changes with which it would. Names every stiffness or damping of a
+    /// linear law whose law is not linear.
     fn say_unused(&self, scene: &Scene) {
         for argument in &self.set {
             let (name, value) = argument.split_once('=').unwrap_or_default();
             let Ok(variable) = variables::find(name.trim()) else { continue };
             let symbol = variable.symbol;
-            if !variables::is_used(variable, scene) {
-                let used = used_when(variable);
-                let text = format!(
-                    "{symbol} has no effect on this scene: it is used {used}; an axis may see to that"
-                );
-                output::note(&format!("warning: {text}"));
+            if !is_used(variable, scene) {
+                let lacks = if variables::gives_mass(variable) {
+                    "changes only masses here, not the motion"
+                } else {
+                    "has no effect on this scene"
+                };
+                let used = used_where(variable, scene);
+                output::note(&format!("warning: {symbol} {lacks}: it is used {used}"));
             } else if let Some(law) = bent_law(variable, value, scene) {
                 let (unit, exponent) = (variable.unit(), law.exponent);
                 output::note(&format!(
@@ -200,7 +202,8 @@ fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw>
 
 /// Marks the title of a scene whose inputs were changed.
 fn say_changed(before: &Scene, scene: &mut Scene) {
-    let changed = VARIABLES.iter().filter(|one| one.show(before) != one.show(scene)).count();
+    let has_changed = |it: &&Variable| is_used(it, scene) && it.show(before) != it.show(scene);
+    let changed = VARIABLES.iter().filter(has_changed).count();
     if !scene.title.is_empty() && changed > 0 {
         let plural = if changed == 1 { "" } else { "s" };
         let _ = write!(scene.title, ", {changed} input{plural} changed");

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use crate::files::{clean, write};
-use crate::model::library;
+use crate::files::paths::Paths;
+use crate::files::{clean, library as library_files, write};
+use crate::model::library::{self, Entry};
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
@@ -82,12 +83,8 @@ impl Subject<'_> {
         let title = if title.is_empty() { name.to_owned() } else { format!("{name}: {title}") };
         let outcome = run.stack.as_ref().map_or_else(|| sentence(run), |stack| stack.sentence());
         let mut document = Document { title, blocks: vec![Block::Paragraph(outcome)] };
-        // Warnings have a section of their own.
-        let notes: Vec<&str> =
-            scene.notes.lines().filter(|line| !library::is_warning(line)).collect();
-        if !notes.is_empty() {
-            document.blocks.push(Block::Paragraph(notes.join("\n")));
-        }
+        let entries = library_files::list(Paths::of_user().ok().as_ref()).0;
+        document.blocks.extend(notes(scene, &entries).into_iter().map(Block::Paragraph));
         let warnings = envelope::warnings(run);
         let warnings = if warnings.is_empty() {
             vec![Block::Paragraph(
@@ -116,7 +113,7 @@ impl Subject<'_> {
             let head = ["symbol", "input", "value", "baseline", "unit"].map(str::to_owned).to_vec();
             Block::Table { head, rows }
         };
-        section(&mut document, "Changed inputs", vec![inputs]);
+        section(&mut document, "Inputs that differ from the baseline", vec![inputs]);
         document
     }
 
@@ -124,15 +121,36 @@ impl Subject<'_> {
     fn again(&self) -> Vec<Block> {
         vec![
             Block::Paragraph(format!(
-                "Computed by cmra {} ({}, {} steps). Save these lines as scene.toml and run `cmra run scene.toml`; \
-                 `cmra report scene.toml -o report.html` makes this report again.",
+                "Computed by cmra {} ({}). Save these lines as scene.toml:",
                 env!("CARGO_PKG_VERSION"),
-                self.run.cost.method,
-                self.run.cost.steps
+                self.run.cost.method
             )),
             Block::Code(write::fresh(self.scene)),
+            Block::Paragraph(
+                "The first command prints the run, the second makes this report:".to_owned(),
+            ),
+            Block::Code("cmra run scene.toml\ncmra report scene.toml -o report.html".to_owned()),
         ]
     }
+}
+
+/// The notes of a scene in paragraphs: one for each entry of a library, with the values that were changed since. Warnings have a
+/// section of their own.
+fn notes(scene: &Scene, entries: &[Entry]) -> Vec<String> {
+    let (mut paragraphs, mut prose) = (Vec::new(), Vec::new());
+    for line in scene.notes.lines().filter(|line| !library::is_warning(line)) {
+        let Some(entry) = entries.iter().find(|entry| line.starts_with(&entry.note_start())) else {
+            prose.push(line);
+            continue;
+        };
+        paragraphs.push(std::mem::take(&mut prose).join("\n"));
+        let changed = entry.changed(scene).join(", ");
+        let since = if changed.is_empty() { "" } else { "; changed since: " };
+        paragraphs.push([line, since, &changed].concat());
+    }
+    paragraphs.push(prose.join("\n"));
+    paragraphs.retain(|text| !text.is_empty());
+    paragraphs
 }
 
 fn block(picture: Picture) -> Block {

@@ -211,8 +211,7 @@ fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
 fn is_written(variable: &Variable, scene: &Scene) -> bool {
     if is_spring(variable) {
         let plain = Scene::default();
-        let basic = variables::is_listed(variable, &plain)
-            && !matches!(variable.key, "mechanism.combination" | "mechanism.spring.own_mass");
+        let basic = !variable.is_seldom && variables::is_listed(variable, &plain);
         let listed = variables::is_listed(variable, scene)
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));

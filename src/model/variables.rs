@@ -17,11 +17,13 @@ mod rules;
 mod table;
 pub(in crate::model) mod visible;
 
-pub use describe::used_when;
+pub use describe::{used_when, used_where};
 pub use names::{close, find, listing, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
-pub use visible::{Visible, exclude_each_other, is_listed, is_offered, is_used, sizes_plate};
+pub use visible::{
+    Visible, exclude_each_other, gives_mass, is_listed, is_offered, is_used, sizes_plate,
+};
 
 /// One row of the table.
 #[derive(Clone, Copy)]

@@ -15,8 +15,10 @@ pub fn standing(candidate: &Candidate, task: &Task) -> Remark {
     match &candidate.standing {
         Standing::OnFront => Remark::new("", "on the Pareto front: not dominated"),
         Standing::Dominated { by } => Remark::new("", format!("dominated by design {}", by + 1)),
-        Standing::Breaks(at) => {
-            Remark::caution("", format!("violates {}", task.constraints[*at].words()))
+        Standing::Breaks(broken) => {
+            let words: Vec<String> =
+                broken.iter().map(|at| task.constraints[*at].words()).collect();
+            Remark::caution("", format!("violates {}", words.join(", ")))
         }
         Standing::NoValue(outcome) => {
             let measures = task.objectives.iter().map(|it| it.measure);

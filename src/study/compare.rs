@@ -29,7 +29,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
-use crate::model::scene::{self, Combination, Mount, OwnMass, Plate, Scene, Stack};
+use crate::model::scene::{self, Combination, Mount, Plate, Scene, Stack};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
 use crate::study::context::Context;
@@ -372,7 +372,7 @@ fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::of(scene).spring_mass_kg;
     let spring = &mut scene.mechanism.spring;
     let is_alone = scene.mechanism.combination == Combination::Alone;
-    if is_alone && spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() {
+    if is_alone && spring.needs_mass() {
         spring.mass_kg = mass_kg;
     }
 }

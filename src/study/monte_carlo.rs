@@ -138,6 +138,8 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
         "exponent" | "mass_kg" => false,
         // A measured curve scatters in force.
         "count" => scene.mechanism.one(which).kind == SpringKind::Table,
+        // The wire's moves the plate only where its mass counts.
+        _ if row.starts_with("wire.") => scene.mechanism.one(which).needs_mass(),
         _ => true,
     }
 }

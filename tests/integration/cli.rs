@@ -444,6 +444,12 @@ fn own_presets_are_found_by_name() {
     assert!(list.out.contains("\nheavy ") && list.out.contains("Heavy"), "{}", list.out);
     assert!(list.err.contains("hurt.toml:2:9"), "{}", list.err);
     assert_eq!(place.json("run heavy --json")["variables"]["plate.mass_ratio"], 6.0);
+    // With every value, not only the one that was typed.
+    let shown = place.cmra("presets show heavy").out;
+    assert!(
+        shown.contains("\nmass_ratio = 6") && shown.contains("\nvelocity_m_s = 100.0"),
+        "{shown}"
+    );
     assert_eq!(place.json("run cocked --json")["variables"]["plate.mass_ratio"], 1.0);
 }
 

@@ -125,6 +125,25 @@ fn the_base_plate_of_a_stack_has_its_own_closure() {
     assert!((v50 / limit - 1.0).abs() < 1e-3, "{v50} {limit}");
 }
 
+/// A value that was changed after its entry was taken is named beside what the entry says, each in its own paragraph.
+#[test]
+fn a_report_says_what_was_changed_of_an_entry() {
+    let entries = ["--threat", "m2-ap-core", "--material", "aa6061-t6511"];
+    let sets = ["--set", "v_i=300", "--set", "Y=301MPa"];
+    let report = says("report", &[&entries[..], &sets, &["-o", "-"]].concat(), 0).0;
+    let line = |start: &str| report.lines().find(|line| line.starts_with(start)).unwrap();
+    assert!(line("material: ").ends_with("; changed since: Y = 301 MPa"), "{report}");
+    assert!(!line("threat: ").contains("material: "), "{report}");
+    assert!(report.contains("```text\ncmra run scene.toml\n"), "{report}");
+    // The count in the title is that of the first table.
+    let head = report.split("## Results").next().unwrap();
+    let rows = head.lines().filter(|line| line.starts_with("| ")).count() - 2;
+    assert!(
+        report.lines().next().unwrap().contains(&format!(", {rows} inputs changed")),
+        "{report}"
+    );
+}
+
 #[test]
 fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
     let notes = |sets: &[&str]| {
@@ -138,7 +157,11 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
         ),
         (
             &["mount=rigid", "k=1e6"],
-            "k has no effect on this scene: it is used unless mount = rigid",
+            "k has no effect on this scene: it is used where mount = sprung",
+        ),
+        (
+            &["face=0.1", "mount=rigid"],
+            "face changes only masses here, not the motion: it is used where mount = sprung",
         ),
         (&["e=0.5"], "e has no effect on this scene: it is used where x_stop given"),
         (&["l_beam=0.2"], "l_beam has no effect on this scene: it is used where spring = prbm"),
@@ -148,7 +171,13 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
         let found = notes(sets);
         assert!(found.split_whitespace().collect::<Vec<_>>().join(" ").contains(note), "{found}");
     }
-    for sets in [&["k=2MN/m"][..], &["k=2e6", "n=2"], &["closure=double-yield", "Y=80MPa"]] {
+    for sets in [
+        &["k=2MN/m"][..],
+        &["tau_wire=1190MPa"],
+        &["g=0.2"],
+        &["k=2e6", "n=2"],
+        &["closure=double-yield", "Y=80MPa"],
+    ] {
         let found = notes(sets);
         assert!(!found.contains("no effect") && !found.contains("taken as"), "{found}");
     }

@@ -86,6 +86,12 @@ fn variables_and_quantities_are_explained() {
     for (text, name) in [(&list, "mass_efficiency"), (&table, "stop_position"), (&table, "gamma")] {
         assert!(text.contains(name), "{text} lacks {name}");
     }
+    // Each example works as it is written.
+    for name in ["spring", "combine", "model"] {
+        let (page, _) = says("explain", &[name], 0);
+        let set = page.split("--set ").nth(1).unwrap().trim();
+        says("run", &["--set", set], 0);
+    }
     let (_, error) = says("explain", &["thicknes"], 2);
     assert!(error.contains("neither a variable ("), "{error}");
 }

@@ -157,6 +157,9 @@ fn shots_of_ones_own_give_v50_and_a_strength() {
     let table = cmra(place.path(), "fit shots.csv --csv -");
     assert_eq!(table.out.lines().count(), 9);
     // What is wrong is named.
+    fs::write(place.path().join("mm.csv"), shots.replace("290,0,,", "290,0,,18")).unwrap();
+    let deep = cmra(place.path(), "fit mm.csv rigid-mount").err;
+    assert!(deep.contains("shot of 290 m/s: penetration_m = 18 m is more than"), "{deep}");
     fs::write(place.path().join("bad.csv"), "velocity_m_s,perforated\n280,0\n290,0\n295,0\n")
         .unwrap();
     let bad = cmra(place.path(), "fit bad.csv");

@@ -5,7 +5,7 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{OwnMass, Scene, WhichSpring, Wire};
+use crate::model::scene::{Mechanism, OwnMass, Scene, WhichSpring, Wire};
 use crate::model::variables::part::{Place, parts};
 use crate::model::variables::visible::is_sprung;
 use crate::model::variables::{Group, Kind, Variable, VariableError};
@@ -38,7 +38,8 @@ macro_rules! spring_part {
                 &mut $place
             }
 
-            $(fn matters($spring: &Spring) -> bool {
+            $(fn matters(mechanism: &Mechanism, which: WhichSpring) -> bool {
+                let $spring = mechanism.one(which);
                 $matters
             })?
         }
@@ -120,7 +121,7 @@ kinds! {
             .from("thesis Figure 6.9; 1 unless given");
         pub own_mass: OwnMass = OwnMass::Ignored => "own_mass", "spring inertia",
             "whether the part of the spring that moves with the plate adds to its mass",
-            choice().from("thesis section 8.3.1: springs are massless");
+            choice().seldom().from("thesis section 8.3.1: springs are massless");
         pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
             optional(Mass, NonNegative, "auto")
             .when(|scene| P::part(scene).own_mass == OwnMass::Counted || P::part(scene).mass_kg.is_some())
@@ -244,6 +245,11 @@ impl Spring {
         self.law().moving_part(self)
     }
 
+    /// Whether its mass counts and is not given.
+    pub fn needs_mass(&self) -> bool {
+        self.own_mass == OwnMass::Counted && self.mass_kg.is_none()
+    }
+
     /// Whether the parameters of its kind give its mass, as those of beams do.
     pub fn has_own_mass(&self) -> bool {
         self.law().mass_kg(self).is_some()
@@ -259,16 +265,32 @@ trait SpringPart {
 
     fn of_mut(spring: &mut Spring) -> &mut Self;
 
-    /// Whether a spring needs it.
-    fn matters(_: &Spring) -> bool {
+    /// Whether a spring of a mechanism needs it.
+    fn matters(_: &Mechanism, _: WhichSpring) -> bool {
         true
     }
 }
 
 spring_part!(Spring, "", |spring| *spring);
-spring_part! {
-    Wire, ".wire", |spring| spring.wire,
-    spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() && spring.law().is_coil()
+
+impl SpringPart for Wire {
+    const FIELD: &'static str = ".wire";
+
+    fn of(spring: &Spring) -> &Self {
+        &spring.wire
+    }
+
+    fn of_mut(spring: &mut Spring) -> &mut Self {
+        &mut spring.wire
+    }
+
+    /// Without a given energy per mass a coil's mass follows from its wire, and that of the first spring gives it for both.
+    fn matters(mechanism: &Mechanism, which: WhichSpring) -> bool {
+        let spring = mechanism.one(which);
+        let is_coil = spring.law().is_coil() && !spring.is_absent();
+        let gives_both = which == WhichSpring::First && mechanism.are_coils();
+        mechanism.energy_j_kg.is_none() && is_coil && (gives_both || spring.needs_mass())
+    }
 }
 
 /// One of the two springs, as a type.
@@ -292,7 +314,7 @@ impl<const SECOND: bool, T: SpringPart> Place<T> for Which<SECOND> {
 
     fn is_listed(scene: &Scene) -> bool {
         let mechanism = &scene.mechanism;
-        mechanism.acts(Self::WHICH) && T::matters(mechanism.one(Self::WHICH))
+        mechanism.acts(Self::WHICH) && T::matters(mechanism, Self::WHICH)
     }
 
     fn is_used(scene: &Scene) -> bool {

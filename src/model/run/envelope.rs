@@ -286,7 +286,8 @@ pub fn oblique_error(theta: f64) -> String {
         String::new()
     };
     format!(
-        "oblique limits come out below measured ones, by {percent} % at {angle} deg (cmra validate){beyond}"
+        "oblique limits come out below measured ones, by {percent} % at {angle} deg on a rigid mount (cmra validate), by more on a \
+         light sprung plate{beyond}"
     )
 }
 

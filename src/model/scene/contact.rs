@@ -3,6 +3,7 @@
 
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
+use crate::model::variables::visible::is_sprung;
 use crate::model::worded::worded;
 
 parts! {
@@ -64,7 +65,7 @@ parts! {
             choice().called("interface_law").also(&["law"]).from("fused: the thesis; plastic: a rigid-plastic interface");
         pub grip: f64 = 0.1 => "g", "grip", "grip: the greatest tension of the interface is g A S_y",
             number(Number, NonNegative).also(&["grip"])
-            .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic).from("assumption: 0.1");
+            .used_when(|scene| scene.interface.law == InterfaceLaw::Plastic || is_sprung(scene)).from("assumption: 0.1");
     }
 }
 

@@ -16,7 +16,7 @@ parts! {
         pub spring: Spring = Spring::default();
         pub combination: Combination = Combination::Alone => "combine", "second spring",
             "a second spring: none (alone), parallel to the first one, or in series with it",
-            choice().from("thesis section 6.2.8; one spring in chapter 9");
+            choice().seldom().from("thesis section 6.2.8; one spring in chapter 9");
         /// Without effect where the first spring is alone.
         pub second: Spring = Spring::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
@@ -31,11 +31,11 @@ parts! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Wire {
         pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
-            number(Density, Positive).from("spring steel");
+            number(Density, Positive).seldom().from("spring steel");
         pub shear_modulus_pa: f64 = 79.3e9 => "G_wire", "shear modulus", "shear modulus of the wire",
-            number(Pressure, Positive).from("spring steel");
+            number(Pressure, Positive).seldom().from("spring steel");
         pub shear_strength_pa: f64 = 700e6 => "tau_wire", "wire strength", "shear stress the wire may have",
-            number(Pressure, Positive).from("spring steel");
+            number(Pressure, Positive).seldom().from("spring steel");
     }
 }
 
@@ -140,8 +140,12 @@ impl Mechanism {
             wire.shear_strength_pa * wire.shear_strength_pa
                 / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa)
         };
-        let are_coils = self.acting().all(|spring| spring.law().is_coil());
-        self.energy_j_kg.or_else(|| are_coils.then(coil))
+        self.energy_j_kg.or_else(|| self.are_coils().then(coil))
+    }
+
+    /// Whether the springs that act are wound of wire.
+    pub fn are_coils(&self) -> bool {
+        self.acting().all(|spring| spring.law().is_coil())
     }
 
     /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.

@@ -1,6 +1,6 @@
 //! Descriptions of variables: the name in words, and when a scene uses it. Both are read off the table and its rules.
 
-use super::{Kind, VARIABLES, Variable, is_listed, is_used};
+use super::{Kind, VARIABLES, Value, Variable, find, is_listed, is_used};
 use crate::model::scene::Scene;
 
 /// How keys end in their units, the longer before its own end.
@@ -29,10 +29,10 @@ pub(super) fn named(name: &str) -> Option<&'static Variable> {
     VARIABLES.iter().find(|variable| variable.name() == spelled)
 }
 
-/// Changes of the default scene that bring variables into use.
-fn changes() -> Vec<(String, Scene)> {
+/// Changes of a scene that bring variables into use or out of it.
+fn changes(base: &Scene) -> Vec<(String, Scene)> {
     let with = |text: &str, change: fn(&mut Scene)| {
-        let mut scene = Scene::default();
+        let mut scene = base.clone();
         change(&mut scene);
         (text.to_owned(), scene)
     };
@@ -41,12 +41,19 @@ fn changes() -> Vec<(String, Scene)> {
         with("theta > 0", |it| it.projectile.obliquity_deg = 30.0),
         with("m_p below that of the nose sphere", |it| it.projectile.mass_kg = 1e-3),
         with("x_stop given", |it| it.mechanism.stop.position_m = Some(0.01)),
+        with("e_spring = auto", |it| it.mechanism.energy_j_kg = None),
+        with("e_spring given", |it| it.mechanism.energy_j_kg = Some(2e4)),
         with("a base plate or more elements", |it| it.stack.base_thickness_m = Some(0.01)),
         with("m_2 given", |it| it.resize(crate::model::scene::PlateSize::Mass(0.1))),
         with("face given", |it| it.resize(crate::model::scene::PlateSize::Face(0.1))),
     ];
-    list.extend(choices(&Scene::default()));
+    list.extend(choices(base));
     list
+}
+
+/// The words for those changes whose scenes are meant.
+fn texts(list: Vec<(String, Scene)>, is_meant: impl Fn(&Scene) -> bool) -> Vec<String> {
+    list.into_iter().filter(|(_, scene)| is_meant(scene)).map(|(text, _)| text).collect()
 }
 
 /// A scene with each word of each choice in turn, but the words it has.
@@ -65,37 +72,55 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     list
 }
 
-/// When a scene uses a variable, in words: read off [`is_used`] by changing the default scene in one place, or in two.
+/// Whether a scene uses a variable once it has a value.
+fn acts(variable: &Variable, scene: &Scene) -> bool {
+    let mut scene = scene.clone();
+    if let Some(number) = variable.number()
+        && variable.value(&scene) == Value::Absent
+    {
+        (number.set)(&mut scene, Some(1.0));
+    }
+    is_used(variable, &scene) && is_listed(variable, &scene)
+}
+
+/// When scenes use a variable, in words: read off [`is_used`] by changing a plain scene in one place, or in two.
 pub fn used_when(variable: &Variable) -> String {
-    let acts = |scene: &Scene| is_used(variable, scene) && is_listed(variable, scene);
+    let acts = |scene: &Scene| acts(variable, scene);
     // What most scenes have.
     let mut plain = Scene::default();
     (plain.mechanism.spring.coefficient, plain.mechanism.damper.coefficient) = (1e5, 0.0);
-    if acts(&plain) {
-        let without: Vec<String> = choices(&plain)
-            .into_iter()
-            .filter(|(_, scene)| !acts(scene))
-            .map(|(text, _)| text)
-            .collect();
-        return if without.is_empty() {
-            "always".to_owned()
-        } else {
-            format!("unless {}", without.join(", "))
-        };
+    if !acts(&plain) {
+        return used_where(variable, &Scene::default());
     }
-    let single: Vec<String> =
-        changes().into_iter().filter(|(_, scene)| acts(scene)).map(|(text, _)| text).collect();
+    let without = changes(&plain).into_iter().filter(|(_, scene)| !acts(scene));
+    let without: Vec<String> = without.map(|(text, scene)| unless(&text, &scene, acts)).collect();
+    if without.is_empty() { "always".to_owned() } else { format!("unless {}", without.join(", ")) }
+}
+
+/// A change that brings a variable out of use, with the value of another choice that it takes as well.
+fn unless(text: &str, scene: &Scene, acts: impl Fn(&Scene) -> bool) -> String {
+    let symbol = |text: &str| text.split(' ').next().unwrap_or_default().to_owned();
+    let mut others = texts(choices(scene), acts).into_iter().map(|cure| symbol(&cure));
+    let other = others.find(|other| *other != symbol(text)).and_then(|other| find(&other).ok());
+    other.map_or_else(
+        || text.to_owned(),
+        |other| format!("{text} with {} = {}", other.symbol, other.show(scene)),
+    )
+}
+
+/// The changes of a scene that does not use a variable which bring it into use: one, or two together.
+pub fn used_where(variable: &Variable, scene: &Scene) -> String {
+    let acts = |scene: &Scene| acts(variable, scene);
+    let single = texts(changes(scene), acts);
     if !single.is_empty() {
         return format!("where {}", single.join(" or "));
     }
-    for (first, base) in changes() {
-        let double: Vec<String> =
-            choices(&base).into_iter().filter(|(_, scene)| acts(scene)).map(|(it, _)| it).collect();
-        if !double.is_empty() {
-            return format!("where {first} and {}", double.join(" or "));
-        }
-    }
-    "in few scenes: see its meaning".to_owned()
+    let pairs =
+        changes(scene).into_iter().map(|(first, base)| (first, texts(choices(&base), acts)));
+    pairs.into_iter().find(|(_, double)| !double.is_empty()).map_or_else(
+        || "in few scenes: see its meaning".to_owned(),
+        |(first, double)| format!("where {first} and {}", double.join(" or ")),
+    )
 }
 
 #[cfg(test)]
@@ -103,7 +128,6 @@ mod tests {
     use std::collections::HashMap;
 
     use super::*;
-    use crate::model::variables::find;
 
     #[test]
     fn names_are_unique_and_lead_to_their_variable() {
@@ -153,6 +177,15 @@ mod tests {
         );
         assert!(when("h").starts_with("unless model = initial-velocity"), "{}", when("h"));
         assert_eq!(when("d"), "unless mount = rigid");
+        assert!(
+            when("C_d").contains("closure = by-thickness with drag = closure"),
+            "{}",
+            when("C_d")
+        );
+        assert!(when("tau_wire").starts_with("unless e_spring given"), "{}", when("tau_wire"));
+        assert_eq!(when("face"), "unless mount = rigid");
+        let rigid = crate::model::variables::scene_with("face=0.1 mount=rigid");
+        assert_eq!(used_where(find("face").unwrap(), &rigid), "where mount = sprung");
         assert_eq!(when("rho_p"), "where theta > 0 or m_p below that of the nose sphere");
     }
 }

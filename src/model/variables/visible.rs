@@ -32,6 +32,11 @@ pub fn sizes_plate(variable: &Variable) -> bool {
     PlateSize::KEYS.contains(&variable.key)
 }
 
+/// Whether the variable also gives a mass or an area that the motion of the plate may not need.
+pub fn gives_mass(variable: &Variable) -> bool {
+    sizes_plate(variable) || matches!(variable.key, "target.thickness_m" | "target.density_kg_m3")
+}
+
 /// Whether two variables cannot be chosen each for itself.
 pub fn exclude_each_other(one: &Variable, other: &Variable) -> bool {
     one.key == other.key || (sizes_plate(one) && sizes_plate(other))
@@ -111,6 +116,16 @@ mod tests {
             ("model=initial-velocity", "h", false),
             ("closure=double-yield", "S_y", false),
             ("", "Y", false),
+            ("", "tau_wire", true),
+            ("spring=helix", "tau_wire", true),
+            ("e_spring=1000", "tau_wire", false),
+            ("spring=prbm-cantilever", "tau_wire", false),
+            ("k=0", "tau_wire", false),
+            ("combine=parallel", "tau_wire_2", false),
+            ("combine=parallel own_mass_2=counted", "tau_wire_2", true),
+            ("combine=parallel spring_2=column", "tau_wire", false),
+            ("", "g", true),
+            ("mount=rigid", "g", false),
             ("k=0", "d", false),
             ("k=0 x_stop=0.01", "d", true),
         ] {

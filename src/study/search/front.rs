@@ -112,8 +112,8 @@ pub enum Standing {
         /// Its place on the front.
         by: usize,
     },
-    /// It breaks this constraint, by its place.
-    Breaks(usize),
+    /// It breaks these constraints, by their places.
+    Breaks(Vec<usize>),
     /// A measure does not exist: the reason.
     NoValue(PointOutcome),
     /// It cannot be made of this scene.
@@ -421,19 +421,20 @@ impl Search<'_> {
     fn standing(&self, front: &[Design], candidate: &Candidate) -> Standing {
         let Some(outcome) = candidate.outcome else { return Standing::Impossible };
         let judged = self.judge(&candidate.measures);
-        let broken = self.task.constraints.iter().position(|constraint| {
+        let broken = self.task.constraints.iter().enumerate().filter(|(_, constraint)| {
             let value = self.value(&candidate.measures, constraint.measure);
             value.is_some() && constraint.violation(value) > 0.0
         });
-        let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
-        match (broken, judged.is_feasible()) {
-            (Some(constraint), _) => Standing::Breaks(constraint),
-            (None, false) => Standing::NoValue(outcome),
-            (None, true) => {
-                let by = front.iter().position(beats);
-                by.map_or(Standing::OnFront, |by| Standing::Dominated { by })
-            }
+        let broken: Vec<usize> = broken.map(|(at, _)| at).collect();
+        if !broken.is_empty() {
+            return Standing::Breaks(broken);
         }
+        if !judged.is_feasible() {
+            return Standing::NoValue(outcome);
+        }
+        let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
+        let by = front.iter().position(beats);
+        by.map_or(Standing::OnFront, |by| Standing::Dominated { by })
     }
 
     /// The measures of any scene, by a space of one point; `None` when stopped.

@@ -43,7 +43,7 @@ fn front(scene: &Scene, task: &Task) -> Front {
     let candidates = [
         ("the scene itself", 12.5, Standing::OnFront),
         ("uncocked", 20.5, Standing::Dominated { by: 3 }),
-        ("limited cocking", 5.5, Standing::Breaks(0)),
+        ("limited cocking", 5.5, Standing::Breaks(vec![0])),
     ];
     Front {
         law: InterfaceLaw::Fused,
