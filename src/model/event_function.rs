@@ -185,8 +185,18 @@ impl EventFunction {
         self.value(state, self.forces(motion, state))
     }
 
+    /// How fast a form without forces changes at a state.
+    pub(super) fn rate(&self, motion: &Motion<'_>, state: &State) -> f64 {
+        let accelerations = motion.accelerations(state);
+        self.time
+            + self.travel * state.slip_m_s
+            + self.slip * accelerations.slip_m_s2
+            + self.plate * state.plate_m_s
+            + self.plate_speed * accelerations.plate_m_s2
+    }
+
     /// The form where these forces act.
-    fn value(&self, state: &State, forces: Forces) -> f64 {
+    pub(super) fn value(&self, state: &State, forces: Forces) -> f64 {
         self.terms(state, forces).iter().sum()
     }
 

@@ -19,13 +19,13 @@ impl Simulation<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
     pub(super) fn begin(&mut self) {
         if !self.contact_in_closed_form() {
-            let scales = self.body.problem.time_scales();
-            self.control.unit_s = 0.1 * scales.contact_s;
-            match self.body.missed_event(&self.active_events(), self.control.unit_s) {
+            match self.body.missed_contact_event() {
                 // A collision that takes no time.
                 Some(EventId::HistoryEnd) => self.apply_transition(EventId::HistoryEnd),
                 _ => self.point(),
             }
+            let scales = self.body.problem.time_scales();
+            self.control.unit_s = 0.1 * scales.contact_s;
             self.control.stiff = scales.is_stiff() && !self.body.is_still();
             if !self.control.stiff && self.body.mode == Mode::Penetrating {
                 self.start();

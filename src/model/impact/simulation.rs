@@ -72,8 +72,7 @@ impl<'a> Simulation<'a> {
             {
                 return self.end_early(reason);
             }
-            let missed = self.body.missed_event(&self.active_events(), self.control.unit_s);
-            if let Some(event) = missed {
+            if let Some(event) = self.body.missed_event() {
                 let before = self.body.state;
                 self.body.project_onto_event(event, &before);
                 self.apply_transition(event);

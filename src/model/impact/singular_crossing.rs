@@ -40,6 +40,9 @@ const START_PART: f64 = 0.3;
 const ACCURACY_GAIN_MIN: f64 = 100.0;
 const ACCURACY_GAIN: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
+/// The least path of a crossing step on an elastic stop, relative to the displacement: the stop's force is known to the
+/// displacement's rounding.
+const STOP_PATH_MIN: f64 = 1e-3;
 /// How far from zero an event function may be where it has fallen, relative to its value at the start.
 const EVENT_TOLERANCE: f64 = 1e-9;
 /// Ulps of the time that a fall keeps from the zero.
@@ -172,6 +175,11 @@ impl Simulation<'_> {
     fn unbroken(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let from = variable.now();
         let scale = self.crossing_scale(variable, to - from);
+        let on_stop =
+            variable.law == CrossedLaw::Damper && variable.motion.stop.stiffness_n_m > 0.0;
+        if on_stop && scale[3] < STOP_PATH_MIN * self.body.state.plate_m.abs() {
+            return None;
+        }
         let rate = |z: f64, y: &Unknowns| variable.rate(&variable.state(z, y));
         self.control.worked(COLLOCATION_WORK);
         let graded = solve(from, to, &[0.0; 4], &scale, rate)?;

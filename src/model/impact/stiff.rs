@@ -71,7 +71,7 @@ impl Simulation<'_> {
             let tick = TICK * self.body.state.t_s;
             let at_tick = h <= tick;
             h = larger(h, tick);
-            let solved = newton(&self.control, &system, &y, h, system.guess(&y, h));
+            let solved = self.solve(&system, &y, h);
             self.control.evaluations +=
                 solved.as_ref().map_or(NEWTON_MAX, |step| step.iterations) * 3;
             let Some(solved) = solved else {
@@ -115,6 +115,12 @@ impl Simulation<'_> {
         } else {
             allowed
         }
+    }
+
+    /// A step from whichever guess leads anywhere.
+    fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
+        let from = |guess| newton(&self.control, system, y, h, guess);
+        from(system.guess(y, h)).or_else(|| from([*y; 3]))
     }
 
     /// A plate that no longer creeps oscillates, and Taylor steps follow that with far fewer.

@@ -78,6 +78,11 @@ impl Simulation<'_> {
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
         }
+        if state.t_s <= self.body.state.t_s && detected.is_none() {
+            self.control.stiff = true;
+            self.control.unit_s = FIRST_STIFF_STEP * self.body.state.t_s;
+            return ControlFlow::Continue(None);
+        }
         self.record.step(&Setting { body: &self.body, motion: &motion }, &e, span);
         self.control.unit_s = h * if detected.is_some() { trusted } else { span };
         self.control.steps += 1;

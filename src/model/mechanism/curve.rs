@@ -168,6 +168,15 @@ impl Curve {
         None
     }
 
+    /// Which way, 1 or -1, the law drives the plate on from x for ever: beyond the end of a table whose force runs away.
+    pub fn drives_away(&self, x: f64) -> Option<f64> {
+        let outward = -sign(self.force(x));
+        let ahead = self.stations_m.iter().any(|station| outward * (station - x) > 0.0);
+        let for_ever =
+            outward != 0.0 && !ahead && self.reach(x, self.energy(x), outward).is_infinite();
+        for_ever.then_some(outward)
+    }
+
     /// The greatest energy stored between two displacements, J.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
         let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };

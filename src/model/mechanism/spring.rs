@@ -129,6 +129,11 @@ impl Spring {
         }
     }
 
+    /// Which way, 1 or -1, it drives the plate on from x for ever; no power law does.
+    pub fn drives_away(&self, x: f64) -> Option<f64> {
+        self.curve().and_then(|curve| curve.drives_away(x))
+    }
+
     /// How far back of neutral it can go, m, positive backwards; infinite where nothing holds it.
     pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
         match self {

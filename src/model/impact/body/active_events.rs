@@ -72,14 +72,14 @@ impl Body<'_> {
             events.add(EventId::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
             events.add(EventId::StopReached, EventFunction::plate(at, -1.0));
-            if mechanism.elastic_stop().is_some() && self.state.plate_m > at {
+            if self.is_beyond_stop() {
                 events.add(EventId::StopPressed, self.stop_force(-1.0));
             }
         }
     }
 
     /// The force of an elastic stop while it touches, or, times -1, the force missing until it pushes again, N.
-    fn stop_force(&self, sign: f64) -> EventFunction {
+    pub(in crate::model::impact) fn stop_force(&self, sign: f64) -> EventFunction {
         let mechanism = &self.problem.mechanism;
         let stop = mechanism.elastic_stop().unwrap_or_default();
         EventFunction {

@@ -7,6 +7,8 @@ use crate::numerics::{larger, smaller};
 
 /// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
 pub(in crate::model::impact) const NO_ENERGY: f64 = 1e-24;
+/// How far a stop that yields to a spring driving the plate away is followed, m.
+const STOP_TRAVEL_MAX_M: f64 = 1e3;
 /// How many times the path that the energy above the holding oscillation pays for is left to slips: the last one may take some
 /// more.
 const SLIP_RESERVE: f64 = 1.25;
@@ -48,8 +50,9 @@ impl Body<'_> {
         let problem = self.problem;
         let v = problem.velocity_m_s;
         let at_start = 0.5 * problem.projectile_kg * v * v;
-        // Where a table's force runs away, the energy is less than nothing.
-        self.energy_j().abs() <= part * at_start
+        // Where the spring drives the plate away, its energy is less than nothing.
+        self.energy_j() <= part * at_start
+            && problem.mechanism.spring.drives_away(self.state.plate_m).is_none()
     }
 
     /// How far forward the plate can go with this energy, m; infinite when nothing stops it.
@@ -70,15 +73,23 @@ impl Body<'_> {
         }
         let at = mechanism.stop_at_m;
         let stiffness = stop.stiffness_n_m;
+        let pull = |pressed: f64| mechanism.spring.force(at + pressed) + stiffness * pressed;
         let missing = |pressed: f64| {
             mechanism.spring.energy(at + pressed) + 0.5 * stiffness * pressed * pressed - energy
         };
-        let far = smaller(spring_reach - at, 2.0 * (2.0 * energy.abs() / stiffness).sqrt());
-        // A spring that drives the plate on presses it farther.
-        if missing(far) < 0.0 {
+        let mut far = smaller(spring_reach - at, (2.0 * energy.abs() / stiffness).sqrt());
+        // A spring that drives the plate away presses it farther than that.
+        while far > 0.0 && missing(far) < 0.0 && far < spring_reach - at && far < STOP_TRAVEL_MAX_M
+        {
+            far = 2.0 * far + mechanism.spring.force(at + far).abs() / stiffness;
+        }
+        if missing(far) < 0.0 && far >= STOP_TRAVEL_MAX_M {
             return f64::INFINITY;
         }
-        in_bracket(larger(self.state.plate_m - at, 0.0), far, missing)
+        // Of the two places with this potential the farther one: beyond where spring and stop hold each other.
+        let near = larger(self.state.plate_m - at, 0.0);
+        let lowest = if pull(near) < 0.0 { in_bracket(near, far, pull) } else { near };
+        in_bracket(lowest, far, missing)
     }
 
     /// Whether the plate cannot go farther than it has been, whatever becomes of the energy there is.

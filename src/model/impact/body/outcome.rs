@@ -114,6 +114,11 @@ impl Body<'_> {
             let keeps_going = mechanism.damper.is_absent();
             return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0 || keeps_going);
         }
+        // The plate is driven away from it, ever faster.
+        let driven = || mechanism.spring.drives_away(plate_m) == Some(1.0);
+        if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
+            return self.motion().accelerations(&self.state).plate_m_s2 >= 0.0;
+        }
         // The projectile flies away, and is already beyond the plate's greatest displacement backwards.
         let back = mechanism.spring.backward(plate_m, energy);
         v < 0.0 && (plate_m + back) * problem.cos < apart_m
@@ -129,6 +134,16 @@ impl Body<'_> {
         let is_over = self.is_at_rest() || self.has_less_than(NO_ENERGY) || self.rests_in_contact();
         if self.problem.rigid || is_over {
             return MaximumDisplacement::Known(so_far);
+        }
+        if mechanism.stop.is_none()
+            && let Some(way) = mechanism.spring.drives_away(self.state.plate_m)
+            && way * w >= 0.0
+        {
+            return if way > 0.0 {
+                MaximumDisplacement::Unbounded
+            } else {
+                MaximumDisplacement::Known(so_far)
+            };
         }
         let reach = self.reach_with(self.energy_j());
         let stroke = so_far - self.problem.start_m;

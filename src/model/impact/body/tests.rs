@@ -63,8 +63,7 @@ fn an_event_behind_the_state_is_found_once_it_is_behind() {
         ("k=1e5 model=lumped", Mode::Closing, [5e-3, 1.0, 0.0, 0.0], Some(E::HoleBottom)),
     ] {
         let problem = Problem::with(pairs);
-        let body = body(&problem, mode, state);
-        let found = body.missed_event(&body.active_events(false, Noted::default()), 1e-6);
+        let found = body(&problem, mode, state).missed_event();
         assert_eq!(found, expected, "{pairs} {mode:?} {state:?}");
     }
 }
