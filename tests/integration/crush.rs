@@ -86,3 +86,28 @@ fn a_stroke_that_is_shorter_than_the_rise_is_refused() {
     );
     assert!(error.contains("x_crush") && error.contains("raise x_crush or k_crush"), "{error}");
 }
+
+/// Scenes in which `F - k (F/k)` is not zero in floating point: depth in mm, greatest displacement in mm and common velocity in m/s of
+/// an independent integrator.
+#[test]
+fn valid_the_rounding_of_the_elastic_rise_does_not_matter() {
+    for (pairs, depth_mm, displacement_mm, common_m_s) in [
+        ("F_crush=3e3 k_crush=5e6", 4.710_634, 23.593_17, None),
+        ("F_crush=3e4 k_crush=1e8", 7.000_968, f64::NAN, Some(-0.534_04)),
+        ("F_crush=15e3 k_crush=2e8 N_spring=3 v_i=50 h=10mm", f64::NAN, 21.60e-3, None),
+    ] {
+        let run = run(scene(&format!("spring=crush {pairs}")));
+        let arrest = run.first_arrest.unwrap();
+        for (found, expected, tolerance) in [
+            (1e3 * arrest.penetration_m, depth_mm, 2e-7),
+            (1e3 * run.max_plate_displacement_m.unwrap(), displacement_mm, 3e-4),
+            (arrest.plate_velocity_m_s, common_m_s.unwrap_or(f64::NAN), 2e-5),
+        ] {
+            let is_near = (found / expected - 1.0).abs() < tolerance;
+            assert!(is_near || expected.is_nan(), "{pairs}: {found} for {expected}");
+        }
+        let first: Vec<f64> =
+            run.series.iter().take(50).map(|row| row.plate_displacement_m).collect();
+        assert!(first.is_sorted(), "{pairs}: {first:?}");
+    }
+}

@@ -54,6 +54,21 @@ fn the_normalised_law_is_the_power_law_and_follows_its_reference() {
     assert_same(&run(scene("spring=normalised F_ref=900 x_ref=0.02 n=1.4")), &power, 1e-12);
 }
 
+/// A plate at rest on a knot starts into the stretch that it goes to, whatever the sign of a force that is only rounding.
+#[test]
+fn a_force_of_rounding_at_a_knot_does_not_decide_where_the_plate_goes() {
+    let with = |force_n: f64| {
+        let mut scene = scene("spring=table v_i=60");
+        scene.mechanism.spring.table.points =
+            [[-0.05, 0.0], [0.0, force_n], [5e-4, 2e4], [0.05, 2.1e4]].into();
+        run(scene)
+    };
+    let exact = with(0.0);
+    for force_n in [1e-14, 3e-13, 4e-12, 1e-10] {
+        assert_same(&with(force_n), &exact, 1e-11);
+    }
+}
+
 /// Energy is kept on every kind, forward and back, cocked or not, with a stop, damped, and after the projectile has gone.
 #[test]
 fn energy_is_kept_on_every_kind() {

@@ -3,7 +3,7 @@
 
 use cmra::model::run::{EndReason, Mode, Outcome, Run};
 
-use crate::support::{assert_near, run, scene};
+use crate::support::{assert_near, run, says, scene};
 
 /// Spring exponents, and the beta function B(1/(n+1), 1/2) = gamma(1/(n+1)) gamma(1/2) / gamma(1/(n+1) + 1/2), by the gamma function of
 /// another language's standard library.
@@ -100,5 +100,47 @@ fn a_plate_that_decays_in_ever_faster_oscillations_reaches_its_horizon() {
         let late = found.series.iter().filter(|row| row.t_s > 0.1 * HORIZON_S);
         let most = late.map(|row| row.plate_displacement_m.abs()).fold(0.0, f64::max);
         assert!(most > 0.0 && most < 0.1 * farthest, "{most:e} {farthest:e}");
+    }
+}
+
+/// A value of the row at a time in a table of rows at equal time steps.
+fn at(settings: &[&str], dt: &str, t_us: f64, column: &str) -> f64 {
+    let sets = settings.iter().flat_map(|pair| ["--set", pair]);
+    let arguments: Vec<&str> = ["--csv", "-", "--dt", dt].into_iter().chain(sets).collect();
+    let table = says("run", &arguments, 0).0;
+    let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let number = |row: &[&str], name: &str| {
+        let place = header.iter().position(|it| *it == name).unwrap();
+        row[place].parse::<f64>().unwrap()
+    };
+    let row = lines.find(|row| (1e6 * number(row, "time_s") - t_us).abs() < 1e-6).unwrap();
+    number(&row, column)
+}
+
+/// Values of an independent integrator, where a step passes the zero of a power law.
+#[test]
+fn valid_rows_at_equal_time_steps_lie_on_the_trajectory() {
+    let (damped, bent) = (["b=100", "m=0.5"], ["n=0.5", "k=1e6"]);
+    for (settings, t_us, column, expected, tolerance) in [
+        (damped, 4.0, "plate_velocity_m_s", 0.1106, 2e-4),
+        (damped, 36.0, "spring_force_n", 9.68, 5e-4),
+        (damped, 66.0, "penetration_m", 3.6876e-3, 2e-5),
+        (damped, 66.0, "contact_force_n", 16_091.0, 5e-5),
+        (bent, 230.0, "contact_force_n", -834.0, 1e-3),
+    ] {
+        assert_near(at(&settings, "2us", t_us, column), expected, tolerance);
+    }
+}
+
+/// The last row of a run that ends there is exact.
+#[test]
+fn rows_at_equal_time_steps_of_a_closed_form_lie_on_the_trajectory() {
+    for settings in [["k=0", "v_i=100"], ["k=0", "theta=40deg"], ["mount=rigid", "v_i=100"]] {
+        let to_there = [settings[0], settings[1], "run.horizon_s=21us"];
+        for column in ["penetration_m", "projectile_velocity_m_s", "contact_force_n"] {
+            let exact = at(&to_there, "21us", 21.0, column);
+            assert_near(at(&settings, "7us", 21.0, column), exact, 2e-6);
+        }
     }
 }

@@ -24,6 +24,9 @@ const LOCAL_TOLERANCE: f64 = 1e-4;
 /// tolerance of the scale that matters to the depth.
 const UNRESOLVED_SPEED: f64 = 1e-7;
 
+/// Part of the displacements seen by which rounding puts a plate beyond an event at most.
+const PROJECTED: f64 = 1e-9;
+
 /// The law of a spring or a damper close to the zero of its argument, displacement or velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NearZero {
@@ -101,11 +104,7 @@ impl<'a> Body<'a> {
         };
         let (spring, x) = (&problem.mechanism.spring, problem.start_m);
         let pull = -spring.force(x);
-        // The stretch into which the plate starts to move.
-        let region = spring
-            .curve()
-            .map_or(0, |curve| if pull < 0.0 { curve.region_below(x) } else { curve.region(x) });
-        Self {
+        let mut body = Self {
             problem,
             state,
             tolerance,
@@ -122,12 +121,23 @@ impl<'a> Body<'a> {
             x_zero: NearZero::on_side_of(problem.start_m),
             w_zero: NearZero::on_side_of(pull),
             compensation_m: 0.0,
-            region,
+            region: spring.curve().map_or(0, |curve| curve.region(x)),
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,
             yields_since_deeper: 0,
             counted_depth_m: 0.0,
+        };
+        if let Some(curve) = spring.curve()
+            && !problem.rigid
+        {
+            let way = body.way();
+            body.w_zero = NearZero::on_side_of(way);
+            if way < 0.0 {
+                // The stretch into which the plate starts to move.
+                body.region = curve.region_below(x);
+            }
         }
+        body
     }
 
     /// Whether the plate cannot move: rigid, at rest on its stop, or fixed by its mechanism.
@@ -266,6 +276,15 @@ impl<'a> Body<'a> {
             }
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
             _ => {}
+        }
+    }
+
+    /// Puts the state on a missed event, unless that would move the plate by more than rounding.
+    pub(super) fn project_within_rounding(&mut self, event: EventId) {
+        let before = self.state;
+        self.project_onto_event(event, &before);
+        if (self.state.plate_m - before.plate_m).abs() > PROJECTED * self.plate_scale_m {
+            self.state.plate_m = before.plate_m;
         }
     }
 

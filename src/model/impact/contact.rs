@@ -3,9 +3,10 @@
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
 use crate::model::fixed_plate::FIXED_MOTION;
-use crate::model::impact::problem::PlateResponse;
+use crate::model::impact::problem::{PlateResponse, Problem};
 use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::Simulation;
+use crate::model::impact::window::hermite;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 use crate::numerics::{larger, maximum, smaller};
@@ -60,6 +61,7 @@ impl Simulation<'_> {
         let plate_fraction =
             if free { problem.projectile_kg * problem.cos / problem.joined_kg } else { 0.0 };
         for moment in &moments {
+            self.fill_up_to(moment, plate_fraction, passage.mobility_per_kg);
             self.apply_moment(moment, plate_fraction);
         }
         let slip_energy =
@@ -78,17 +80,33 @@ impl Simulation<'_> {
         true
     }
 
-    /// One moment of the closed form: the plate has what momentum the projectile lost.
+    /// Rows at equal time steps from the last moment to the next: cubics by the velocities, and by the accelerations.
+    fn fill_up_to(&mut self, moment: &Moment, plate_fraction: f64, mobility_per_kg: f64) {
+        let (problem, before) = (self.body.problem, self.body.state);
+        let (span_s, motion) = (moment.t_s - before.t_s, self.body.motion());
+        if !self.record.keep_series || span_s <= 0.0 {
+            return;
+        }
+        let after = state_at(problem, moment, plate_fraction);
+        let travel = [&before, &after].map(|state| state.travel_m);
+        let slip = [&before, &after].map(|state| state.slip_m_s);
+        let slowing =
+            [&before, &after].map(|state| -span_s * mobility_per_kg * motion.contact_force(state));
+        let setting = Setting { body: &self.body, motion: &motion };
+        self.record.draw(&setting, moment.t_s, 1, |part| {
+            let moment = Moment {
+                t_s: before.t_s + part * span_s,
+                travel_m: hermite(part, travel, slip.map(|speed| speed * span_s)),
+                slip_m_s: hermite(part, slip, slowing),
+            };
+            state_at(problem, &moment, plate_fraction)
+        });
+    }
+
+    /// One moment of the closed form.
     fn apply_moment(&mut self, moment: &Moment, plate_fraction: f64) {
         let problem = self.body.problem;
-        let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
-        let state = State {
-            t_s: moment.t_s,
-            travel_m: moment.travel_m,
-            slip_m_s: moment.slip_m_s,
-            plate_m: problem.start_m + plate_fraction * gone,
-            plate_m_s: plate_fraction * (problem.velocity_m_s - moment.slip_m_s),
-        };
+        let state = state_at(problem, moment, plate_fraction);
         let at_joint =
             problem.geometry.pieces().iter().any(|piece| {
                 (piece.to_m - moment.travel_m).abs() <= 4.0 * f64::EPSILON * piece.to_m
@@ -99,6 +117,18 @@ impl Simulation<'_> {
         if at_joint {
             self.handle(EventId::PieceEnd);
         }
+    }
+}
+
+/// The state at a moment: the plate has what momentum the projectile lost.
+fn state_at(problem: &Problem, moment: &Moment, plate_fraction: f64) -> State {
+    let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
+    State {
+        t_s: moment.t_s,
+        travel_m: moment.travel_m,
+        slip_m_s: moment.slip_m_s,
+        plate_m: problem.start_m + plate_fraction * gone,
+        plate_m_s: plate_fraction * (problem.velocity_m_s - moment.slip_m_s),
     }
 }
 

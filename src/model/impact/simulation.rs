@@ -73,8 +73,7 @@ impl<'a> Simulation<'a> {
                 return self.end_early(reason);
             }
             if let Some(event) = self.body.missed_event() {
-                let before = self.body.state;
-                self.body.project_onto_event(event, &before);
+                self.body.project_within_rounding(event);
                 self.apply_transition(event);
                 continue;
             }

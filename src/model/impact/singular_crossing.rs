@@ -15,6 +15,7 @@ use crate::model::motion::State;
 use crate::model::run::Mode;
 use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
+use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, maximum, smaller};
 
 mod independent_variable;
@@ -216,13 +217,15 @@ impl Simulation<'_> {
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = Setting { body: &self.body, motion };
+        let taken = Taken { simulation: self, variable, whole: stretch };
+        // Rows at equal time steps alone: the others are at the points.
+        record.draw(&setting, end.t_s, 1, |part| taken.at_time(part));
         for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, variable.rate(state)[0] * point.dz);
             if place % DRAWN_EVERY == DRAWN_EVERY / 2 {
                 record.point(&setting, state, false);
             }
         }
-        let taken = Taken { simulation: self, variable, whole: stretch };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
             let close = |part: f64| value(&taken.dense(part));
@@ -254,6 +257,13 @@ impl Taken<'_, '_> {
     fn dense(&self, part: f64) -> State {
         let (z, y) = self.whole.graded.between(part);
         self.variable.state(z, &y)
+    }
+
+    /// The state after a part of the stretch's duration.
+    fn at_time(&self, part: f64) -> State {
+        let time_s = part * self.whole.graded.end[0];
+        let missing = |part: f64| self.whole.graded.between(part).1[0] - time_s;
+        self.dense(in_bracket(0.0, 1.0, missing))
     }
 
     /// The stretch from the same start to this part, with the state there.

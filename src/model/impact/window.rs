@@ -81,11 +81,7 @@ fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
     let span_s = high.t_s - low.t_s;
     let part = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
     let path = |at: fn(&Sample) -> f64, speed: fn(&Sample) -> f64| {
-        let rest = 1.0 - part;
-        let ends = rest * at(low) + part * at(high);
-        let chord = at(high) - at(low);
-        let (start, end) = (speed(low) * span_s - chord, chord - speed(high) * span_s);
-        ends + part * rest * (rest * start + part * end)
+        hermite(part, [low, high].map(at), [low, high].map(|row| span_s * speed(row)))
     };
     Sample {
         t_s,
@@ -96,6 +92,12 @@ fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
         plate_displacement_m: path(|row| row.plate_displacement_m, |row| row.plate_velocity_m_s),
         ..Sample::between(low, high, part)
     }
+}
+
+/// The cubic with these values and slopes at 0 and 1.
+pub(super) fn hermite(part: f64, [low, high]: [f64; 2], [start, end]: [f64; 2]) -> f64 {
+    let (rest, chord) = (1.0 - part, high - low);
+    rest * low + part * high + part * rest * (rest * (start - chord) + part * (chord - end))
 }
 
 #[cfg(test)]

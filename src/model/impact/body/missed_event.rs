@@ -3,15 +3,19 @@
 
 use super::Body;
 use crate::model::event_function::{EventId, Forces};
-use crate::model::mechanism::sign;
 use crate::model::mechanism::stop::HEIGHT_ROUNDING;
-use crate::model::motion::State;
+use crate::model::mechanism::{PowerLaw, sign};
+use crate::model::motion::{Motion, State};
 use crate::model::run::Mode;
 
 /// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond
 /// it.
 const ROUNDING: f64 = 1e-12;
 const NEARBY: f64 = 1e-9;
+/// Part of the tip's radius that a plate at rest on a knot is displaced by when its way is decided, and how many terms of its path
+/// say so: the contact's force may begin with the second derivative.
+const RESOLVED: f64 = 1e-13;
+const RATES: usize = 8;
 
 impl Body<'_> {
     /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
@@ -33,13 +37,31 @@ impl Body<'_> {
             return Some(event);
         }
         let (behind, ahead) = self.spring_ends();
-        if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
+        if !self.is_still() && (x > ahead || (x >= ahead && self.way() > 0.0)) {
             return Some(EventId::KnotAhead);
         }
-        if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
+        if !self.is_still() && (x < behind || (x <= behind && self.way() < 0.0)) {
             return Some(EventId::KnotBehind);
         }
         self.missed_contact_event()
+    }
+
+    /// The way the plate goes from here, 1 or -1; 0 where nothing moves it. From rest it is that of the term of its path that reaches
+    /// a displacement of the order of rounding first: a force that is only rounding does not decide it.
+    pub(super) fn way(&self) -> f64 {
+        if self.state.plate_m_s != 0.0 {
+            return sign(self.state.plate_m_s);
+        }
+        // A damper, which may be singular here, turns no plate round.
+        let motion = Motion { damper: PowerLaw::NONE, ..self.motion() };
+        let radius_m = self.problem.geometry.nose.radius_m;
+        let unit_s = radius_m / self.problem.velocity_m_s;
+        let path: [f64; RATES] = motion.expand(&self.state, unit_s).plate;
+        // One over the time at which the term alone has displaced the plate that far.
+        let haste =
+            |order: usize| (path[order].abs() / (RESOLVED * radius_m)).powf(1.0 / order as f64);
+        let first = (2..RATES).max_by(|a, b| haste(*a).total_cmp(&haste(*b)));
+        first.map_or(0.0, |order| sign(path[order]))
     }
 
     /// An event of the contact that the state has passed: a slip of the wrong sign, or a place, force or time beyond that of its

@@ -36,8 +36,11 @@ impl Law for Crush {
         let (rise, stroke) = (self.rise_m(), self.stroke_m);
         let from = smaller(larger(crushed_m, rise), stroke);
         let elastic = |at: f64| Piece::line(at, force, stiffness);
+        // Exactly zero where the plate starts.
+        let new = Piece::line(0.0, 0.0, stiffness);
         let mut knots_m = vec![from - rise];
-        let mut pieces = vec![Piece::line(0.0, 0.0, 0.0), elastic(from)];
+        let mut pieces =
+            vec![Piece::line(0.0, 0.0, 0.0), if from > rise { elastic(from) } else { new }];
         if from < stroke {
             knots_m.extend([from, stroke]);
             pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
