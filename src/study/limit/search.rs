@@ -170,7 +170,13 @@ impl Range<'_, '_, '_> {
         let from = (RANGE_M_S.0, Verdict::Stopped);
         let to = (Some(velocity_m_s * (1.0 - ONE_POINT)), Verdict::Stopped);
         let gap = Gap { from, undecided, to, width: ONE_POINT };
-        match gap.change(|velocity_m_s| self.verdict(velocity_m_s))? {
+        // To name them, ordinary runs are enough.
+        let mut look = |velocity_m_s: f64| {
+            let own = aimed(self.scene, velocity_m_s);
+            let run = simulate(&own, &Settings::BARE, &mut self.context.observer()).ok()?;
+            self.goes_on().then(|| Verdict::of(&run, self.criterion))
+        };
+        match gap.change(&mut look)? {
             Change::Between { from, to } => Some((from, to?)),
             Change::At { from, to, .. } => Some((from, to)),
         }
