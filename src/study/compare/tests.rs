@@ -403,6 +403,19 @@ fn a_map_marks_where_the_change_of_closure_decides() {
     assert!(map.line_of_one(0).is_empty());
 }
 
+#[test]
+fn a_map_over_the_thickness_that_it_sizes_is_refused() {
+    let axis = |name| Axis::new(name, (0.01, 0.02), 2, Spacing::Linear).unwrap();
+    let axes = [axis("h"), axis("face")];
+    let map = |pairs: &str| {
+        let mut watch = to_its_end;
+        let context = &mut Context::new(1, &mut watch);
+        Map::compute(&scene(pairs), &axes, Hardware::default(), context)
+    };
+    assert!(map("face=0.1").unwrap_err().to_string().contains("does not depend on h"));
+    assert!(map("face=0.1 mount=rigid elements=2 h_base=3mm v_i=60").is_ok());
+}
+
 /// A spring holds the shot it is sized for, and nothing faster; one of a given mass the shot whose energy, which goes with v², it stores.
 #[test]
 fn the_limit_with_hardware_is_that_of_the_comparison() {
