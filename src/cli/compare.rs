@@ -16,8 +16,10 @@ use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{Quantity, fixed_significant, significant};
+use crate::report::chart;
 use crate::report::compare as tables;
 use crate::report::compare::beside;
+use crate::report::figures::axis_of;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
@@ -125,7 +127,7 @@ impl CompareArguments {
             .study
             .run("points", |context| Map::compute(&preset.scene, axes, hardware, context))?;
         let name = preset.name.as_str();
-        let warnings = validity::of_axes(map.scene(), axes);
+        let warnings = validity::of_points(map.scene(), axes);
         let page = at_top(&map_page(name, &map), &warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene);
         if !self.pictures.is_stdout() {
@@ -237,18 +239,24 @@ fn map_page(name: &str, map: &Map) -> String {
 /// The line of 1, in numbers.
 fn line_of_one(page: &mut String, map: &Map) {
     let (x, y) = (map.x(), map.y());
-    let _ =
-        writeln!(page, "\n{:>12}  {} at which the mass efficiency is 1", y.symbol(), x.symbol());
+    // As on the axes of the chart.
+    let [across, up] = [x, y].map(axis_of);
+    let head = |axis: &chart::Axis<'_>| match &*axis.unit.name {
+        "" => axis.label.to_string(),
+        unit => format!("{} [{unit}]", axis.label),
+    };
+    let (y_head, x_head) = (head(&up), head(&across));
+    let _ = writeln!(page, "\n{y_head:>12}  {x_head} at which the mass efficiency is 1");
     let last = y.count() - 1;
     let rows = LINE_ROWS.min(y.count());
     for row in (0..rows).map(|row| row * last / (rows - 1)) {
         let mut crossings: Vec<String> =
-            map.line_of_one(row).iter().map(|at| significant(*at, 4)).collect();
+            map.line_of_one(row).iter().map(|at| significant(at * across.unit.factor, 4)).collect();
         if map.cell(x.count() - 1, row).is_none() {
             crossings.push("the rest not computed".to_owned());
         }
         let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
-        let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row), 4));
+        let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row) * up.unit.factor, 4));
     }
 }
 

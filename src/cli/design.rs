@@ -72,9 +72,7 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     let found = formulas(&preset.scene);
     let mut page = format!("{}: by formulas alone\n\n", preset.name);
     for Formula { name, value, unit, source } in &found {
-        // A prefix before `kg` reads badly.
-        let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
-        let shown = engineering(scale * value, unit, 4);
+        let shown = engineering(*value, unit, 4);
         let _ = writeln!(page, "{shown:>14}  {name} ({source})");
     }
     let rows = Table::of(&found)

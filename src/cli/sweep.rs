@@ -262,7 +262,7 @@ impl Job<'_> {
         sheet: &Sheet<'_>,
         mut take: impl FnMut(&Piece) -> Result<(), CliError>,
     ) -> Result<Summary, CliError> {
-        let mut summary = Summary::new(self.plan.outputs().len());
+        let mut summary = Summary::new(self.plan.outputs());
         let mut problem = None;
         let all = self.points();
         let (first, count) = (all.start, all.end - all.start);

@@ -160,7 +160,7 @@ fn warnings(scene: &Scene) -> Vec<String> {
     let sweep = scene.sweep.as_ref();
     let axes = sweep.and_then(|sweep| Axis::all_of(sweep).ok()).unwrap_or_default();
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().0).collect();
-    let mut warnings = validity::of_axes(&scene_with(scene, &axes, &ends), &axes);
+    let mut warnings = validity::of_points(&scene_with(scene, &axes, &ends), &axes);
     let outputs = sweep.into_iter().flat_map(|sweep| &sweep.outputs);
     let outputs: Vec<_> = outputs.filter_map(|name| quantities::find(name)).collect();
     warnings.extend(validity::of_pair(scene, &axes, &outputs));

@@ -351,13 +351,18 @@ pub fn significant(value: f64, digits: usize) -> String {
     shortest(rounded)
 }
 
-/// A value of an SI unit, with a prefix that a person reads at a glance: `7.113 mm`, `19.26 kN`, `113.4 us`.
+/// A value of an SI unit, with a prefix that a person reads at a glance: `7.113 mm`, `19.26 kN`, `113.4 us`. Units that take no
+/// prefix have none.
 pub fn engineering(value: f64, unit: &str, digits: usize) -> String {
     if !value.is_finite() {
         return NO_NUMBER.to_owned();
     }
-    let prefix = Prefix::of(value);
-    format!("{} {}{unit}", fixed_significant(value / prefix.size, digits), prefix.letter)
+    if unit == "kg" && value.abs() < 1e3 {
+        return engineering(1e3 * value, "g", digits);
+    }
+    let prefix = Prefix::for_unit(value, unit);
+    let number = fixed_significant(value / prefix.size, digits);
+    format!("{number} {}{unit}", prefix.letter).trim_end().to_owned()
 }
 
 /// A velocity: `230.0 m/s`.
@@ -393,6 +398,15 @@ impl Prefix {
 
     const fn new(size: f64, in_one: f64, letter: &'static str) -> Self {
         Self { size, in_one, letter }
+    }
+
+    /// The same where the unit takes a prefix: none does that begins with kg, a power, an angle, a number or nothing. km3 is not
+    /// 1000 m3.
+    pub fn for_unit(value: f64, unit: &str) -> Self {
+        let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
+        let is_plain = leading.chars().all(|c| c.is_alphabetic() && c != '²' && c != '³');
+        let takes_prefix = is_plain && !matches!(leading, "" | "kg" | "deg" | "rad");
+        if takes_prefix { Self::of(value) } else { Self::NONE }
     }
 
     /// The one that brings a value between 1 and 1000.
@@ -591,5 +605,17 @@ mod tests {
         assert_eq!(show(113.407e-6, "s"), "113.4 us");
         assert_eq!(show(0.0, "m"), "0 m");
         assert_eq!(show(0.999_999_9, "m"), "1.000 m");
+    }
+
+    /// 52 km3/s2 are 5.2e10 m3/s2, and 63 kkg is no mass.
+    #[test]
+    fn engineering_puts_no_prefix_before_powers_and_kilograms() {
+        let show = |value, unit| engineering(value, unit, 5);
+        assert_eq!(show(52_362.0, "m3/s2"), "52362 m3/s2");
+        assert_eq!(show(63_522.0, "kg"), "63522 kg");
+        assert_eq!(show(29.5e-9, "kg"), "29.500 ug");
+        assert_eq!(show(1.4822e11, "kg/m2"), "1.4822e11 kg/m2");
+        assert_eq!(show(7.5e6, "N/m"), "7.5000 MN/m");
+        assert_eq!(show(30.0, "deg"), "30.000 deg");
     }
 }

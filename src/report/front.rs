@@ -121,7 +121,7 @@ fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Tab
         .with("interface", "interface", "", |row| row.law.word())
         .with("design", "design", "", |row| row.kind);
     for (at, axis) in task.axes.iter().enumerate() {
-        table = table.with(axis.symbol(), axis.symbol(), "", move |row| {
+        table = table.with(axis.symbol(), axis.symbol(), axis.variable().unit(), move |row| {
             row.values.get(at).copied().flatten()
         });
     }

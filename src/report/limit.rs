@@ -27,6 +27,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let text = format!("no single limit: {again} is stopped again; the lowest is given");
         remarks.push(Remark::caution("warning", text));
     }
+    remarks.extend(report.undecided().map(|text| Remark::caution("warning", text)));
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
     if let Some(AtLimit { load, .. }) = &report.at_limit {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
@@ -231,6 +232,8 @@ pub fn json(name: &str, report: &Report) -> Value {
         "limit_above_m_s": above,
         "limit_below_m_s": below,
         "stopped_again_at_m_s": stopped,
+        "undecided_above_m_s": report.undecided_m_s.map(|it| it.0),
+        "undecided_below_m_s": report.undecided_m_s.map(|it| it.1),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
         "margin": report.margin(),
         "caution": report.caution(),

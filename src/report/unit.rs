@@ -29,15 +29,9 @@ impl<'a> Unit<'a> {
     /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take
     /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
     pub fn with_prefix(size: f64, unit: &'a str) -> Self {
-        let prefix = if takes_prefix(unit) { Prefix::of(size) } else { Prefix::NONE };
+        let prefix = Prefix::for_unit(size, unit);
         Self { factor: prefix.in_one, name: format!("{}{unit}", prefix.letter).into() }
     }
-}
-
-fn takes_prefix(unit: &str) -> bool {
-    let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
-    let plain = leading.chars().all(|c| c.is_alphabetic() && c != '²' && c != '³');
-    plain && !matches!(leading, "" | "kg" | "deg" | "rad")
 }
 
 #[cfg(test)]

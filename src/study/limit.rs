@@ -18,6 +18,7 @@ use crate::study::context::{Context, to_its_end};
 use fit::ResidualLaw;
 use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
+use verdict::digits_apart;
 
 mod closures;
 pub mod fit;
@@ -78,6 +79,8 @@ pub enum Limit {
         basis: Basis,
         /// A faster shot that is stopped again, where there is one, m/s: there is no single limit then.
         stopped_at_m_s: Option<f64>,
+        /// A slower shot whose run ends undecided, where there is one, m/s: it is not known to perforate.
+        undecided_at_m_s: Option<f64>,
     },
     /// It lies between two velocities: runs between them end undecided, however long they are followed.
     Between {
@@ -95,6 +98,19 @@ pub enum Limit {
 }
 
 impl Limit {
+    /// A limit with all slower shots stopped and all faster ones perforating.
+    pub fn found(velocity_m_s: f64, basis: Basis) -> Self {
+        Self::Found { velocity_m_s, basis, stopped_at_m_s: None, undecided_at_m_s: None }
+    }
+
+    /// The same with a slower shot that is not decided, m/s.
+    fn above_undecided(mut self, velocity_m_s: f64) -> Self {
+        if let Self::Found { undecided_at_m_s, .. } = &mut self {
+            undecided_at_m_s.get_or_insert(velocity_m_s);
+        }
+        self
+    }
+
     /// The limit velocity, m/s, where there is one.
     pub fn velocity_m_s(self) -> Option<f64> {
         match self {
@@ -116,11 +132,22 @@ impl Limit {
         let (low, high) = RANGE_M_S;
         match self {
             Self::Found { .. } => None,
-            Self::Between { stopped_m_s, perforated_m_s } => Some(format!(
-                "limit not decided: it lies above {} and below {}; runs between these velocities still oscillate when they end",
-                edge(stopped_m_s, "stopped", low),
-                edge(perforated_m_s, "perforated", high),
-            )),
+            Self::Between { stopped_m_s, perforated_m_s } => {
+                let digits =
+                    digits_apart(stopped_m_s.unwrap_or(low), perforated_m_s.unwrap_or(high));
+                let edge = |velocity_m_s: Option<f64>, what: &str, end_m_s: f64| {
+                    velocity_m_s.map_or_else(
+                        || format!("{end_m_s} m/s (end of the range)"),
+                        |it| format!("{} m/s ({what})", fixed_significant(it, digits)),
+                    )
+                };
+                Some(format!(
+                    "limit not decided: it lies above {} and below {}; runs between these velocities end before their outcome is \
+                     known",
+                    edge(stopped_m_s, "stopped", low),
+                    edge(perforated_m_s, "perforated", high),
+                ))
+            }
             Self::Never => Some(format!(
                 "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
             )),
@@ -138,14 +165,6 @@ impl Limit {
         self.velocity_m_s().filter(|_| theta > 0.0)?;
         Some(oblique_error(theta))
     }
-}
-
-/// A velocity with what happens at it, or the end of the range.
-fn edge(velocity_m_s: Option<f64>, what: &str, end_m_s: f64) -> String {
-    velocity_m_s.map_or_else(
-        || format!("{end_m_s} m/s (end of the range)"),
-        |velocity_m_s| format!("{} m/s ({what})", fixed_significant(velocity_m_s, 6)),
-    )
 }
 
 /// A shot just below the limit.
@@ -188,6 +207,8 @@ pub struct Report {
     pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
+    /// Between which slower velocities shots are not decided, m/s.
+    pub undecided_m_s: Option<(f64, f64)>,
     /// A shot just below the limit; `None` without a limit.
     pub at_limit: Option<AtLimit>,
     /// The limits by both closures, where the flow strength comes from a yield stress.
@@ -211,6 +232,17 @@ impl Report {
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
     }
 
+    /// That shots below the limit are not decided, in a sentence.
+    pub fn undecided(&self) -> Option<String> {
+        let (low, high) = self.undecided_m_s?;
+        let digits = digits_apart(low, high);
+        let [low, high] = [low, high].map(|it| fixed_significant(it, digits));
+        Some(format!(
+            "shots from {low} to {high} m/s end before their outcome is known; none is known to perforate, and the lowest that \
+             is gives the limit"
+        ))
+    }
+
     /// A caution about the limit; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         self.limit.caution(&self.scene)
@@ -231,6 +263,7 @@ pub fn find(
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
     let mut range = Range { scene, criterion: effort.criterion, context };
     let limit = range.whole_limit();
+    let undecided_m_s = range.undecided(limit);
     let shots = range.curve(limit);
     let perforated = shots.iter().filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
     let perforated: Vec<(f64, f64)> = perforated.collect();
@@ -244,6 +277,7 @@ pub fn find(
         scene: Arc::clone(scene),
         criterion: effort.criterion,
         limit,
+        undecided_m_s,
         at_limit,
         closures,
         shots,

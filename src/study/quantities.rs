@@ -299,9 +299,7 @@ impl Quantity {
 
     fn shown(&self, value: f64, digits: usize, number: fn(f64, usize) -> String) -> String {
         match self.unit() {
-            // A prefix stands before grams, not before kilograms.
-            "kg" if value.abs() < 1e3 => engineering(1e3 * value, "g", digits),
-            unit @ ("" | "%" | "kg" | "kg/m2") => {
+            unit @ ("" | "%" | "kg/m2") => {
                 format!("{} {unit}", number(value, digits)).trim_end().to_owned()
             }
             unit => engineering(value, unit, digits),
@@ -364,7 +362,12 @@ impl Quantity {
         matches!(self.source, Source::Course(_, is_needed) if is_needed(scene))
     }
 
-    /// Whether a number means something for a perforation: the depth of one does not.
+    /// Whether it has a value where the plate is perforated: the depth is the plate's thickness there.
+    pub(in crate::study) fn exists_in_perforation(&self) -> bool {
+        !matches!(self.name, "final_penetration_m" | "percent_of_baseline")
+    }
+
+    /// Whether designs that are perforated may be compared by it.
     pub(in crate::study) fn tells_of_perforation(&self) -> bool {
         // What does not depend on the outcome of the shot does.
         self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Shots(_))

@@ -133,7 +133,7 @@ fn the_map_is_drawn_with_its_line_and_written_as_rows() {
     let map =
         ["--map", "v_i=10..90:21,gamma=0.2..7:11:log", "--set", "dishing=off", "--set", "k=1"];
     let page = output(&map);
-    for words in ["mass efficiency, up: gamma", "line of 1", "v_i at which", "scale"] {
+    for words in ["mass efficiency, up: gamma", "line of 1", "v_i [m/s] at which", "scale"] {
         assert!(page.contains(words), "{words}: {page}");
     }
     // At gamma = 7 the line is at (2 (1 + 7) 196.785)^(1/2) = 56.11 m/s, interpolated between points 4 m/s apart.

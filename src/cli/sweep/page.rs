@@ -122,7 +122,9 @@ fn table(page: &mut String, grid: &Grid, axis: &Axis) {
         .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::word));
     let outputs = grid.plan().outputs().iter().enumerate();
     let table = outputs.fold(table, |table, (output, column)| {
-        table.with(column.name, column.title(), column.unit(), move |at| grid.value(*at, 0, output))
+        table.with(column.name, column.title(), column.unit(), move |at| {
+            grid.cell(*at, 0, output).value()
+        })
     });
     let _ = writeln!(page, "{}", table.page(&table.keys(), width()));
 }
@@ -135,9 +137,10 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
         };
         for (word, (value, point)) in [("least", extremes.least), ("greatest", extremes.greatest)] {
             let place: Vec<String> = (0..plan.axes().len())
-                .map(|axis| {
-                    let value = units::significant(plan.coordinate(point, axis), 5);
-                    format!("{}={value}", plan.axes()[axis].symbol())
+                .map(|at| {
+                    let axis = &plan.axes()[at];
+                    let value = axis.show_prefixed(plan.coordinate(point, at), 5);
+                    format!("{} = {value}", axis.symbol())
                 })
                 .collect();
             let value = match column.unit() {
@@ -145,7 +148,7 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
                 "%" => format!("{} %", units::fixed_significant(value, 5)),
                 unit => engineering(value, unit, 5),
             };
-            let _ = writeln!(page, "{word:<8} {}  {value} at {}", column.title(), place.join(" "));
+            let _ = writeln!(page, "{word:<8} {}  {value} at {}", column.title(), place.join(", "));
         }
     }
 }

@@ -15,6 +15,8 @@ const GRAINS: f64 = 1e4;
 const NARROWEST: f64 = 1e-12;
 /// Bounds stay within this, so that a difference of two never overflows.
 const GREATEST: f64 = 1e300;
+/// Values that differ by less than this fraction are one: runs and searches are no better.
+const FLAT: f64 = 1e-8;
 /// The narrowest range about zero; keeps the arithmetic of ticks away from subnormal numbers.
 const NARROWEST_ABSOLUTE: f64 = 1e-280;
 /// A logarithmic axis whose lower bound is not positive starts this fraction below its upper bound.
@@ -106,6 +108,8 @@ impl ViewRange {
             let (lo, hi) = bounds.unwrap_or((value, value));
             bounds = Some((lo.min(value), hi.max(value)));
         }
+        let is_flat = |lo: f64, hi: f64| hi - lo <= FLAT * lo.abs().max(hi.abs());
+        let bounds = bounds.map(|(lo, hi)| if is_flat(lo, hi) { (lo, lo) } else { (lo, hi) });
         bounds.map(|(lo, hi)| Self::new(lo, hi).on(scale))
     }
 
@@ -314,6 +318,14 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    /// A hundred times the width to which a mass efficiency is searched, and the noise of one.
+    #[test]
+    fn values_that_differ_by_noise_alone_are_one() {
+        let span = |values: [f64; 2]| ViewRange::of(Scale::Linear, values).unwrap().span();
+        assert!(span([1.006_541_778, 1.006_541_780]) > 0.09);
+        assert!((span([1.0, 1.000_000_1]) - 1e-7).abs() < 1e-15);
+    }
 
     #[test]
     fn bounds_are_put_in_order_and_never_empty() {

@@ -13,7 +13,7 @@ use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{Thickness, thickness_of_limit};
 use crate::study::compare::{elements, face_m2, is_held};
 use crate::study::limit::Criterion;
-use crate::study::limit::verdict::{Gap, ONE_POINT, Verdict, decide};
+use crate::study::limit::verdict::{Change, Gap, ONE_POINT, Verdict, decide, digits_apart};
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
@@ -91,12 +91,16 @@ impl Absence {
                 "even the thinnest plate within the model's range stops the shot: there is no least thickness"
                     .to_owned()
             }
-            Self::Undecided { perforated_m, stopped_m } => format!(
-                "least thickness not decided: it lies above {} and below {} mm (stopped); runs between these thicknesses still \
-                 oscillate when they end",
-                perforated_m.map_or_else(|| "0".to_owned(), |it| format!("{} mm (perforated)", fixed_significant(1e3 * it, 6))),
-                fixed_significant(1e3 * stopped_m, 6),
-            ),
+            Self::Undecided { perforated_m, stopped_m } => {
+                let digits = perforated_m.map_or(6, |it| digits_apart(1e3 * it, 1e3 * stopped_m));
+                let shown = |metres: f64| fixed_significant(1e3 * metres, digits);
+                format!(
+                    "least thickness not decided: it lies above {} and below {} mm (stopped); runs between these thicknesses end \
+                     before their outcome is known",
+                    perforated_m.map_or_else(|| "0".to_owned(), |it| shown(it) + " mm (perforated)"),
+                    shown(stopped_m),
+                )
+            }
             Self::ClosureChange(by_closure) => by_closure.words(),
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
@@ -329,13 +333,13 @@ impl Search<'_> {
             to: (Some(thick), Verdict::Stopped),
             width,
         };
-        let edges = gap.edges(|factor| Some(self.try_out(factor).ok()?.verdict));
-        let (thin, thick) = edges.ok_or(Absence::NoThickness)?;
-        let thick = thick.ok_or(Absence::NoThickness)?;
-        if thick - thin <= width * thick {
-            return Ok((thick, self.try_out(thick)?));
+        match gap.change(|factor| Some(self.try_out(factor).ok()?.verdict)) {
+            Some(Change::At { to: thick, .. }) => Ok((thick, self.try_out(thick)?)),
+            Some(Change::Between { from: thin, to: Some(thick) }) => {
+                Err(self.undecided(Some(thin), thick))
+            }
+            Some(Change::Between { to: None, .. }) | None => Err(Absence::NoThickness),
         }
-        Err(self.undecided(Some(thin), thick))
     }
 
     fn undecided(&self, thin: Option<f64>, thick: f64) -> Absence {

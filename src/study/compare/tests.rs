@@ -222,6 +222,21 @@ fn a_stack_of_rigid_plates_is_as_good_as_their_sum() {
     assert!(close(own.mass_efficiency().unwrap(), 1.0, 1e-6), "{:?}", own.sized);
 }
 
+/// A shot at 10.3391 mm leaves the base plate at 0.86 m/s, and one at 10.3392 mm is stopped in it; between, within 1e-8, runs end
+/// before they are decided.
+#[test]
+fn a_least_thickness_that_is_known_to_many_digits_is_given() {
+    let pairs = "m_p=9.5g R=3.91mm theta=30deg h=12mm closure=by-thickness Y=276MPa E=68.9GPa face=0.15 b=50 elements=2 \
+                 h_base=10mm gap=20mm v_i=700";
+    for mount in ["sprung", "rigid"] {
+        let sized =
+            sized::sized(&scene(&format!("{pairs} mount={mount}")), &Hardware::default(), WIDTH);
+        let thickness_m = sized.unwrap().scene.target.thickness_m;
+        let expected_m = if mount == "sprung" { 0.010_339_15 } else { 0.010_347_46 };
+        assert!((thickness_m - expected_m).abs() < 6e-8, "{mount}: {thickness_m}");
+    }
+}
+
 /// The mounts of a stack that stops the shot take its momentum: 0.0295 kg at 250 m/s (the preset `array-stacked`).
 #[test]
 fn the_impulse_of_a_stack_is_into_all_mounts() {
@@ -386,6 +401,19 @@ fn a_map_marks_where_the_change_of_closure_decides() {
     let letters = map.cells.iter().map(|cell| cell.err().map(Absence::letter));
     assert_eq!(letters.collect::<Vec<_>>(), [None, None, Some('P'), Some('P'), None, None]);
     assert!(map.line_of_one(0).is_empty());
+}
+
+#[test]
+fn a_map_over_the_thickness_that_it_sizes_is_refused() {
+    let axis = |name| Axis::new(name, (0.01, 0.02), 2, Spacing::Linear).unwrap();
+    let axes = [axis("h"), axis("face")];
+    let map = |pairs: &str| {
+        let mut watch = to_its_end;
+        let context = &mut Context::new(1, &mut watch);
+        Map::compute(&scene(pairs), &axes, Hardware::default(), context)
+    };
+    assert!(map("face=0.1").unwrap_err().to_string().contains("does not depend on h"));
+    assert!(map("face=0.1 mount=rigid elements=2 h_base=3mm v_i=60").is_ok());
 }
 
 /// A spring holds the shot it is sized for, and nothing faster; one of a given mass the shot whose energy, which goes with v², it stores.

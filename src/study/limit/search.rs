@@ -9,7 +9,7 @@ use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::Load;
 use crate::study::context::Context;
-use crate::study::limit::verdict::{Gap, ONE_POINT, Verdict, decide};
+use crate::study::limit::verdict::{Change, Gap, ONE_POINT, Verdict, decide};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, JUST_BELOW, Limit, RANGE_M_S, SCAN,
     Shot, closed_form,
@@ -104,7 +104,7 @@ impl Range<'_, '_, '_> {
             return if velocity_m_s < RANGE_M_S.0 {
                 Limit::Always
             } else if velocity_m_s <= RANGE_M_S.1 {
-                Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }
+                Limit::found(velocity_m_s, Basis::ClosedForm)
             } else {
                 Limit::Never
             };
@@ -116,12 +116,8 @@ impl Range<'_, '_, '_> {
     pub(super) fn whole_limit(&mut self) -> Limit {
         let mut limit = self.limit(Scan::WHOLE);
         for _ in 0..LOWER_MAX {
-            let Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s } = limit else {
-                break;
-            };
-            let Some(beside) = self.beside(velocity_m_s, stopped_at_m_s) else {
-                return Limit::Unknown;
-            };
+            let Limit::Found { basis: Basis::Outcome, .. } = limit else { break };
+            let Some(beside) = self.beside(limit) else { return Limit::Unknown };
             if beside == limit {
                 break;
             }
@@ -131,17 +127,19 @@ impl Range<'_, '_, '_> {
     }
 
     /// What a limit is after shots on either side of it: a lower one, where one below perforates; no single one, where one above is
-    /// stopped.
-    fn beside(&mut self, limit_m_s: f64, stopped_at_m_s: Option<f64>) -> Option<Limit> {
+    /// stopped. Shots below it that are not decided leave it what it is.
+    fn beside(&mut self, mut limit: Limit) -> Option<Limit> {
+        let Limit::Found { velocity_m_s: limit_m_s, stopped_at_m_s, .. } = limit else {
+            return Some(limit);
+        };
         let mut stopped_m_s = None;
         for part in BESIDE.iter().rev() {
             let velocity_m_s = limit_m_s * (1.0 - part);
             match self.verdict(velocity_m_s)? {
                 Verdict::Stopped => stopped_m_s = Some(velocity_m_s),
-                Verdict::Undecided => {
-                    let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
-                    return self.between(lower_m_s, velocity_m_s, Some(limit_m_s));
-                }
+                // What is as near as the limit is known was looked at when it was found.
+                Verdict::Undecided if *part <= ONE_POINT => {}
+                Verdict::Undecided => limit = limit.above_undecided(velocity_m_s),
                 Verdict::Perforated => {
                     let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
                     return self.closed_in(lower_m_s, velocity_m_s, WIDTH, Some(limit_m_s));
@@ -157,8 +155,31 @@ impl Range<'_, '_, '_> {
                 again_m_s = Some(velocity_m_s);
             }
         }
-        let basis = Basis::Outcome;
-        Some(Limit::Found { velocity_m_s: limit_m_s, basis, stopped_at_m_s: again_m_s })
+        if let Limit::Found { stopped_at_m_s, .. } = &mut limit {
+            *stopped_at_m_s = again_m_s;
+        }
+        Some(limit)
+    }
+
+    /// Between which velocities below a limit shots are not decided, m/s, as near as few of them tell; `None` where all looked at
+    /// are, or when stopped.
+    pub(super) fn undecided(&mut self, limit: Limit) -> Option<(f64, f64)> {
+        let Limit::Found { velocity_m_s, undecided_at_m_s: Some(undecided), .. } = limit else {
+            return None;
+        };
+        let from = (RANGE_M_S.0, Verdict::Stopped);
+        let to = (Some(velocity_m_s * (1.0 - ONE_POINT)), Verdict::Stopped);
+        let gap = Gap { from, undecided, to, width: ONE_POINT };
+        // To name them, ordinary runs are enough.
+        let mut look = |velocity_m_s: f64| {
+            let own = aimed(self.scene, velocity_m_s);
+            let run = simulate(&own, &Settings::BARE, &mut self.context.observer()).ok()?;
+            self.goes_on().then(|| Verdict::of(&run, self.criterion))
+        };
+        match gap.change(&mut look)? {
+            Change::Between { from, to } => Some((from, to?)),
+            Change::At { from, to, .. } => Some((from, to)),
+        }
     }
 
     /// The limit between a shot that is stopped and one that perforates.
@@ -179,7 +200,8 @@ impl Range<'_, '_, '_> {
             }
         }
         let velocity_m_s = 0.5 * (stopped + through);
-        Some(Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s })
+        let (basis, undecided_at_m_s) = (Basis::Outcome, None);
+        Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s, undecided_at_m_s })
     }
 
     /// The limit on both sides of a shot that is not decided: from either side as close to it as shots are decided.
@@ -195,13 +217,16 @@ impl Range<'_, '_, '_> {
             to: (through_m_s, Verdict::Perforated),
             width: ONE_POINT,
         };
-        let (stopped, through) = gap.edges(|velocity_m_s| self.verdict(velocity_m_s))?;
-        if let Some(through) = through.filter(|through| through - stopped <= ONE_POINT * stopped) {
-            let (velocity_m_s, basis) = (0.5 * (stopped + through), Basis::Outcome);
-            return Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s: None });
-        }
-        let stopped_m_s = (stopped > RANGE_M_S.0).then_some(stopped);
-        Some(Limit::Between { stopped_m_s, perforated_m_s: through })
+        Some(match gap.change(|velocity_m_s| self.verdict(velocity_m_s))? {
+            Change::At { from, to, is_past_gap } => {
+                let limit = Limit::found(0.5 * (from + to), Basis::Outcome);
+                if is_past_gap { limit.above_undecided(undecided_m_s) } else { limit }
+            }
+            Change::Between { from, to } => {
+                let stopped_m_s = (from > RANGE_M_S.0).then_some(from);
+                Limit::Between { stopped_m_s, perforated_m_s: to }
+            }
+        })
     }
 
     pub(super) fn search(&mut self, scan: Scan) -> Option<Limit> {
@@ -215,14 +240,22 @@ impl Range<'_, '_, '_> {
             if found == Verdict::Undecided && scan.iter().all(|it| it.1 == Verdict::Stopped) {
                 let stopped_m_s = scan.last().map_or(low, |it| it.0);
                 // The least from which on all perforate, looked for from above: undecided shots take long.
-                let mut through_m_s = None;
+                let (mut through_m_s, mut undecided_m_s) = (None, velocity);
                 for &above in velocities[point + 1..].iter().rev() {
-                    if self.verdict(above)? != Verdict::Perforated {
-                        break;
+                    match self.verdict(above)? {
+                        Verdict::Perforated => through_m_s = Some(above),
+                        Verdict::Undecided => {
+                            undecided_m_s = above;
+                            break;
+                        }
+                        Verdict::Stopped => {
+                            let Some(through) = through_m_s else { break };
+                            let limit = self.closed_in(above, through, width, None)?;
+                            return Some(limit.above_undecided(velocity));
+                        }
                     }
-                    through_m_s = Some(above);
                 }
-                return self.between(stopped_m_s, velocity, through_m_s);
+                return self.between(stopped_m_s, undecided_m_s, through_m_s);
             }
             scan.push((velocity, found));
         }

@@ -106,6 +106,23 @@ fn undecided_shots_are_not_counted_as_stopped() {
     assert_eq!(verdict(rattles), Verdict::Stopped);
 }
 
+/// Shots at 107.5 to 111.59 m/s are arrested, at 111.6 m/s perforates; those of 105.45 to 107 m/s rattle on in their hole.
+#[test]
+fn undecided_shots_below_a_known_change_leave_the_limit_known() {
+    let pairs = "gamma=6 k=1e6 h=0.003 interface=plastic";
+    let ends = [106.0, 107.5, 111.59, 111.6].map(|velocity_m_s| {
+        plain_run(&scene(&format!("{pairs} v_i={velocity_m_s}"))).unwrap().outcome
+    });
+    assert_eq!(ends, [Outcome::Moving, Outcome::Arrested, Outcome::Arrested, Outcome::Perforated]);
+    let report = found(pairs);
+    let limit_m_s = report.limit.velocity_m_s().unwrap();
+    assert!((111.59..111.6).contains(&limit_m_s), "{limit_m_s}");
+    let (low, high) = report.undecided_m_s.unwrap();
+    assert!((105.0..106.0).contains(&low) && (106.0..107.6).contains(&high), "{low} {high}");
+    assert!(report.undecided().unwrap().contains("none is known to perforate"));
+    assert_eq!(found("k=1e5").undecided(), None);
+}
+
 #[test]
 fn a_limit_between_two_velocities_says_which() {
     let limit = Limit::Between { stopped_m_s: Some(157.325), perforated_m_s: Some(157.337) };

@@ -6,13 +6,14 @@ use std::sync::Arc;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
+use crate::model::units::fixed_significant;
 use crate::numerics::smaller;
 use crate::study::limit::Criterion;
 
 /// Relative width up to which undecided shots are one limit for any purpose, and that to which their edges are closed in.
-pub(in crate::study) const ONE_POINT: f64 = 1e-8;
+pub(in crate::study) const ONE_POINT: f64 = 1e-6;
 const WIDTH: f64 = 1e-10;
-/// Undecided shots, each followed for about a second, that are spent on each edge: of one point, and of anything wider.
+/// Undecided shots, each followed for long, that are spent on each edge: of one point, and of anything wider.
 const UNDECIDED_MAX: usize = 8;
 const UNDECIDED_WIDE: usize = 3;
 
@@ -84,13 +85,34 @@ pub(in crate::study) struct Gap {
     pub(in crate::study) width: f64,
 }
 
+/// How the verdict changes beside a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::study) enum Change {
+    /// At one point, between shots on either side of it.
+    At {
+        from: f64,
+        to: f64,
+        /// Whether undecided shots lie on the near side, beyond shots decided like those at the start.
+        is_past_gap: bool,
+    },
+    /// Somewhere between the edges of the gap; nothing may be known on the other side.
+    Between { from: f64, to: Option<f64> },
+}
+
+/// Significant digits with which two ends differ when written, six at least.
+pub(in crate::study) fn digits_apart(low: f64, high: f64) -> usize {
+    let differs =
+        |digits: &usize| fixed_significant(low, *digits) != fixed_significant(high, *digits);
+    (6..=15).find(differs).unwrap_or(15)
+}
+
 impl Gap {
-    /// From either side as close to the undecided value as shots are decided. Both edges lie beside each other where the verdict
-    /// changes before anything is undecided. `None` when stopped.
-    pub(in crate::study) fn edges(
+    /// From either side as close to the undecided value as shots are decided: the verdict may change before anything is undecided,
+    /// or only past all that is. `None` when stopped.
+    pub(in crate::study) fn change(
         &self,
         mut look: impl FnMut(f64) -> Option<Verdict>,
-    ) -> Option<(f64, Option<f64>)> {
+    ) -> Option<Change> {
         let mut undecided_max = UNDECIDED_MAX;
         for (known, verdict) in [(Some(self.from.0), self.from.1), self.to] {
             let side = |known: f64| self.width * (known - self.undecided).signum();
@@ -115,10 +137,17 @@ impl Gap {
         };
         let (from, beyond) = edge(self.from)?;
         let (to, verdict) = self.to;
-        Some(match to {
-            _ if beyond.1 == verdict => (from, Some(beyond.0)),
-            Some(to) => (from, Some(edge((to, verdict))?.0)),
-            None => (from, None),
+        if beyond.1 == verdict {
+            return Some(Change::At { from, to: beyond.0, is_past_gap: false });
+        }
+        let Some(to) = to else { return Some(Change::Between { from, to }) };
+        let (to, beyond) = edge((to, verdict))?;
+        Some(if beyond.1 == self.from.1 {
+            Change::At { from: beyond.0, to, is_past_gap: true }
+        } else if (to - from).abs() <= self.width * smaller(from, to) {
+            Change::At { from, to, is_past_gap: false }
+        } else {
+            Change::Between { from, to: Some(to) }
         })
     }
 }
@@ -129,14 +158,14 @@ mod tests {
     use Verdict::{Perforated, Stopped, Undecided};
 
     /// The edges between 1 (stopped) and 2 (perforated) of shots that are undecided at 1.5, and how many were undecided.
-    fn edges(verdict: impl Fn(f64) -> Verdict) -> ((f64, Option<f64>), usize) {
+    fn change(verdict: impl Fn(f64) -> Verdict) -> (Change, usize) {
         let (from, to) = ((1.0, Stopped), (Some(2.0), Perforated));
         let mut undecided = 0;
         let look = |value: f64| {
             undecided += usize::from(verdict(value) == Undecided);
             Some(verdict(value))
         };
-        let found = Gap { from, undecided: 1.5, to, width: ONE_POINT }.edges(look);
+        let found = Gap { from, undecided: 1.5, to, width: ONE_POINT }.change(look);
         (found.unwrap(), undecided)
     }
 
@@ -150,11 +179,13 @@ mod tests {
 
     #[test]
     fn one_point_is_closed_in_and_a_wide_gap_takes_few_shots() {
-        let ((stopped, through), _) = edges(outside(1.5 - 1e-9, 1.5 + 1e-9));
-        assert!(through.unwrap() - stopped < 1.5 * ONE_POINT, "{stopped} {through:?}");
-        let ((stopped, through), undecided) = edges(outside(1.4, 1.6));
-        assert!(stopped < 1.4 && through.unwrap() > 1.6, "{stopped} {through:?}");
-        assert!(stopped > 1.3 && through.unwrap() < 1.7 && undecided <= 7, "{undecided}");
+        let (found, _) = change(outside(1.5 - 1e-8, 1.5 + 1e-8));
+        let Change::At { from, to, is_past_gap: false } = found else { panic!("{found:?}") };
+        assert!(from < 1.5 && to > 1.5 && to - from < 1.5 * ONE_POINT, "{from} {to}");
+        let (found, undecided) = change(outside(1.4, 1.6));
+        let Change::Between { from, to: Some(to) } = found else { panic!("{found:?}") };
+        assert!(from < 1.4 && to > 1.6 && from > 1.3 && to < 1.7, "{from} {to}");
+        assert!(undecided <= 7, "{undecided}");
     }
 
     #[test]
@@ -164,7 +195,26 @@ mod tests {
             _ if (1.4..1.6).contains(&value) => Undecided,
             _ => Perforated,
         };
-        let ((stopped, through), _) = edges(pocket);
-        assert!((stopped - 1.2).abs() < 1e-9 && through.unwrap() - stopped < 1e-9);
+        let (found, _) = change(pocket);
+        let Change::At { from, to, is_past_gap: false } = found else { panic!("{found:?}") };
+        assert!(from < 1.2 && to >= 1.2 && to - from < 1e-9, "{from} {to}");
+    }
+
+    /// Shots are stopped again above undecided ones: the least that perforates is known.
+    #[test]
+    fn a_change_past_the_undecided_shots_is_found() {
+        let island = |value: f64| match value {
+            _ if (1.4..1.6).contains(&value) => Undecided,
+            _ if value < 1.65 => Stopped,
+            _ => Perforated,
+        };
+        let (found, undecided) = change(island);
+        let Change::At { from, to, is_past_gap: true } = found else { panic!("{found:?}") };
+        assert!(from < 1.65 && to >= 1.65 && to - from < 1e-9 && undecided <= 7, "{from} {to}");
+    }
+
+    #[test]
+    fn two_ends_are_written_with_digits_that_differ() {
+        assert_eq!([digits_apart(105.4, 111.6), digits_apart(10.339_119_6, 10.339_119_7)], [6, 9]);
     }
 }

@@ -5,10 +5,11 @@
 
 use std::ops::Range;
 
+use crate::model::run::Outcome;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 use crate::study::context::{Context, Work};
-use crate::study::sweep::grid::tells;
+use crate::study::quantities::Quantity;
 use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
@@ -70,6 +71,15 @@ impl Plan {
     }
 }
 
+/// Whether designs that end like this may be compared by a number: few may where the plate is perforated.
+fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
+    match outcome {
+        PointOutcome::Ended(Outcome::Perforated) => output.tells_of_perforation(),
+        PointOutcome::Ended(_) => true,
+        PointOutcome::Failed(_) => false,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::ops::ControlFlow;
@@ -77,7 +87,7 @@ mod tests {
 
     use super::*;
     use crate::model::mechanism::Mechanism;
-    use crate::model::run::{EndReason, Outcome};
+    use crate::model::run::EndReason;
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
     use crate::study::context::{to_its_end, until};

@@ -161,7 +161,7 @@ impl Grid {
         loop {
             let (x, y) = (x - x % stride, y - y % stride);
             if let Some(outcome) = self.outcome(x, y) {
-                let shown = tells(self.plan.outputs()[output], outcome);
+                let shown = counts(self.plan.outputs()[output], outcome);
                 return match self.value(x, y, output).filter(|_| shown) {
                     Some(value) => Cell::Value(value),
                     None => Cell::Outcome(outcome),
@@ -264,10 +264,11 @@ impl Grid {
     }
 }
 
-/// Whether a number means something where a point ended like this: the depth of a perforation does not.
-pub fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
+/// Whether a number counts where a point ended like this, in tables, extremes and pictures alike: the depth of a perforation does
+/// not.
+pub fn counts(output: &Quantity, outcome: PointOutcome) -> bool {
     match outcome {
-        PointOutcome::Ended(Outcome::Perforated) => output.tells_of_perforation(),
+        PointOutcome::Ended(Outcome::Perforated) => output.exists_in_perforation(),
         // A quantity that is not final has no value.
         PointOutcome::Ended(_) => true,
         PointOutcome::Failed(_) => false,

@@ -3,6 +3,8 @@
 use std::fmt;
 
 use crate::model::run::Outcome;
+use crate::study::quantities::Quantity;
+use crate::study::sweep::grid::counts;
 use crate::study::sweep::{PointOutcome, Rows};
 
 /// The least and the greatest value of an output and the points where they were found first.
@@ -19,8 +21,9 @@ pub struct Extremes {
 pub struct Summary {
     /// How the points ended.
     pub outcomes: OutcomeCounts,
-    /// Of each output, where it has any value; perforations and points without an end do not count.
+    /// Of each output, where it has any value that counts; see [`counts`].
     pub extremes: Vec<Option<Extremes>>,
+    outputs: Vec<&'static Quantity>,
 }
 
 /// How many points ended how.
@@ -66,9 +69,10 @@ impl fmt::Display for OutcomeCounts {
 }
 
 impl Summary {
-    /// Of a sweep with a given number of outputs.
-    pub fn new(outputs: usize) -> Self {
-        Self { outcomes: OutcomeCounts::default(), extremes: vec![None; outputs] }
+    /// Of a sweep with these outputs.
+    pub fn new(outputs: &[&'static Quantity]) -> Self {
+        let outcomes = OutcomeCounts::default();
+        Self { outcomes, extremes: vec![None; outputs.len()], outputs: outputs.to_vec() }
     }
 
     /// How many points have gone by.
@@ -81,8 +85,9 @@ impl Summary {
         for (row, point) in (0..rows.len()).zip(first..) {
             let outcome = rows.outcome(row);
             self.outcomes.add(outcome);
-            for output in 0..self.extremes.len() {
-                if let Some(value) = rows.value(row, output).filter(|_| outcome.is_stopped()) {
+            for output in 0..self.outputs.len() {
+                let value = rows.value(row, output);
+                if let Some(value) = value.filter(|_| counts(self.outputs[output], outcome)) {
                     self.consider(output, value, point);
                 }
             }

@@ -254,7 +254,7 @@ fn a_stopped_grid_keeps_the_finished_part() {
 }
 
 #[test]
-fn a_perforation_is_never_a_number() {
+fn the_depth_of_a_perforation_is_no_number() {
     let axes = vec![axis("v_i", 200.0, 260.0, 7)];
     let names = ["final_penetration_m", "residual_velocity_m_s", "max_plate_displacement_m"];
     let plan = Plan::new(&scene("mount=rigid"), axes, Design::FACTORIAL, &names).unwrap();
@@ -263,7 +263,7 @@ fn a_perforation_is_never_a_number() {
     // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
     assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
     assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
-    assert_eq!(grid.cell(4, 0, 2), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
+    assert_eq!(grid.cell(4, 0, 2), Cell::Value(0.0));
     assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
     assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
 }

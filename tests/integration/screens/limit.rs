@@ -46,7 +46,8 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
     Report {
         scene: Arc::clone(scene),
         criterion: cmra::study::limit::Criterion::Passage,
-        limit: Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: None },
+        limit: Limit::found(V_BL, Basis::Outcome),
+        undecided_m_s: None,
         at_limit: None,
         closures: None,
         shots: below.chain(above).map(shot).collect(),
@@ -134,8 +135,12 @@ fn missing_results_are_explained() {
     assert_snapshot!("limit_never", bench.screen());
     bench.keys("r");
     end(&mut bench, |report| {
-        report.limit =
-            Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: Some(400.0) };
+        report.limit = Limit::Found {
+            velocity_m_s: V_BL,
+            basis: Basis::Outcome,
+            stopped_at_m_s: Some(400.0),
+            undecided_at_m_s: None,
+        };
     });
     assert!(bench.screen().contains("no single limit: 400.0 m/s is stopped again"));
 }

@@ -279,6 +279,7 @@ impl App {
             let again = units::velocity(again, 4);
             parts.push(format!("no single limit: {again} is stopped again"));
         }
+        parts.extend(report.undecided());
         parts.extend(report.caution());
         let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
         if let Some(found) = &report.sampled {
