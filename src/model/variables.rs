@@ -21,7 +21,9 @@ pub use describe::used_when;
 pub use names::{close, find, listing, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
-pub use visible::{Visible, exclude_each_other, is_listed, is_offered, is_used, sizes_plate};
+pub use visible::{
+    Visible, exclude_each_other, is_listed, is_offered, is_used, overrules_size, sizes_plate,
+};
 
 /// One row of the table.
 #[derive(Clone, Copy)]

@@ -1,15 +1,21 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
+use std::fmt::Write as _;
+
+use crate::files::clean::shell_word;
 use crate::model::run::envelope::Check;
 use crate::model::scene::InterfaceLaw;
+use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report;
 use crate::report::table::{Cells, Table};
-use crate::study::monte_carlo::{self, Summary};
-use crate::study::search::front::{self, Design, Front, Task};
+use crate::study::monte_carlo::{self, Distribution, Summary};
+use crate::study::search::front::{self, Constraint, Design, Front, Task};
+use crate::study::search::nsga;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
+use crate::study::validity;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::prelude::*;
@@ -345,13 +351,25 @@ impl Found {
 
     /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        match &*self.answer {
-            Answer::Seek(it) => only(report::seek::table(name, it), listed),
-            Answer::Front(front, task) => {
-                only(report::front::table(name, task, std::slice::from_ref(front)), listed)
+        let scene = &self.searched();
+        match (&*self.answer, &self.request) {
+            (Answer::Seek(it), _) => {
+                only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
             }
-            Answer::Sensitivity(it) => only(report::sensitivity::table(name, it), listed),
-            Answer::MonteCarlo(it) => only(report::monte_carlo::table(name, it), listed),
+            (Answer::Front(front, task), _) => {
+                let fronts = std::slice::from_ref(&**front);
+                let warnings = report::front::warnings(scene, task, fronts);
+                only(report::front::table(name, task, fronts), listed, &warnings)
+            }
+            (Answer::Sensitivity(it), _) => {
+                let warnings = validity::of_axes(scene, &it.axes);
+                only(report::sensitivity::table(name, it), listed, &warnings)
+            }
+            (Answer::MonteCarlo(it), Request::MonteCarlo(task)) => {
+                let warnings = report::monte_carlo::warnings(scene, it, task.samples);
+                only(report::monte_carlo::table(name, it), listed, &warnings)
+            }
+            (Answer::MonteCarlo(it), _) => only(report::monte_carlo::table(name, it), listed, &[]),
         }
     }
 
@@ -360,11 +378,11 @@ impl Found {
     }
 }
 
-/// A table with the rows at some places, as CSV; with all of them where none are named.
-fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>) -> String {
+/// A table with the rows at some places and with warnings, as CSV; with all rows where none are named.
+fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>, warnings: &[String]) -> String {
     let mut at = 0..;
     table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
-    table.csv()
+    table.with_warnings(warnings).csv()
 }
 
 /// Whether an answer is whole, and how much went into it.
@@ -400,6 +418,41 @@ pub enum Request {
 }
 
 impl Request {
+    /// The command that makes it of the scene that was searched: its name, then its options.
+    pub fn command(&self) -> String {
+        let over = |axes: &[Axis]| -> String {
+            axes.iter().map(|axis| format!(" --over {}", shell_word(&axis.over()))).collect()
+        };
+        match self {
+            Self::Seek(Goal { axis, measure, target }, law) => {
+                let (axis, target) = (shell_word(&axis.over()), units::shortest(*target));
+                // Of a scene with a fused interface the command takes the plastic one by itself.
+                let is_fused = *law == InterfaceLaw::Fused;
+                let law = if is_fused { " --set interface=fused" } else { "" };
+                format!("seek --over {axis} --goal {measure}={target}{law}")
+            }
+            Self::Front(task) => front_command(task, &over(&task.axes)),
+            Self::Sensitivity { axes, output, effort } => {
+                let sensitivity::Effort { rows, trajectories, seed } = effort;
+                let over = over(axes);
+                format!(
+                    "sensitivity{over} --output {output} --samples {rows} --trajectories {trajectories} --seed {seed}"
+                )
+            }
+            Self::MonteCarlo(task) => {
+                let vary = task.tolerances.iter().map(|it| match it.distribution {
+                    Distribution::LogNormal { deviation, .. } => {
+                        let percent = significant(100.0 * deviation, 12);
+                        format!(" --vary {}=lognormal:{percent}%", it.symbol())
+                    }
+                    _ => String::new(),
+                });
+                let vary: String = vary.collect();
+                format!("montecarlo{vary} --samples {} --seed {}", task.samples, task.seed)
+            }
+        }
+    }
+
     pub fn page(&self) -> Page {
         match self {
             Self::Seek(..) => Page::Seek,
@@ -408,6 +461,33 @@ impl Request {
             Self::MonteCarlo(_) => Page::MonteCarlo,
         }
     }
+}
+
+fn front_command(task: &Task, over: &str) -> String {
+    let names = |maximise| {
+        let those = task.objectives.iter().filter(move |it| it.maximise == maximise);
+        those.map(|it| it.measure.name).collect::<Vec<&str>>().join(",")
+    };
+    let mut command = format!("optimise{over} --minimise {}", names(false));
+    let (feasible, bounds): (Vec<_>, Vec<_>) =
+        task.constraints.iter().partition(|it| it.is_feasibility);
+    let mut bounds: Vec<String> = bounds.into_iter().map(Constraint::text).collect();
+    if bounds.is_empty() {
+        // Without a bound the command has one on the stroke.
+        bounds.push("stroke_m>=0".to_owned());
+    }
+    for bound in bounds {
+        let _ = write!(command, " --subject-to {}", shell_word(&bound));
+    }
+    let feasible = if feasible.is_empty() { " --no-feasibility" } else { "" };
+    let laws: Vec<&str> = task.laws.iter().map(|law| law.word()).collect();
+    let nsga::Effort { population, generations, seed } = task.effort;
+    let _ = write!(
+        command,
+        "{feasible} --laws {} --population {population} --generations {generations} --seed {seed}",
+        laws.join(",")
+    );
+    command
 }
 
 #[derive(Clone, Debug)]
