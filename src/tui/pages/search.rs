@@ -400,7 +400,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = column.parse(text)?;
         }
-        (Row::Goal | Row::SubjectTo, Input::Step(_)) => app.tell("<enter> types a value here"),
+        (Row::Goal | Row::Bounds, Input::Step(_)) => app.tell("<enter> types a value here"),
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {
@@ -468,7 +468,7 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             }
             setup.stroke_m = Some(value);
         }
-        Row::SubjectTo => {
+        Row::Bounds => {
             let bounds = text.split(',').filter(|_| text != "none").map(Constraint::parse);
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }

@@ -6,28 +6,26 @@ use std::sync::{Arc, mpsc};
 
 use super::bench::Bench;
 use super::sweep;
-use crate::support::says;
-use cmra::files::export::sidecar_path;
+use crate::support::{self, cmra};
+use cmra::files::export::{Meta, sidecar_path};
 use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::variables::VARIABLES;
 use cmra::tui::app::Base;
 use cmra::tui::message::{Effect, FileTask};
 use cmra::tui::pages::explore::state::SetupRow;
 use cmra::tui::pages::search::state::Page;
-use cmra::tui::theme::GlyphSet;
 use cmra::worker::{Report, Worker};
 
 /// A bench on a scene whose plate has a face, with a folder that it writes to.
 fn open(folder: &Path) -> Bench {
     let mut bench = Bench::ascii(120, 36);
-    let mut scene = Scene { title: "with a face".to_owned(), ..Scene::default() };
-    scene.plate.size = PlateSize::Face(0.1);
+    let scene = Scene { title: "with a face".to_owned(), ..support::scene("face=0.1") };
     bench.app.scene = Arc::new(scene);
     bench.app.base =
         Base { name: "face".to_owned(), is_mine: false, scene: Arc::clone(&bench.app.scene) };
     bench.app.directory = folder.to_owned();
     let setup = Arc::make_mut(&mut bench.app.pages.search.setup);
-    (setup.effort, setup.samples) = ((8, 1), 40);
+    (setup.effort, setup.samples, setup.goal.1) = ((8, 1), 40, 90.0);
     bench
 }
 
@@ -63,14 +61,16 @@ fn exported(bench: &mut Bench, path: &Path) -> (String, String) {
     });
     let content = content.unwrap_or_else(|| panic!("no export: {}", bench.screen()));
     bench.press("<Esc>");
-    (content.text(Default::default()).unwrap(), content.scenes()[0].file(path))
+    (content.text(Meta::Beside).unwrap(), content.scenes()[0].file(path))
 }
 
 /// The rows without the name of the scene, which is that of the file when they are made again.
 fn rows(csv: &str) -> Vec<String> {
     let is_named = csv.starts_with("scene,");
     let rest = |line: &str| line.split_once(',').map(|(_, rest)| rest.to_owned());
-    csv.lines().map(|line| rest(line).filter(|_| is_named).unwrap_or(line.to_owned())).collect()
+    csv.lines()
+        .map(|line| rest(line).filter(|_| is_named).unwrap_or_else(|| line.to_owned()))
+        .collect()
 }
 
 #[test]
@@ -104,7 +104,8 @@ fn the_command_beside_an_exported_table_makes_its_rows_again() {
         let again = again.replace(&format!("./{at}.toml"), beside.to_str().unwrap());
         let again = again.replace('\'', "");
         let words: Vec<&str> = again.split(' ').collect();
-        let (out, _) = says(words[0], &words[1..], 0);
+        let out = cmra(words[0], &words[1..]).output().unwrap().stdout;
+        let out = String::from_utf8(out).unwrap();
         assert_eq!(rows(&csv), rows(&out), "{again}");
     }
 }

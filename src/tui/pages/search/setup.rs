@@ -83,7 +83,8 @@ pub enum Row {
     Bound(usize),
     Objective(usize),
     Stroke,
-    SubjectTo,
+    /// Bounds that designs have to keep, besides that on the stroke.
+    Bounds,
     Feasible,
     /// Points of a generation.
     Population,
@@ -109,10 +110,10 @@ pub fn brief(column: &Quantity) -> String {
     at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
-/// `mount force <= 20 kN`.
+/// `mount force<=20 kN`.
 fn short_words(bound: &Constraint) -> String {
     let sign = if bound.at_most { "<=" } else { ">=" };
-    format!("{} {sign} {}", brief(bound.measure), bound.measure.show(bound.bound, 4))
+    format!("{}{sign}{}", brief(bound.measure), bound.measure.show(bound.bound, 4))
 }
 
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
@@ -154,7 +155,7 @@ impl App {
             Page::Front => {
                 rows.push(Row::Heading("Minimise"));
                 rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-                rows.extend([Row::Stroke, Row::SubjectTo, Row::Feasible, Row::Heading("Vary")]);
+                rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
                 rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
                 rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
@@ -223,14 +224,14 @@ impl App {
                 Line { takes_unit: true, ..Line::typed("stroke at most", bound) }
                     .means("designs with a greater stroke are infeasible; none: no bound")
             }
-            Row::SubjectTo => {
+            Row::Bounds => {
                 let written = |of: fn(&Constraint) -> String| {
                     let each: Vec<String> = setup.subject_to.iter().map(of).collect();
                     if each.is_empty() { "none".to_owned() } else { each.join(", ") }
                 };
                 let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
                 let (shown, text) = (written(short_words), written(Constraint::text));
-                Line { text: Some(text.clone()), takes_unit: true, ..Line::word("subject to", shown) }
+                Line { text: Some(text.clone()), takes_unit: true, ..Line::word("bounds", shown) }
                     .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
             Row::Feasible => Line::switch("feasible", setup.feasible).means(

@@ -421,7 +421,7 @@ impl Request {
     /// The command that makes it of the scene that was searched: its name, then its options.
     pub fn command(&self) -> String {
         let over = |axes: &[Axis]| -> String {
-            axes.iter().map(|axis| format!(" --over {}", shell_word(&axis.over()))).collect()
+            axes.iter().map(|axis| [" --over ", &shell_word(&axis.over())].concat()).collect()
         };
         match self {
             Self::Seek(Goal { axis, measure, target }, law) => {
