@@ -1,5 +1,6 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
+mod again;
 pub(crate) mod draw;
 pub mod setup;
 pub mod state;

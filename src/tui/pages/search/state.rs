@@ -1,17 +1,12 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
-use std::fmt::Write as _;
-
-use crate::files::clean::shell_word;
 use crate::model::run::envelope::Check;
 use crate::model::scene::InterfaceLaw;
-use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report;
 use crate::report::table::{Cells, Table};
-use crate::study::monte_carlo::{self, Distribution, Summary};
-use crate::study::search::front::{self, Constraint, Design, Front, Task};
-use crate::study::search::nsga;
+use crate::study::monte_carlo::{self, Summary};
+use crate::study::search::front::{self, Design, Front, Task};
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
@@ -418,41 +413,6 @@ pub enum Request {
 }
 
 impl Request {
-    /// The command that makes it of the scene that was searched: its name, then its options.
-    pub fn command(&self) -> String {
-        let over = |axes: &[Axis]| -> String {
-            axes.iter().map(|axis| [" --over ", &shell_word(&axis.over())].concat()).collect()
-        };
-        match self {
-            Self::Seek(Goal { axis, measure, target }, law) => {
-                let (axis, target) = (shell_word(&axis.over()), units::shortest(*target));
-                // Of a scene with a fused interface the command takes the plastic one by itself.
-                let is_fused = *law == InterfaceLaw::Fused;
-                let law = if is_fused { " --set interface=fused" } else { "" };
-                format!("seek --over {axis} --goal {measure}={target}{law}")
-            }
-            Self::Front(task) => front_command(task, &over(&task.axes)),
-            Self::Sensitivity { axes, output, effort } => {
-                let sensitivity::Effort { rows, trajectories, seed } = effort;
-                let over = over(axes);
-                format!(
-                    "sensitivity{over} --output {output} --samples {rows} --trajectories {trajectories} --seed {seed}"
-                )
-            }
-            Self::MonteCarlo(task) => {
-                let vary = task.tolerances.iter().map(|it| match it.distribution {
-                    Distribution::LogNormal { deviation, .. } => {
-                        let percent = significant(100.0 * deviation, 12);
-                        format!(" --vary {}=lognormal:{percent}%", it.symbol())
-                    }
-                    _ => String::new(),
-                });
-                let vary: String = vary.collect();
-                format!("montecarlo{vary} --samples {} --seed {}", task.samples, task.seed)
-            }
-        }
-    }
-
     pub fn page(&self) -> Page {
         match self {
             Self::Seek(..) => Page::Seek,
@@ -461,33 +421,6 @@ impl Request {
             Self::MonteCarlo(_) => Page::MonteCarlo,
         }
     }
-}
-
-fn front_command(task: &Task, over: &str) -> String {
-    let names = |maximise| {
-        let those = task.objectives.iter().filter(move |it| it.maximise == maximise);
-        those.map(|it| it.measure.name).collect::<Vec<&str>>().join(",")
-    };
-    let mut command = format!("optimise{over} --minimise {}", names(false));
-    let (feasible, bounds): (Vec<_>, Vec<_>) =
-        task.constraints.iter().partition(|it| it.is_feasibility);
-    let mut bounds: Vec<String> = bounds.into_iter().map(Constraint::text).collect();
-    if bounds.is_empty() {
-        // Without a bound the command has one on the stroke.
-        bounds.push("stroke_m>=0".to_owned());
-    }
-    for bound in bounds {
-        let _ = write!(command, " --subject-to {}", shell_word(&bound));
-    }
-    let feasible = if feasible.is_empty() { " --no-feasibility" } else { "" };
-    let laws: Vec<&str> = task.laws.iter().map(|law| law.word()).collect();
-    let nsga::Effort { population, generations, seed } = task.effort;
-    let _ = write!(
-        command,
-        "{feasible} --laws {} --population {population} --generations {generations} --seed {seed}",
-        laws.join(",")
-    );
-    command
 }
 
 #[derive(Clone, Debug)]
