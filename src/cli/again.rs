@@ -8,9 +8,12 @@ use clap::{Arg, ArgMatches, Command};
 use crate::cli::commands;
 use crate::files::clean::shell_word;
 use crate::files::export;
+use crate::model::variables::find;
 
 /// Options that the sidecar's scene already contains.
 const CHANGES: [&str; 4] = ["set", "threat", "material", "absorber"];
+/// What a goal seek would choose by itself.
+const LAW: &str = "interface.law";
 /// Options that say where results go.
 const RESULTS: [&str; 7] = ["csv", "force", "meta", "json", "svg", "plain", "glyphs"];
 
@@ -42,12 +45,20 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
             ),
         }
     }
+    let is_seek = command.get_name() == "seek";
     // In the order in which they were typed; groups have an id too.
     let option = |id| command.get_arguments().find(|it| it.get_id() == id && !it.is_positional());
     for option in typed.ids().filter_map(option) {
         let Some(long) = option.get_long() else { continue };
         let is_dropped = RESULTS.contains(&long) || scene.is_some() && CHANGES.contains(&long);
-        for values in occurrences(typed, option).iter().filter(|_| !is_dropped) {
+        // A goal seek takes the plastic interface unless it is told otherwise, whatever the scene beside has.
+        let keeps = |values: &[String]| {
+            let is_law = |it: &String| {
+                it.split_once('=').is_some_and(|(name, _)| find(name).is_ok_and(|it| it.key == LAW))
+            };
+            is_seek && long == "set" && values.iter().any(is_law)
+        };
+        for values in occurrences(typed, option).iter().filter(|it| !is_dropped || keeps(it)) {
             words.push(format!("--{long}"));
             // Values that commas separated.
             words.extend(option.get_action().takes_values().then(|| shell_word(&values.join(","))));
@@ -126,6 +137,11 @@ mod tests {
                 "run thin --dt 1us --csv a.csv --csv-style crlf",
                 "./a.toml",
                 "run ./a.toml --dt 1us --csv-style crlf",
+            ),
+            (
+                "seek --over d=0..1 --goal stroke_m=1 --set interface=fused --set h=1mm --csv a.csv",
+                "./a.toml",
+                "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
             ),
             ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
             ("design shot thin --set h=1mm --csv a.csv", "", "design shot thin --set h=1mm"),

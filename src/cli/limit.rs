@@ -18,7 +18,6 @@ use crate::report::limit::{self, remarks, residual};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{Criterion, Effort, Limit, Report, find};
-use crate::study::validity;
 use crate::tui::theme::Theme;
 
 const SAMPLES_MAX: u64 = 1_000_000;
@@ -77,10 +76,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene);
     let report = study.run("shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
-    // They are those of the shot at the limit; without a limit, of the scene's own.
-    let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
-    let mut warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
-    warnings.extend(effort.sampling.and_then(|it| limit::few_samples(it.samples)));
+    let warnings = limit::warnings(&report, effort.sampling);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
         let answer = Answer { warnings, page, object, rows: limit::shots(name, &report) };

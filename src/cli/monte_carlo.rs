@@ -9,13 +9,11 @@ use crate::cli::study::{Answer, Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
-use crate::report::limit::few_samples;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
     Report, Task, Tolerance, USUAL_DEVIATION, sample, usual_tolerances,
 };
 use crate::study::quantities;
-use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
@@ -77,12 +75,8 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let task = arguments.task(&preset.scene)?;
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let mut warnings = validity::of_scene(&preset.scene);
-    let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
-    warnings.extend(validity::of_pair(&preset.scene, &[], &measures));
-    warnings.extend(few_samples(task.samples));
     let answer = Answer {
-        warnings,
+        warnings: monte_carlo::warnings(&preset.scene, &report, task.samples),
         page: page(name, &report),
         object: monte_carlo::json(name, &report),
         rows: table(name, &report),

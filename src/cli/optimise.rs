@@ -10,20 +10,17 @@ use crate::cli::amount::count;
 use crate::cli::study::{Answer, Random, StudyArguments, bounds};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
-use crate::model::library;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
 use crate::report::front;
 use crate::report::front::{designs, standing};
 use crate::report::table::{Cells, grid};
-use crate::study::quantities::named;
 use crate::study::search::front::{
     Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
 };
 use crate::study::search::nsga::Effort;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, Spacing};
-use crate::study::validity;
 
 /// Designs of a front that are listed.
 const LISTED: usize = 16;
@@ -91,7 +88,10 @@ impl OptimiseArguments {
         // As in the workbench: without a bound, the stroke of some designs is kilometres.
         let has_stroke = objectives.iter().any(|it| it.measure.name == "stroke_m" && !it.maximise);
         let usual = (self.subject_to.is_empty() && has_stroke).then_some("stroke_m<=1m");
-        let named = self.subject_to.iter().map(String::as_str).chain(usual).map(constraint);
+        let named = self.subject_to.iter().map(String::as_str).chain(usual).map(|text| {
+            Constraint::parse(text)
+                .map_err(|why| CliError::Option(format!("--subject-to {text}: {why}")))
+        });
         let mut constraints: Vec<Constraint> = named.collect::<Result<_, _>>()?;
         if !self.no_feasibility {
             constraints.extend(feasibility());
@@ -122,41 +122,13 @@ fn population(text: &str) -> Result<usize, String> {
     })
 }
 
-fn constraint(text: &str) -> Result<Constraint, CliError> {
-    let refuse = |why: &str| CliError::Option(format!("--subject-to {text}: {why}"));
-    let split = |sign: &str| text.split_once(sign);
-    let (name, value, at_most) = split("<=")
-        .map(|(name, value)| (name, value, true))
-        .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
-        .ok_or_else(|| {
-            refuse("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")
-        })?;
-    let measure = named(name)?;
-    let bound = measure.parse(value).map_err(|why| refuse(&why))?;
-    Ok(Constraint { measure, at_most, bound, is_feasibility: false })
-}
-
 /// Runs the search; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let task = arguments.task(&preset.scene)?;
     let fronts = arguments.study.run("runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let known: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
-    let mut warnings = known.clone();
-    warnings.extend(validity::of_pair(&preset.scene, &task.axes, &task.measures()));
-    for front in &fronts {
-        let law = front.law.word();
-        if let [design] = &*front.designs {
-            let (name, scene) = (format!("best design, {law}"), front.scene(&task, design));
-            warnings.extend(validity::of_design(&name, &scene, &task.axes, &known));
-        } else if !front.outside.is_empty() {
-            let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
-            warnings.push(format!(
-                "{law}: outside validity, of {count} designs: {outside} (`cmra run` of a design says why)"
-            ));
-        }
-    }
+    let warnings = front::warnings(&preset.scene, &task, &fronts);
     let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
     let answer = Answer { warnings, page, object, rows: front::table(name, &task, &fronts) };
     arguments.study.deliver(&preset.scene, answer)?;

@@ -8,8 +8,8 @@ use clap::Args;
 use crate::cli::study::{Answer, StudyArguments, on_plastic};
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, output, progress};
-use crate::model::library;
-use crate::model::units::{shortest, significant};
+use crate::model::scene::InterfaceLaw;
+use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
 use crate::study::quantities::named;
 use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
@@ -61,12 +61,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     if let Some(law) = &law {
         output::note(law);
     }
-    let mut warnings: Vec<String> = library::warnings(&preset.scene).map(str::to_owned).collect();
-    for (solution, checked) in report.solutions().zip(&report.checked) {
-        let at = format!("{}={}", goal.axis.symbol(), significant(solution.place.at, 4));
-        let own = checked.new.iter().chain(&checked.known);
-        warnings.extend(own.map(|text| format!("solution ({at}): {text}")));
-    }
+    let warnings = seek::warnings(&preset.scene, &report);
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
     let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };
     arguments.study.deliver(&preset.scene, answer)?;
@@ -85,7 +80,9 @@ fn page(name: &str, report: &Report, is_plastic: bool) -> String {
         "{name}: which {symbol} gives {measure} = {target}?\n{points} points from {low} to {high}{spacing}, {runs} runs in all\n\n"
     );
     let solutions = report.solutions().map(|found| solution(report, found));
-    for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
+    let law = if is_plastic { InterfaceLaw::Plastic } else { InterfaceLaw::Fused };
+    let law = seek::other_law(law, InterfaceLaw::Fused);
+    for line in solutions.chain(law).chain(remarks(report).into_iter().map(|remark| remark.text)) {
         let _ = writeln!(page, "  {line}");
     }
     if let Some(solution) = report.solutions().next() {

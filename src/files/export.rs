@@ -176,12 +176,7 @@ impl Destination {
     }
 }
 
-impl<'a> Beside<'a> {
-    /// The one scene of a table, whose outcome is part of its comments.
-    pub fn of(scene: &'a Scene) -> Self {
-        Self { run: None, scene, notes: Box::new(|_| String::new()) }
-    }
-
+impl Beside<'_> {
     /// The scene file beside this table.
     pub fn file(&self, csv: &Path) -> String {
         let own = sidecar_path(csv, self.run);

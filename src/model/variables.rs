@@ -22,7 +22,8 @@ pub use names::{close, find, listing, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use table::VARIABLES;
 pub use visible::{
-    Visible, exclude_each_other, gives_mass, is_listed, is_offered, is_used, sizes_plate,
+    Visible, exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size,
+    sizes_plate,
 };
 
 /// One row of the table.

@@ -193,7 +193,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     let mut marks: Vec<(char, String)> =
         absences.map(|absence| (absence.letter(), absence.brief())).collect();
     marks.sort();
-    marks.dedup_by_key(|mark| mark.0);
+    marks.dedup();
     let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(map::Map {
         contour: Some((1.0, LINE.into())),

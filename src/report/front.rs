@@ -2,13 +2,35 @@
 
 use serde_json::{Value, json};
 
+use crate::model::library;
 use crate::model::run::Outcome;
-use crate::model::scene::InterfaceLaw;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::search::front::{Candidate, Front, Lack, Standing, Task};
 use crate::study::sweep::{PointOutcome, Spacing};
+use crate::study::validity;
+
+/// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
+pub fn warnings(scene: &Scene, task: &Task, fronts: &[Front]) -> Vec<String> {
+    let known: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
+    let mut warnings = known.clone();
+    warnings.extend(validity::of_pair(scene, &task.axes, &task.measures()));
+    for front in fronts {
+        let law = front.law.word();
+        if let [design] = &*front.designs {
+            let (name, scene) = (format!("best design, {law}"), front.scene(task, design));
+            warnings.extend(validity::of_design(&name, &scene, &task.axes, &known));
+        } else if !front.outside.is_empty() {
+            let (count, outside) = (front.designs.len(), validity::counted(&front.outside));
+            warnings.push(format!(
+                "{law}: outside validity, of {count} designs: {outside} (`cmra run` of a design says why)"
+            ));
+        }
+    }
+    warnings
+}
 
 /// A candidate's standing in a sentence.
 pub fn standing(candidate: &Candidate, task: &Task) -> Remark {

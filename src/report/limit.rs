@@ -12,6 +12,7 @@ use crate::study::compare::Load;
 use crate::study::limit::fit::ResidualLaw;
 use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
+use crate::study::validity;
 
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to a given number of limits.
@@ -82,6 +83,14 @@ fn load(load: &Load) -> Option<String> {
     ];
     let known: Vec<String> = parts.into_iter().flatten().collect();
     (!known.is_empty()).then(|| known.join(", "))
+}
+
+/// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
+pub fn warnings(report: &Report, sampling: Option<Sampling>) -> Vec<String> {
+    let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
+    let mut warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
+    warnings.extend(sampling.and_then(|it| few_samples(it.samples)));
+    warnings
 }
 
 /// That a number of samples says little, if so.

@@ -2,11 +2,24 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::report::limit::few_samples;
 use crate::report::table::Table;
 use crate::study::monte_carlo::{Estimate, Report, Summary};
+use crate::study::validity;
 
 const DIGITS: usize = 4;
+
+/// Warnings about the rows, of which so many samples were wanted.
+pub fn warnings(scene: &Scene, report: &Report, samples: usize) -> Vec<String> {
+    let mut warnings = validity::of_scene(scene);
+    let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
+    warnings.extend(validity::of_pair(scene, &[], &measures));
+    warnings.extend(few_samples(samples));
+    warnings
+}
+
 /// Columns of the quantiles: key, heading, part of the values below it.
 const QUANTILES: [(&str, &str, f64); 7] = [
     ("q01", "1 %", 0.01),

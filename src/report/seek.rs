@@ -2,10 +2,24 @@
 
 use serde_json::{Value, json};
 
+use crate::model::library;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::search::seek::{Kind, Line, Place, Report};
 use crate::study::sweep::{PointOutcome, Spacing};
+
+/// Warnings about the rows: those of the solutions, and of the library's entries.
+pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
+    let mut warnings: Vec<String> = library::warnings(scene).map(str::to_owned).collect();
+    for (solution, checked) in report.solutions().zip(&report.checked) {
+        let at = format!("{}={}", report.axis.symbol(), significant(solution.place.at, 4));
+        let own = checked.new.iter().chain(&checked.known);
+        warnings.extend(own.map(|text| format!("solution ({at}): {text}")));
+    }
+    warnings
+}
 
 /// A solution in words.
 pub fn solution(report: &Report, solution: &Line) -> String {
@@ -17,6 +31,12 @@ pub fn solution(report: &Report, solution: &Line) -> String {
     let outcome = solution.outcome.map_or("", PointOutcome::word);
     let reached = report.measure.show(solution.place.value, 6);
     format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
+}
+
+/// That the answer is one of another interface law than the scene's, if so.
+pub fn other_law(searched: InterfaceLaw, scene: InterfaceLaw) -> Option<String> {
+    let (with, own) = (searched.word(), scene.word());
+    (searched != scene).then(|| format!("with interface {with}; the scene has {own}"))
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.

@@ -6,7 +6,7 @@
 //! clock.
 
 use crate::model::run::Outcome;
-use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
+use crate::model::scene::{Scene, SpringKind, WhichSpring};
 use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
@@ -116,8 +116,9 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
     let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
     let scatters = |variable: &&Variable| {
         // What follows from another input varies with that.
-        let follows = variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
-        !follows && variables::is_listed(variable, scene) && variables::is_used(variable, scene)
+        !variables::overrules_size(variable, scene)
+            && variables::is_listed(variable, scene)
+            && variables::is_used(variable, scene)
     };
     bodies
         .chain(springs)

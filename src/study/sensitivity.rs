@@ -5,7 +5,7 @@
 //! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
 
 use crate::model::run::envelope::Check;
-use crate::model::scene::{PlateSize, Scene};
+use crate::model::scene::Scene;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
@@ -110,9 +110,7 @@ pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
     ranges()
         .filter(|(variable, ..)| {
             // A mass ratio that follows from the plate's face is not an input.
-            let follows =
-                variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
-            variables::is_used(variable, &far) && !follows
+            variables::is_used(variable, &far) && !variables::overrules_size(variable, scene)
         })
         .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
         .collect()

@@ -21,7 +21,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use crate::model::library;
-use crate::model::scene::{PlateSize, Scene};
+use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
 use crate::study::quantities::{Quantity, named};
@@ -310,13 +310,9 @@ impl Plan {
 
 /// Refuses an axis over the plate's size where the scene gives it by another input: the axis would win without a word.
 fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
-    let Some(sizing) = axes.iter().find(|axis| variables::sizes_plate(axis.variable())) else {
-        return Ok(());
-    };
-    let axis = sizing.symbol();
-    let key = scene.plate.size.key();
-    let given = variables::find(key).ok().filter(|it| it.key != sizing.variable().key);
-    let Some(given) = given.filter(|_| scene.plate.size != PlateSize::Ratio) else { return Ok(()) };
+    let overrules = |axis: &&Axis| variables::overrules_size(axis.variable(), scene);
+    let Some(axis) = axes.iter().find(overrules).map(Axis::symbol) else { return Ok(()) };
+    let Ok(given) = variables::find(scene.plate.size.key()) else { return Ok(()) };
     let (symbol, value) = (given.symbol, given.show(scene));
     Err(SweepError(format!(
         "{axis} varies, but the scene has {symbol} = {value} {}, and both give the plate's size: vary {symbol}, or set {axis} \

@@ -363,7 +363,7 @@ mod tests {
         let table = |scene: Option<Scene>| {
             let table = PageTable::new("", "", true, |_| "a\n1\n".to_owned());
             Content::Page(match scene {
-                Some(scene) => table.of(&App::default(), &Arc::new(scene)),
+                Some(scene) => table.of(&App::default(), &Arc::new(scene), "limit --seed 1"),
                 None => table,
             })
         };
@@ -374,6 +374,8 @@ mod tests {
         };
         assert_eq!(files, [path, beside.clone()]);
         assert_eq!(preset::from_file(&beside, Accepts::Ordinary).unwrap().scene, scene);
+        let again = "\n# again: cmra limit ./shots.toml --seed 1 --csv -\n";
+        assert!(fs::read_to_string(&beside).unwrap().contains(again));
         let alone = Destination { path: place.path().join("claims.csv"), ..to };
         let ExportOutcome::Written(files) = export(alone, &table(None)) else {
             panic!("not written")

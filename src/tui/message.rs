@@ -7,8 +7,9 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
+use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::export::{Beside, Destination, Meta, RunTable};
+use crate::files::export::{self, Beside, Destination, Meta, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::{Scene, WhichSpring};
 use crate::model::variables::{self, VariableError};
@@ -194,8 +195,25 @@ pub struct PageTable {
     pub file: String,
     pub is_complete: bool,
     /// Its text, of a scene with this name.
-    csv: Arc<dyn Fn(&str) -> String + Send + Sync>,
-    scene: Option<(Arc<Scene>, String)>,
+    csv: Text,
+    source: Option<Source>,
+}
+
+/// Makes a text from a name.
+type Text = Arc<dyn Fn(&str) -> String + Send + Sync>;
+
+/// The scene of a table, its name, and the comment lines above it in the file beside the table, from the name of that.
+#[derive(Clone)]
+struct Source {
+    scene: Arc<Scene>,
+    name: String,
+    notes: Text,
+}
+
+impl Source {
+    fn beside(&self) -> Beside<'_> {
+        Beside { run: None, scene: &self.scene, notes: Box::new(|own| (self.notes)(own)) }
+    }
 }
 
 impl PageTable {
@@ -206,12 +224,31 @@ impl PageTable {
         is_complete: bool,
         csv: impl Fn(&str) -> String + Send + Sync + 'static,
     ) -> Self {
-        Self { title, file: file.into(), is_complete, csv: Arc::new(csv), scene: None }
+        Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene.
-    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>) -> Self {
-        Self { scene: Some((Arc::clone(scene), app.name_of(scene))), ..self }
+    /// The same as a table of a scene, which a command makes again: `limit --monte-carlo 0`.
+    pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
+        let (name, options) = command.split_once(' ').unwrap_or((command, ""));
+        let (name, options) = (format!("cmra {name} "), format!(" {options}"));
+        let missing = if self.is_complete { "" } else { "# not complete\n" };
+        let again = move |own: &str| {
+            let own = clean::shell_word(own);
+            missing.to_owned()
+                + &export::again(&[&name, &own, options.trim_end(), " --csv -"].concat())
+        };
+        self.noted(app, scene, again)
+    }
+
+    /// The same with other comment lines above the scene.
+    pub(crate) fn noted(
+        self,
+        app: &App,
+        scene: &Arc<Scene>,
+        notes: impl Fn(&str) -> String + Send + Sync + 'static,
+    ) -> Self {
+        let (scene, name) = (Arc::clone(scene), app.name_of(scene));
+        Self { source: Some(Source { scene, name, notes: Arc::new(notes) }), ..self }
     }
 }
 
@@ -233,7 +270,7 @@ impl Content {
     pub fn text(&self, meta: Meta) -> Result<String, FileError> {
         match self {
             Self::Runs(runs) => runs.text(meta),
-            Self::Page(table) => Ok((table.csv)(table.scene.as_ref().map_or("", |(_, name)| name))),
+            Self::Page(table) => Ok((table.csv)(table.source.as_ref().map_or("", |it| &it.name))),
             Self::Text(text) => Ok(text.clone()),
         }
     }
@@ -241,7 +278,7 @@ impl Content {
     pub fn scenes(&self) -> Vec<Beside<'_>> {
         match self {
             Self::Runs(runs) => runs.scenes(),
-            Self::Page(table) => table.scene.iter().map(|(scene, _)| Beside::of(scene)).collect(),
+            Self::Page(table) => table.source.iter().map(Source::beside).collect(),
             Self::Text(_) => Vec::new(),
         }
     }

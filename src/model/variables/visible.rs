@@ -42,6 +42,12 @@ pub fn exclude_each_other(one: &Variable, other: &Variable) -> bool {
     one.key == other.key || (sizes_plate(one) && sizes_plate(other))
 }
 
+/// Whether the variable would give the plate another size than the scene's own input does: an axis over it would win without a word.
+pub fn overrules_size(variable: &Variable, scene: &Scene) -> bool {
+    let own = scene.plate.size;
+    sizes_plate(variable) && own != PlateSize::Ratio && own.key() != variable.key
+}
+
 /// Whether the workbench's lists offer the variable: what is listed and what can give the plate its size, less the values of a
 /// stop that is not there or of its other kind. Files keep those, for the stop may come back.
 pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {

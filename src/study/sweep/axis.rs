@@ -148,6 +148,13 @@ impl Axis {
         format!("{}..{}:{count}{}", shown(from), shown(to), if log { ":log" } else { "" })
     }
 
+    /// The axis as `--over` has it; an angle by its full key, whose unit is that of the values.
+    pub fn over(&self) -> String {
+        let variable = self.variable;
+        let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };
+        format!("{name}={}", self.range())
+    }
+
     /// The values of a list in their order; empty for a range.
     pub fn list(&self) -> &[f64] {
         &self.range.values

@@ -103,7 +103,8 @@ impl App {
         rows.retain(|row| {
             !bounds.is_empty() || !matches!(row, Row::Search(_, search::state::Row::Bound(_)))
         });
-        let lines = rows.into_iter().map(|row| (row, row.line(self, bounds)));
+        let bounds = self.search_bounds();
+        let lines = rows.into_iter().map(|row| (row, row.line(self, &bounds)));
         let mut kept: BTreeMap<String, String> =
             lines.map(|(row, line)| (row.key(&line), text(&line))).collect();
         kept.insert(V50.to_owned(), self.pages.limit.sampled.to_string());

@@ -13,7 +13,6 @@ use crate::tui::pages::run::editor::{WIDE, shown_value};
 use crate::tui::pages::{self, explore, run};
 use crate::tui::prelude::*;
 use crate::tui::update::act;
-use crate::tui::widgets::axis::numeric;
 
 /// Something that can be called by name.
 #[derive(Clone, Copy)]
@@ -102,8 +101,7 @@ impl App {
             }
             Item::Variable(index) => {
                 let variable = &VARIABLES[*index];
-                let verb =
-                    if numeric().any(|one| one.key == variable.key) { "type" } else { "choose" };
+                let verb = if variable.number().is_some() { "type" } else { "choose" };
                 let (symbol, now) = (variable.symbol, shown_value(variable, &self.scene, WIDE));
                 format!("Enter: {verb} {symbol}, now {now}: {}", variable.meaning)
             }

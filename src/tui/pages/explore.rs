@@ -5,13 +5,15 @@ pub mod plan;
 pub mod setup;
 pub mod state;
 
+use crate::files::shard::{self, Written};
+use crate::files::style::Style;
 use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
-use crate::report::sweep;
+use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
-use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Shard};
 use crate::tui::app::layout::{ROOMY, setup_width};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
@@ -163,6 +165,10 @@ impl Page for ExploreTab {
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
         let Some(sweep) = running.study.of::<PictureSweep>() else { return };
+        let show = |app: &mut App, grid, took| {
+            let scene = Arc::clone(&running.scene);
+            app.pages.explore.show(sweep.picture, Found { scene, grid, took });
+        };
         match (news, news.found::<Grid>()) {
             (ReportBody::Failed(_), _) => {
                 app.pages.explore.problem =
@@ -172,9 +178,9 @@ impl Page for ExploreTab {
                 if !grid.is_complete() {
                     app.tell(jobs::CANCELLED);
                 }
-                app.pages.explore.show(sweep.picture, Found { grid, took: Some(*took) });
+                show(app, grid, Some(*took));
             }
-            (_, Some(grid)) => app.pages.explore.show(sweep.picture, Found { grid, took: None }),
+            (_, Some(grid)) => show(app, grid, None),
             (_, None) => warn_if_long(app, running),
         }
     }
@@ -184,10 +190,21 @@ impl Page for ExploreTab {
         let plan = found.grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
-        let (scene, grid) = (Arc::new(plan.base().clone()), Arc::clone(&found.grid));
-        let is_complete = grid.is_complete();
+        let sweep = Some(Columns::Chosen.sweep(plan));
+        let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
+        let (shard, design, style) = (Shard::WHOLE, plan.design(), Style::default());
+        let part = shard::Part { shard, design, name: app.name_of(&scene), style };
+        let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
+        let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
+        let own = Arc::clone(&scene);
+        let notes = move |name: &str| {
+            let written = Written { missing: missing.as_deref(), ..Written::default() };
+            (part.beside(&own, written).notes)(name)
+        };
+        let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
-        Some(PageTable::new("Export the sweep to CSV", file, is_complete, csv).of(app, &scene))
+        let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
+        Some(table.noted(app, &scene, notes))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {

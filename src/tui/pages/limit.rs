@@ -4,9 +4,12 @@ pub mod comparison;
 pub mod setup;
 pub mod state;
 
+use crate::model::units;
 use crate::report::{compare, limit};
-use crate::study::limit::Limit;
+use crate::study::limit::monte_carlo::Sampling;
+use crate::study::limit::{Limit, Report};
 use crate::study::sweep::Axis;
+use crate::study::validity;
 use crate::tui::app::history::Stepping;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
@@ -169,22 +172,33 @@ impl Page for LimitTab {
         Some(match app.pane() {
             RESIDUAL | SETUP => {
                 let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let csv = move |name: &str| limit::shots(name, &report).csv();
+                let command = again(&report);
+                let csv = move |name: &str| {
+                    let sampling = report.sampled.map(|it| it.sampling);
+                    let warnings = limit::warnings(&report, sampling);
+                    limit::shots(name, &report).with_warnings(&warnings).csv()
+                };
                 let title = "Export the shots to CSV";
-                PageTable::new(title, file("limit"), limit.is_complete, csv).of(app, &limit.scene)
+                let table = PageTable::new(title, file("limit"), limit.is_complete, csv);
+                table.of(app, &limit.scene, &command)
             }
             COMPARISON => {
                 let (found, title) = (found?, "Export the comparison to CSV");
                 let is_complete = found.report.is_complete;
-                let csv = move |name: &str| compare::table(name, &found.report).csv();
-                PageTable::new(title, file("compare"), is_complete, csv).of(app, &comparison.scene)
+                let csv = move |name: &str| {
+                    let warnings = validity::of_scene(&found.report.scene);
+                    compare::table(name, &found.report).with_warnings(&warnings).csv()
+                };
+                let table = PageTable::new(title, file("compare"), is_complete, csv);
+                table.of(app, &comparison.scene, "compare")
             }
             _ => {
                 let (map, title) = (found?.map.clone()?, "Export the map to CSV");
                 let is_complete = map.is_complete();
+                let command = format!("compare --map {},{}", map.x().over(), map.y().over());
                 let csv = move |name: &str| compare::map_table(name, &map).csv();
                 let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
-                table.of(app, &comparison.scene)
+                table.of(app, &comparison.scene, &command)
             }
         })
     }
@@ -281,6 +295,16 @@ impl Page for LimitTab {
             }
         }
     }
+}
+
+/// The command that finds a limit again.
+fn again(report: &Report) -> String {
+    let Some(sampled) = report.sampled else { return "limit --monte-carlo 0".to_owned() };
+    let Sampling { deviation, samples, seed, model } = sampled.sampling;
+    let [deviation, bias, spread] = [deviation, model.bias, model.spread].map(units::shortest);
+    format!(
+        "limit --monte-carlo {deviation} --model-bias {bias} --model-spread {spread} --samples {samples} --seed {seed}"
+    )
 }
 
 /// The lines of the comparison, and how many of them are shown at once.

@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod stability;
 
+use crate::model::library;
 use crate::report::{accuracy as accuracy_table, stability as stability_table};
 use crate::study::accuracy::method::Method;
 use crate::study::stability::Row;
@@ -111,8 +112,11 @@ impl Page for NumericsTab {
                 let csv = move |name: &str| {
                     accuracy_table::table(&[(name.to_owned(), (*report).clone())]).csv()
                 };
-                PageTable::new("Export the measurements to CSV", file, is_complete, csv)
-                    .of(app, &kept.scene)
+                PageTable::new("Export the measurements to CSV", file, is_complete, csv).of(
+                    app,
+                    &kept.scene,
+                    "accuracy",
+                )
             }
             STIFF_SCENES => {
                 let kept = &app.pages.numerics.stability.battery;
@@ -126,8 +130,19 @@ impl Page for NumericsTab {
                 let kept = &app.pages.numerics.stability.map;
                 let (map, is_complete) = (Arc::clone(kept.found.as_ref()?), kept.is_complete);
                 let file = format!("{}-map.csv", ask::base_stem(app));
-                let csv = move |name: &str| stability_table::map_table(name, &map).csv();
-                PageTable::new("Export the map to CSV", file, is_complete, csv).of(app, &kept.scene)
+                let command =
+                    format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
+                let warnings: Vec<String> =
+                    library::warnings(&kept.scene).map(str::to_owned).collect();
+                let csv = move |name: &str| {
+                    stability_table::map_table(name, &map).with_warnings(&warnings).csv()
+                };
+                let table = PageTable::new("Export the map to CSV", file, is_complete, csv);
+                if app.pages.numerics.stability.part.is_some() {
+                    let part = "# a part of the map, zoomed in the workbench\n";
+                    return Some(table.noted(app, &kept.scene, |_| part.to_owned()));
+                }
+                table.of(app, &kept.scene, &command)
             }
         })
     }

@@ -1,5 +1,6 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
+mod again;
 pub(crate) mod draw;
 pub mod setup;
 pub mod state;
@@ -7,6 +8,7 @@ pub(crate) mod words;
 
 use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::{Needs, named};
+use crate::study::search::front::Constraint;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
@@ -222,10 +224,12 @@ impl Page for SearchTab {
     fn table(&self, app: &App) -> Option<PageTable> {
         let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
         let found = app.pages.search.shown()?.clone();
-        let (scene, is_complete) = (found.searched(), found.is_complete());
+        let (scene, is_complete, command) =
+            (found.searched(), found.is_complete(), found.request.command());
         let listed = words::listed_rows(&app.pages.search);
         let csv = move |name: &str| found.csv(name, listed.as_deref());
-        Some(PageTable::new("Export the results to CSV", file, is_complete, csv).of(app, &scene))
+        let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
+        Some(table.of(app, &scene, &command))
     }
 
     fn is_idle(&self, app: &App, action: Action) -> bool {
@@ -397,7 +401,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             let column = named(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = column.parse(text)?;
         }
-        (Row::Goal, Input::Step(_)) => app.tell("<enter> types a value here"),
+        (Row::Goal | Row::Bounds, Input::Step(_)) => app.tell("<enter> types a value here"),
         (Row::Bound(at), _) => {
             let old = bounds.get(at).ok_or("this variable no longer exists")?;
             let new = match input {
@@ -464,6 +468,10 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
                 return Err(format!("`{text}` must be greater than 0, or none"));
             }
             setup.stroke_m = Some(value);
+        }
+        Row::Bounds => {
+            let bounds = text.split(',').filter(|_| text != "none").map(Constraint::parse);
+            setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
         Row::Population => {
             let value = whole(text, &(8..=2000))?;

@@ -56,7 +56,7 @@ impl Part {
         match (self, input) {
             (Self::Name, Input::Text(text)) => *axis = over(scene, find(text)?, axis.count)?,
             (Self::Name, Input::Step(press)) => {
-                let all: Vec<&'static Variable> = numeric().collect();
+                let all: Vec<&'static Variable> = numeric(scene).collect();
                 let next = wrap(place(axis, &all).unwrap_or(0), press.by(), all.len());
                 *axis = over(scene, all[next], axis.count)?;
             }
@@ -178,9 +178,12 @@ pub(crate) fn set_ends(axis: &mut SweepAxis, view: ViewRange) -> Result<(), Stri
     Ok(())
 }
 
-/// The numeric variables, in the order of the editor: what an axis can be.
-pub(crate) fn numeric() -> impl Iterator<Item = &'static Variable> {
-    VARIABLES.iter().filter(|variable| matches!(variable.kind, Kind::Number(_)))
+/// The numeric variables, in the order of the editor: what an axis can be. Of those that give the plate its size the scene's own.
+pub(crate) fn numeric(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
+    let is_axis = |variable: &&Variable| {
+        variable.number().is_some() && !variables::overrules_size(variable, scene)
+    };
+    VARIABLES.iter().filter(is_axis)
 }
 
 /// A whole number in a range.

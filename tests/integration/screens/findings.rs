@@ -114,9 +114,9 @@ fn the_plates_face_is_set_in_the_run_tab() {
     // rho h face^2 / m_p
     let exact = 2710.0 * 0.0254 * 0.15 * 0.15 / 0.0295;
     assert!((plate.mass_ratio - exact).abs() < 1e-12 * exact);
-    // The axis of Explore is gamma: it takes the place of the face.
+    // The axis of Explore is the face, from half to twice its value: gamma follows from it.
     let plan = bench.app.sweep_plan(Picture::Line).expect("a plan");
-    assert_eq!((plan.axes()[0].symbol(), plan.base().plate.size), ("gamma", PlateSize::Ratio));
+    assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.075, 0.3)));
     bench.keys("/gamma<Enter><Enter>2<Enter>");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio);
     // A step begins at the size there is: (2 m_p / (rho h))^(1/2) = 29.277 mm.

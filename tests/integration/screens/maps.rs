@@ -197,7 +197,7 @@ fn the_change_of_closure_is_named_in_the_comparison_and_on_its_map() {
     let bench = opened(294.0, 200);
     let readout = bench.app.efficiency_readout().expect("a cell");
     assert!(readout.contains("only the change of closure at h = D decides"), "{readout}");
-    assert!(bench.screen().contains("  P pays by both closures"), "{}", bench.screen());
+    assert!(bench.screen().contains(" P pays by both closures"), "{}", bench.screen());
 }
 
 #[test]

@@ -361,7 +361,7 @@ fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
     answer(&mut bench);
-    bench.keys("<Tab>jjjjjjjjjjj");
+    bench.keys("<Tab>jjjjjjjjjjjj");
     let row = |bench: &Bench| {
         let screen = bench.screen();
         let row = screen.lines().find(|line| line.contains("> m_p")).unwrap_or_default();
@@ -373,4 +373,56 @@ fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
     // Half to double the 0.0295 kg of the scene.
     bench.keys("<Enter><C-u>0.01475..0.059<Enter>");
     assert_eq!(row(&bench), "m_p 0.01475..0.059");
+}
+
+#[test]
+fn what_an_absorber_uses_can_be_varied_and_any_quantity_bounded() {
+    let mut bench = Bench::ascii(120, 36);
+    let crush = "mechanism.spring.kind=crush F_crush=5e3 x_crush=0.05 k_crush=1e7 face=0.1";
+    bench.app.scene = Arc::new(crate::support::scene(crush));
+    let offered: Vec<&str> = bench.app.search_bounds().iter().map(|it| it.axis.symbol()).collect();
+    for symbol in ["face", "F_crush", "x_crush", "k_crush", "v_i", "h"] {
+        assert!(offered.contains(&symbol), "{symbol}: {offered:?}");
+    }
+    assert!(!offered.contains(&"gamma") && !offered.contains(&"tol"), "{offered:?}");
+    bench.app.pages.search.page = Page::Front;
+    bench.press("4/bounds<Enter><Enter><C-u>peak_mount_force_n<");
+    bench.press("=20kN<Enter>");
+    assert!(bench.screen().contains("mount force<=20.00 kN"), "{}", bench.screen());
+    let request = bench.app.search_request(Page::Front);
+    let Ok(Request::Front(task)) = request else { panic!("{request:?}") };
+    let bound = task.constraints.iter().find(|it| it.measure.name == "peak_mount_force_n").unwrap();
+    assert_eq!((bound.at_most, bound.bound), (true, 2e4));
+    // A session keeps it, and what the command line refuses is refused in its words.
+    let mut other = Bench::ascii(120, 36);
+    other.app.restore_setups(&bench.app.setups());
+    assert_eq!(other.app.pages.search.setup.subject_to, bench.app.pages.search.setup.subject_to);
+    bench.press("<Enter><C-u>stroke_m=1<Enter>");
+    assert!(bench.screen().contains("write QUANTITY<=VALUE"), "{}", bench.screen());
+}
+
+#[test]
+fn a_solution_with_another_interface_than_the_scenes_says_so() {
+    let mut bench = Bench::ascii(80, 24);
+    let says =
+        |bench: &Bench| bench.screen().contains("with interface plastic; the scene has fused");
+    bench.press("4");
+    answer(&mut bench);
+    assert!(!says(&bench), "{}", bench.screen());
+    Arc::make_mut(&mut bench.app.pages.search.setup).law = InterfaceLaw::Plastic;
+    bench.press("<Tab>r");
+    answer(&mut bench);
+    assert!(says(&bench), "{}", bench.screen());
+}
+
+#[test]
+fn no_line_of_the_comparison_is_cut() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.scene = Arc::new(crate::support::scene("k=0"));
+    bench.press("3");
+    answer(&mut bench);
+    let lines = bench.app.comparison_lines(60);
+    let text: Vec<&str> = lines.iter().map(|line| line.0.trim()).collect();
+    assert!(lines.iter().all(|line| line.0.chars().count() <= 60), "{text:?}");
+    assert!(text.join(" ").contains("not an alternative, only the effect of the mass ratio"));
 }

@@ -1,6 +1,7 @@
 //! The constraints on the designs of a search: requested bounds, and feasibility.
 
 use crate::model::run::envelope;
+use crate::model::units;
 use crate::study::quantities::{self, Quantity};
 
 /// A measure with a bound.
@@ -36,6 +37,21 @@ pub fn feasibility() -> impl Iterator<Item = Constraint> {
 }
 
 impl Constraint {
+    /// Read `QUANTITY<=VALUE` or `QUANTITY>=VALUE`, SI or with a unit.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let split = |sign: &str| text.split_once(sign);
+        let (name, value, at_most) = split("<=")
+            .map(|(name, value)| (name, value, true))
+            .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
+            .ok_or("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")?;
+        let measure = quantities::named(name.trim()).map_err(|error| error.to_string())?;
+        let bound = measure.parse(value)?;
+        Ok(Self { measure, at_most, bound, is_feasibility: false })
+    }
+
     /// How far a value is from the bound, relative to that; negative where it breaks the constraint.
     pub(super) fn margin(&self, value: Option<f64>) -> f64 {
         let Some(value) = value else { return if self.is_feasibility { 1.0 } else { -1.0 } };
@@ -50,6 +66,12 @@ impl Constraint {
         }
         let margin = self.margin(value);
         if margin < 0.0 { -margin } else { 0.0 }
+    }
+
+    /// As it is read: `stroke_m<=0.05`.
+    pub fn text(&self) -> String {
+        let sign = if self.at_most { "<=" } else { ">=" };
+        format!("{}{sign}{}", self.measure.name, units::shortest(self.bound))
     }
 
     /// In words: `stroke <= 50 mm`.

@@ -3,8 +3,6 @@
 use std::time::Duration;
 
 use crate::model::run::Outcome;
-use crate::model::scene::PlateSize;
-use crate::model::variables;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
 use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
@@ -66,12 +64,7 @@ impl App {
             Picture::Surface => axes.push(axis(1)?),
         }
         let design = Design::new(self.pages.explore.sampling(picture), axes[0].count(), 0);
-        let mut scene = scene.clone();
-        if axes.iter().any(|axis| variables::sizes_plate(axis.variable())) {
-            // It takes the place of the input that gives the size.
-            scene.plate.size = PlateSize::Ratio;
-        }
-        let plan = Plan::new(&scene, axes, design, &sweep.outputs)?;
+        let plan = Plan::new(scene, axes, design, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)
     }
 }

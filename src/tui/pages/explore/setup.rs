@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::scene::{Sweep, SweepAxis};
+use crate::model::scene::Sweep;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
@@ -58,9 +58,9 @@ impl App {
         rows.push(R::Heading("Hold"));
         let sweep = sweep_of(&self.scene);
         let swept = |variable: &Variable| {
-            let key = |axis: &SweepAxis| variables::find(&axis.name).map(|found| found.key);
             let axes = if has_two { 2 } else { 1 };
-            sweep.axes.iter().take(axes).any(|axis| key(axis) == Ok(variable.key))
+            let found = sweep.axes.iter().take(axes).map(|axis| variables::find(&axis.name));
+            found.flatten().any(|axis| variables::exclude_each_other(axis, variable))
         };
         let listed = |variable| variables::is_offered(variable, &self.scene);
         let held = VARIABLES
@@ -261,7 +261,7 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
         let stands_in = at == 0 && !has_family(&app.scene);
         stands_in || other.is_none_or(|other| !variables::exclude_each_other(other, variable))
     };
-    let choices: Vec<&'static Variable> = numeric().filter(taken).collect();
+    let choices: Vec<&'static Variable> = numeric(&app.scene).filter(taken).collect();
     let places = choices.len() + usize::from(family);
     let own = place(&sweep.axes[at], &choices).unwrap_or(0);
     let next = match (alone, by > 0) {
@@ -284,7 +284,7 @@ fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     if changed == 0 && !has_family(&app.scene) {
         sweep.axes.truncate(1);
     }
-    completed(sweep)
+    completed(&app.scene, sweep)
 }
 
 /// Change the sampling of a picture, unless the picture cannot be made then.

@@ -18,6 +18,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::explore::plan::PictureSweep;
 pub use crate::tui::pages::explore::plan::no_value;
 pub use crate::tui::pages::explore::setup::{Part, SetupRow};
+use crate::tui::widgets::axis::over;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
@@ -36,6 +37,8 @@ pub enum Picture {
 
 #[derive(Clone, Debug)]
 pub struct Found {
+    /// The scene that was swept.
+    pub scene: Arc<Scene>,
     /// The grid, filled as far as it is.
     pub grid: Arc<Grid>,
     /// Time taken; `None` while it grows.
@@ -150,15 +153,20 @@ pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
 pub fn sweep_of(scene: &Scene) -> Sweep {
-    completed(scene.sweep.clone().unwrap_or_default())
+    completed(scene, scene.sweep.clone().unwrap_or_default())
 }
 
 /// A sweep with usual axes and outputs where it has none.
-pub(super) fn completed(mut sweep: Sweep) -> Sweep {
+pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
     for (name, from, to, count) in USUAL_AXES {
-        let taken = sweep.axes.iter().any(|axis| excludes(axis, name));
+        let usual = SweepAxis::linear(name, from, to, count);
+        // Where another input than gamma gives the plate its size, that one.
+        let found = variables::find(name).ok().filter(|it| variables::overrules_size(it, scene));
+        let own = found.and_then(|_| variables::find(scene.plate.size.key()).ok());
+        let usual = own.and_then(|own| over(scene, own, count).ok()).unwrap_or(usual);
+        let taken = sweep.axes.iter().any(|axis| excludes(axis, &usual.name));
         if sweep.axes.len() < 2 && !taken {
-            sweep.axes.push(SweepAxis::linear(name, from, to, count));
+            sweep.axes.push(usual);
         }
     }
     if sweep.outputs.is_empty() {

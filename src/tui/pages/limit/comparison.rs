@@ -10,7 +10,6 @@ use crate::study::compare::summary;
 use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
 use crate::study::sweep::Axis;
-use crate::tui::app::status::fitting;
 use crate::tui::chart::heatmap;
 use crate::tui::pages::explore::state::{copy_value, nearest, placed};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
@@ -208,10 +207,11 @@ fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
         lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
     }
     let table = report::compare::beside(report, width);
-    lines.extend(table.lines().enumerate().map(|(at, line)| {
+    lines.extend(table.lines().enumerate().flat_map(|(at, line)| match at {
         // The candidate that is the scene with another absorber has its name.
-        let line = if at == 0 { headed(line, scene) } else { line.to_owned() };
-        (line, Role::Text)
+        0 => vec![(headed(line, scene), Role::Text)],
+        _ if line.starts_with('*') => sentence(Role::Text, line),
+        _ => vec![(line.to_owned(), Role::Text)],
     }));
     lines.push((String::new(), Role::Text));
     lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
@@ -273,7 +273,15 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let why = cell.map(|_| "no point has a mass efficiency");
         return canvas.put_centred(inner, &nothing::<EqualMass>(app, "computing the map", why));
     };
-    let above = Rect { height: area.height.saturating_sub(1), ..area };
+    let marks = map.marks.iter().map(|(letter, words)| {
+        format!("{letter} {}", words.split([':', '(']).next().unwrap_or_default().trim_end())
+    });
+    // As many rows below as the letters need, while the map has most of the room.
+    let marks: Vec<String> = marks.collect();
+    let mut marks = wrap(&marks.join("; "), usize::from(area.width).saturating_sub(1));
+    marks.truncate(if map.marks.is_empty() { 0 } else { usize::from(area.height / 6) });
+    let below = 1 + u16::try_from(marks.len()).unwrap_or(0);
+    let above = Rect { height: area.height.saturating_sub(below), ..area };
     let cursor = column_of(found.x(), x).zip(column_of(found.y(), y));
     let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
     let map = report::map::Map { title, cursor, focused, ..map };
@@ -295,11 +303,8 @@ pub(crate) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         column = canvas.put(area, (column, above.height), &from, Role::Text);
     }
-    for (letter, words) in &map.marks {
-        let short = words.split(" (").next().unwrap_or_default();
-        let texts = [words, short, "no value", "none"].map(|text| format!("  {letter} {text}"));
-        let text = fitting(texts, usize::from(area.width.saturating_sub(column)));
-        column = canvas.put(area, (column, above.height), &text, Role::Text);
+    for (row, text) in (above.height + 1..).zip(marks) {
+        canvas.put(area, (1, row), &text, Role::Text);
     }
     canvas.plot(&layout, |x, y| {
         Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))

@@ -2,7 +2,7 @@
 
 use crate::model::scene::{InterfaceLaw, SweepAxis};
 use crate::model::units::{self, Bare};
-use crate::model::variables::{self, Group, Value};
+use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
@@ -12,7 +12,7 @@ use crate::study::sensitivity;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Page, Request};
-use crate::tui::widgets::axis::{Part, meaning, over};
+use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, Line, quantity_meaning};
 
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +29,8 @@ pub struct Setup {
     pub objectives: [bool; 4],
     /// The greatest stroke allowed, m.
     pub stroke_m: Option<f64>,
+    /// Further bounds that designs have to keep.
+    pub subject_to: Vec<Constraint>,
     /// Designs that are not feasible do not count.
     pub feasible: bool,
     /// Points of a generation, and generations.
@@ -56,6 +58,7 @@ impl Default for Setup {
             bounds: Vec::new(),
             objectives: [true; 4],
             stroke_m: Some(1.0),
+            subject_to: Vec::new(),
             feasible: true,
             effort: (60, 40),
             axes: (0, 1),
@@ -80,6 +83,8 @@ pub enum Row {
     Bound(usize),
     Objective(usize),
     Stroke,
+    /// Bounds that designs have to keep, besides that on the stroke.
+    Bounds,
     Feasible,
     /// Points of a generation.
     Population,
@@ -105,26 +110,34 @@ pub fn brief(column: &Quantity) -> String {
     at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
-/// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
+/// `mount force<=20 kN`.
+fn short_words(bound: &Constraint) -> String {
+    let sign = if bound.at_most { "<=" } else { ">=" };
+    format!("{}{sign}{}", brief(bound.measure), bound.measure.show(bound.bound, 4))
+}
+
+/// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
 fn usual_bounds(scene: &Scene) -> Vec<Bound> {
     let thesis = sensitivity::thesis_axes(scene).unwrap_or_default();
-    let mut list: Vec<Bound> = thesis.into_iter().map(|axis| Bound { axis, on: true }).collect();
-    let others = variables::VARIABLES.iter().filter(|variable| {
-        let group = matches!(variable.group, Group::Projectile | Group::Target);
-        let value = variable.value(scene);
-        let positive = matches!(value, Value::Number(value) if value > 0.0);
-        group && positive && variables::is_used(variable, scene)
+    let is_there = |it: &Variable| thesis.iter().any(|axis| axis.variable().key == it.key);
+    let others = numeric(scene).filter(|variable| {
+        let positive = matches!(variable.value(scene), Value::Number(value) if value > 0.0);
+        let is_model = variable.group != Group::Run && variables::is_listed(variable, scene);
+        positive && is_model && variables::is_used(variable, scene) && !is_there(variable)
     });
     let usual = |variable| Axis::of(&over(scene, variable, 2).ok()?, &COUNTS).ok();
-    list.extend(others.filter_map(usual).map(|axis| Bound { axis, on: false }));
-    list
+    let others = others.filter_map(usual).map(|axis| Bound { axis, on: false });
+    let others: Vec<Bound> = others.collect();
+    thesis.into_iter().map(|axis| Bound { axis, on: true }).chain(others).collect()
 }
 
 impl App {
-    /// The variables of fronts and sensitivity.
+    /// The variables of fronts and sensitivity, as far as a person changed none of their bounds the usual ones.
     pub fn search_bounds(&self) -> Vec<Bound> {
         let kept = &self.pages.search.setup.bounds;
-        if kept.is_empty() { usual_bounds(&self.scene) } else { kept.clone() }
+        let kept = |symbol: &str| kept.iter().find(|it| it.axis.symbol() == symbol).cloned();
+        let usual = usual_bounds(&self.scene).into_iter();
+        usual.map(|bound| kept(bound.axis.symbol()).unwrap_or(bound)).collect()
     }
 
     /// The rows of the setup of a page, headings included.
@@ -142,7 +155,7 @@ impl App {
             Page::Front => {
                 rows.push(Row::Heading("Minimise"));
                 rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-                rows.extend([Row::Stroke, Row::Feasible, Row::Heading("Vary")]);
+                rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
                 rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
                 rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
@@ -210,6 +223,16 @@ impl App {
                 let bound = setup.stroke_m.map_or_else(|| "none".to_owned(), shown);
                 Line { takes_unit: true, ..Line::typed("stroke at most", bound) }
                     .means("designs with a greater stroke are infeasible; none: no bound")
+            }
+            Row::Bounds => {
+                let written = |of: fn(&Constraint) -> String| {
+                    let each: Vec<String> = setup.subject_to.iter().map(of).collect();
+                    if each.is_empty() { "none".to_owned() } else { each.join(", ") }
+                };
+                let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
+                let (shown, text) = (written(short_words), written(Constraint::text));
+                Line { text: Some(text.clone()), takes_unit: true, ..Line::word("bounds", shown) }
+                    .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
             Row::Feasible => Line::switch("feasible", setup.feasible).means(
                 "yes: only designs within the limits of interface, yield, travel, stop, face",
@@ -294,6 +317,7 @@ impl App {
             objectives,
             constraints: constraints
                 .into_iter()
+                .chain(setup.subject_to.iter().copied())
                 .chain(front::feasibility().filter(|_| setup.feasible))
                 .collect(),
             laws: vec![self.scene.interface.law],

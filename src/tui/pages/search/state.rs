@@ -10,6 +10,7 @@ use crate::study::search::front::{self, Design, Front, Task};
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
+use crate::study::validity;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
 use crate::tui::pages::prelude::*;
@@ -345,13 +346,25 @@ impl Found {
 
     /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        match &*self.answer {
-            Answer::Seek(it) => only(report::seek::table(name, it), listed),
-            Answer::Front(front, task) => {
-                only(report::front::table(name, task, std::slice::from_ref(front)), listed)
+        let scene = &self.searched();
+        match (&*self.answer, &self.request) {
+            (Answer::Seek(it), _) => {
+                only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
             }
-            Answer::Sensitivity(it) => only(report::sensitivity::table(name, it), listed),
-            Answer::MonteCarlo(it) => only(report::monte_carlo::table(name, it), listed),
+            (Answer::Front(front, task), _) => {
+                let fronts = std::slice::from_ref(&**front);
+                let warnings = report::front::warnings(scene, task, fronts);
+                only(report::front::table(name, task, fronts), listed, &warnings)
+            }
+            (Answer::Sensitivity(it), _) => {
+                let warnings = validity::of_axes(scene, &it.axes);
+                only(report::sensitivity::table(name, it), listed, &warnings)
+            }
+            (Answer::MonteCarlo(it), Request::MonteCarlo(task)) => {
+                let warnings = report::monte_carlo::warnings(scene, it, task.samples);
+                only(report::monte_carlo::table(name, it), listed, &warnings)
+            }
+            (Answer::MonteCarlo(it), _) => only(report::monte_carlo::table(name, it), listed, &[]),
         }
     }
 
@@ -360,11 +373,11 @@ impl Found {
     }
 }
 
-/// A table with the rows at some places, as CSV; with all of them where none are named.
-fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>) -> String {
+/// A table with the rows at some places and with warnings, as CSV; with all rows where none are named.
+fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>, warnings: &[String]) -> String {
     let mut at = 0..;
     table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
-    table.csv()
+    table.with_warnings(warnings).csv()
 }
 
 /// Whether an answer is whole, and how much went into it.

@@ -13,7 +13,7 @@ use crate::tui::app::status::outside;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, Searching};
+use crate::tui::pages::search::state::{Answer, Request, Searching};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::broken;
 
@@ -115,7 +115,13 @@ impl App {
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
+        let law = match tab.shown().map(|found| &found.request) {
+            Some(Request::Seek(_, law)) => *law,
+            _ => self.scene.interface.law,
+        };
+        let law = report::seek::other_law(law, self.scene.interface.law);
         let solutions = solutions.chain(self.no_match(is_empty));
+        let solutions = solutions.chain(law.map(|text| (text, Role::Warning)));
         solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
     }
 
