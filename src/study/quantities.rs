@@ -193,7 +193,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED).stack(Elements(Greatest)),
-    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Source::Run(Run::stroke_m))
+    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED).stack(Elements(Greatest)),
     quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().stack(Whole),
@@ -212,8 +212,8 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)).stack(Whole),
     quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))).stack(Whole),
     quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)).stack(Whole),
-    quantity("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", Source::Course(mount::peak_force_n, mount::needs_course))
-        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force").stack(Plates(Greatest)),
+    quantity("peak_mount_force_n", "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
+        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force").stack(Plates(Greatest)),
     quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement; of a stack, into all mounts", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)).stack(Plates(Sum)),
     quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)).stack(Known(Least)),
     quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))).stack(Known(Sum)),
