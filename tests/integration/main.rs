@@ -32,6 +32,7 @@ mod mechanisms;
 mod models;
 #[cfg(test)]
 mod monte_carlo;
+#[cfg(test)]
 mod mount_loads;
 #[cfg(test)]
 mod optimise;

@@ -55,7 +55,7 @@ fn valid_a_preloaded_plate_that_only_goes_back_does_not_stand_still() {
     assert_near(number(&found, "peak_mount_force_n"), 3000.0, 1e-12);
 }
 
-/// The plate coasts to its stop with the momentum p that the shot has lost, and presses it with p sqrt(k/m_2), wherever it stands.
+/// The plate coasts to its stop with the momentum p that the shot has lost, and presses it with `p sqrt(k/m_2)`, wherever it stands.
 #[test]
 fn valid_an_elastic_stop_takes_the_momentum_of_a_coasting_plate_however_far_away_it_stands() {
     let free = run("h=3mm v_i=400 k=0");

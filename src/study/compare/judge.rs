@@ -24,6 +24,7 @@ pub(super) struct Judge<'c, 'w> {
 }
 
 /// A shot that the hardware does not hold.
+#[derive(Clone, Copy)]
 struct Overload {
     /// A slower shot that it holds, m/s; 0 where none is known.
     holds_m_s: f64,
@@ -90,7 +91,7 @@ impl Judge<'_, '_> {
         let (mut overload, mut slower) = (None, None);
         if let Some((top_m_s, fastest)) = &fastest {
             let design = passed(&run);
-            overload = self.overload(design_m_s, *top_m_s, design..passed(fastest), &built)?;
+            overload = self.overload(design_m_s, *top_m_s, design..passed(fastest), &built).ok()?;
             let at_top = built.failure(fastest).map(|failure| (*top_m_s, failure));
             let at_design = built.failure(&run).filter(|_| design_m_s < *top_m_s);
             let at_end = at_design.map(|failure| (design_m_s, failure)).or(at_top);
@@ -101,7 +102,7 @@ impl Judge<'_, '_> {
                     failure,
                 });
             }
-            if let Some(found) = self.overload(0.0, design_m_s, 0..design, &built)? {
+            if let Some(found) = self.overload(0.0, design_m_s, 0..design, &built).ok()? {
                 let (velocity_m_s, failure) = self.limit(found, &built)?;
                 slower = velocity_m_s.map(|velocity_m_s| (velocity_m_s, failure));
             }
@@ -169,7 +170,7 @@ impl Judge<'_, '_> {
         self.fire(limit_m_s * (1.0 - JUST_BELOW))
     }
 
-    /// The slowest shot at which the hardware fails, of those from one velocity up to another that load a plate most; `None` when
+    /// The slowest shot at which the hardware fails, of those from one velocity up to another that load a plate most; an error when
     /// stopped. Each is just too slow to perforate one more plate of a stack, from so many on: faster ones load that plate less.
     fn overload(
         &mut self,
@@ -177,21 +178,21 @@ impl Judge<'_, '_> {
         to_m_s: f64,
         plates: Range<usize>,
         built: &Built,
-    ) -> Option<Option<Overload>> {
+    ) -> Result<Option<Overload>, ()> {
         let mut known_m_s = from_m_s;
         for plate in plates {
             let (mut low, mut high) = (known_m_s, to_m_s);
             while high - low > WIDTH * high && high > limit::RANGE_M_S.0 {
                 let middle = 0.5 * (low + high);
-                let is_through = passed(&self.fire(middle)?) > plate;
+                let is_through = passed(&self.fire(middle).ok_or(())?) > plate;
                 (low, high) = if is_through { (low, middle) } else { (middle, high) };
             }
-            if let Some(failure) = built.failure(&self.fire_below(high)?) {
-                return Some(Some(Overload { holds_m_s: known_m_s, fails_m_s: high, failure }));
+            if let Some(failure) = built.failure(&self.fire_below(high).ok_or(())?) {
+                return Ok(Some(Overload { holds_m_s: known_m_s, fails_m_s: high, failure }));
             }
             known_m_s = high;
         }
-        Some(None)
+        Ok(None)
     }
 
     /// The limit velocity with hardware that fails before the plate is perforated, and what fails there; `None` when stopped.
