@@ -82,7 +82,9 @@ pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
 
 fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'_>) -> EndReason {
     simulation.begin();
-    simulation.run::<N>(observer)
+    let end = simulation.run::<N>(observer);
+    let is_cancelled = simulation.follow_loads::<N>(observer) == EndReason::Cancelled;
+    if is_cancelled { EndReason::Cancelled } else { end }
 }
 
 /// The same of another order at a much tighter tolerance; `None` when it was cancelled.

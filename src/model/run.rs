@@ -369,8 +369,8 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
-    /// Greatest force of spring, damper and elastic stop, located, N; `None` where it follows from the displacements, or by the
-    /// listing of Appendix A.
+    /// Greatest force of spring, damper and elastic stop over the whole motion, way back included, N; `None` where it follows from
+    /// the displacements, as of a power law alone, or by the listing of Appendix A.
     pub peak_mount_n: Option<f64>,
     /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
     pub rotation_j: Option<f64>,

@@ -124,6 +124,7 @@ pub fn json(name: &str, report: &Report) -> Value {
             let mut object = table.object(&entry, |key| !["scene", "candidate"].contains(&key));
             object.extend([
                 ("held".to_owned(), entry.is_held.into()),
+                ("slower_overload_m_s".to_owned(), entry.slower.map(|slower| slower.0).into()),
                 ("no_limit".to_owned(), entry.no_limit().into()),
                 (
                     "no_mass_efficiency".to_owned(),

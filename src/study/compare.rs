@@ -93,6 +93,9 @@ pub struct Entry {
     pub limit_m_s: Option<f64>,
     /// The failure at that velocity; `None`: the plate is perforated.
     pub failure: Option<Failure>,
+    /// The velocity below the design velocity from which on a stack's hardware does not hold, m/s, and the failure there: of a shot
+    /// that fewer plates stop.
+    pub slower: Option<(f64, Failure)>,
     /// The thinnest armour of this kind that stops the shot.
     pub sized: Result<Sized, Absence>,
     /// Thickness of the solid plate with the same limit velocity, m.

@@ -193,7 +193,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED).stack(Elements(Greatest)),
-    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Source::Run(Run::stroke_m))
+    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED).stack(Elements(Greatest)),
     quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().stack(Whole),
@@ -212,8 +212,8 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)).stack(Whole),
     quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))).stack(Whole),
     quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)).stack(Whole),
-    quantity("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", Source::Course(mount::peak_force_n, mount::needs_course))
-        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force").stack(Plates(Greatest)),
+    quantity("peak_mount_force_n", "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal; of a stack, the greatest of its plates, the base plate included", Source::Course(mount::peak_force_n, mount::needs_course))
+        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force").stack(Plates(Greatest)),
     quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement; of a stack, into all mounts", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)).stack(Plates(Sum)),
     quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)).stack(Known(Least)),
     quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))).stack(Known(Sum)),
@@ -229,7 +229,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
     quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates, whatever its springs have to store", Source::Shots(limit::velocity_m_s)).short("limit"),
-    quantity("limit_with_hardware_m_s", "least impact velocity that perforates or that the springs, sized for v_i, do not hold: as in `compare`", Source::Shots(limit_with_hardware_m_s)).short("with hardware"),
+    quantity("limit_with_hardware_m_s", "least impact velocity that perforates or, from v_i on, that the springs, sized for v_i, do not hold: as in `compare`, which names slower shots that overload a stack", Source::Shots(limit_with_hardware_m_s)).short("with hardware"),
     quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).map_err(Absence::words))).short("efficiency"),
     quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
     quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole().stack(Plates(Sum)),
@@ -328,13 +328,18 @@ impl Quantity {
 
     /// Its value for a run; `None` where it does not exist, never a number that is not finite.
     pub fn value(&self, run: &Run) -> Option<f64> {
-        let own = |run: &Run| match self.source {
+        let own = |run: &Run| self.of_plate(run);
+        let value = if run.stack.is_some() { self.of_stack.value(run, own) } else { own(run) };
+        value.filter(|value| value.is_finite())
+    }
+
+    /// Its value for the plate of a run alone, whatever stands behind it.
+    pub(in crate::study) fn of_plate(&self, run: &Run) -> Option<f64> {
+        match self.source {
             Source::Scene(get) => get(&run.scene),
             Source::Shots(get) => get(&run.scene).ok(),
             Source::Run(get) | Source::Course(get, _) => get(run),
-        };
-        let value = if run.stack.is_some() { self.of_stack.value(run, own) } else { own(run) };
-        value.filter(|value| value.is_finite())
+        }
     }
 
     /// The same, or why the many shots that it needs do not give it; empty where there is nothing to say.

@@ -6,8 +6,7 @@ use crate::model::units;
 use crate::study::quantities::find;
 
 /// The quantities of the whole stack that are listed.
-const WHOLE: [&str; 5] =
-    ["stroke_m", "peak_mount_force_n", "mount_impulse_n_s", "system_mass_kg", "areal_mass_kg_m2"];
+const WHOLE: [&str; 4] = ["stroke_m", "mount_impulse_n_s", "system_mass_kg", "areal_mass_kg_m2"];
 
 /// The sentence, and a line for every plate that was struck, at most 76 columns wide.
 pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
@@ -16,22 +15,29 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
         lines.push(format!("residual velocity behind it {}", units::velocity(left, 5)));
     }
     lines.push(format!(
-        "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",
-        "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "travel mm"
+        "{:<11}{:>10}  {:<10}{:>9}{:>12}{:>11}{:>10}",
+        "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "travel mm", "mount kN"
     ));
+    let force = find("peak_mount_force_n");
+    let mut greatest: Option<(f64, usize)> = None;
     let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
     for (plate, run) in plates.enumerate() {
+        let force_n = force.and_then(|force| force.of_plate(run));
+        if let Some(force_n) = force_n.filter(|n| greatest.is_none_or(|(most, _)| *n > most)) {
+            greatest = Some((force_n, plate));
+        }
         let through = run.outcome == Outcome::Perforated;
         let depth = run.final_penetration_m.filter(|_| !through).map(|depth| depth * 1e3);
         let depth = if through { "through".to_owned() } else { number(depth) };
         lines.push(format!(
-            "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",
+            "{:<11}{:>10}  {:<10}{:>9}{:>12}{:>11}{:>10}",
             stack.name(plate),
             number(Some(run.scene.projectile.velocity_m_s)),
             run.outcome.word(),
             depth,
             number(run.residual_velocity_m_s),
             number(run.max_plate_displacement_m.map(|x| x * 1e3)),
+            number(force_n.map(|n| n * 1e-3)),
         ));
     }
     let left = stack.elements + 1 - (stack.behind.len() + 1);
@@ -42,6 +48,10 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     let whole: Vec<String> = whole
         .filter_map(|it| Some(format!("{} {}", it.title(), it.show(it.value(first)?, 4))))
         .collect();
+    if let Some((force_n, plate)) = greatest {
+        let force = units::engineering(force_n, "N", 4);
+        lines.push(format!("greatest mount force of a plate: {force}, {}", stack.name(plate)));
+    }
     for pair in whole.chunks(2) {
         lines.push(format!("in all: {}", pair.join(", ")));
     }

@@ -33,6 +33,8 @@ mod models;
 #[cfg(test)]
 mod monte_carlo;
 #[cfg(test)]
+mod mount_loads;
+#[cfg(test)]
 mod optimise;
 #[cfg(test)]
 mod oracle;

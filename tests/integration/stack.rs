@@ -184,3 +184,48 @@ fn a_stack_without_a_base_is_refused_and_so_are_studies_of_one_plate() {
         "{told}"
     );
 }
+
+/// Just below the velocity at which one more plate is perforated, that plate travels farthest: the limit with hardware is the least
+/// such shot from the design velocity on, and the next slower ones are held.
+#[test]
+fn valid_the_limit_of_a_stack_with_its_hardware_is_the_slowest_shot_that_overloads_it() {
+    let json = |command: &str, arguments: &[&str]| {
+        let (out, _) = says(command, &[&["array-stacked", "--json"], arguments].concat(), 0);
+        serde_json::from_str::<serde_json::Value>(&out).unwrap()
+    };
+    let strokes = |v: f64| {
+        let found = json("run", &["--set", &format!("v_i={v}")]);
+        let plates = found["stack"]["plates"].as_array().unwrap().clone();
+        plates.iter().filter_map(|it| it["max_plate_displacement_m"].as_f64()).fold(0.0, f64::max)
+    };
+    // At 200 m/s the third element stops the shot; the springs sized for that hold nothing faster, but the plate a limit of 261.
+    let limit = |arguments: &[&str]| {
+        let compared = json("compare", &[&["--set", "v_i=200"], arguments].concat());
+        compared["candidates"]["scene"]["limit_velocity_m_s"].as_f64().unwrap()
+    };
+    assert_near(limit(&[]), 200.0, 1e-5);
+    // With springs to spare it is the room of 50 mm that is used up, before the third element is perforated.
+    let room = limit(&["--spring-mass", "5kg", "--stroke", "50mm"]);
+    assert!(strokes(room * 0.9999) <= 0.05 && strokes(room * 1.0001) > 0.05, "{room}");
+    // At 250 m/s only the base plate holds; slower shots, which an element stops, need more room.
+    let compared = json("compare", &["--stroke", "25mm"]);
+    let slower = compared["candidates"]["scene"]["slower_overload_m_s"].as_f64().unwrap();
+    assert!(slower < 215.0 && strokes(215.0) > 0.05, "{slower}");
+}
+
+/// The springs of the preset have 100 kN/m: the plate-by-plate table has k x of each, and the contact force of the base plate, which
+/// is the greatest.
+#[test]
+fn valid_the_table_of_a_stack_gives_the_mount_force_of_each_plate() {
+    let (page, _) = says("run", &["array-stacked"], 0);
+    let rows = page.lines().filter(|line| line.starts_with("element "));
+    let mut elements = 0;
+    for row in rows {
+        let numbers: Vec<f64> = row.split_whitespace().filter_map(|it| it.parse().ok()).collect();
+        let [.., travel_mm, mount_kn] = numbers[..] else { panic!("{row}") };
+        assert_near(mount_kn, 0.1 * travel_mm, 1e-4);
+        elements += 1;
+    }
+    assert_eq!(elements, 3, "{page}");
+    assert!(page.contains("greatest mount force of a plate: 20.06 kN, base plate"), "{page}");
+}

@@ -39,6 +39,12 @@ impl Problem {
         farther.then_some(crushed_m)
     }
 
+    /// The spring after absorbers were crushed up to x; `None` where that is no farther than before.
+    pub(super) fn unloaded_spring(&self, x: f64) -> Option<Spring> {
+        let crushed_m = if self.has_absorber() { self.crushed_by(x) } else { None };
+        crushed_m.map(|crushed_m| Spring::after(&self.scene.mechanism, crushed_m))
+    }
+
     /// The same impact with absorbers crushed so far.
     fn crushed(&self, crushed_m: [f64; 2]) -> &Self {
         self.next.get_or_init(|| {
@@ -70,9 +76,8 @@ impl Simulation<'_> {
         let (problem, x) = (self.body.problem, self.body.state.plate_m);
         let crushed_j = self.record.work.crush_j;
         let stored_j = problem.mechanism.spring.energy(x);
-        let crushed_m = if problem.has_absorber() { problem.crushed_by(x) } else { None };
-        crushed_m.map_or((stored_j, crushed_j), |crushed_m| {
-            let elastic_j = Spring::after(&problem.scene.mechanism, crushed_m).energy(x);
+        problem.unloaded_spring(x).map_or((stored_j, crushed_j), |unloaded| {
+            let elastic_j = unloaded.energy(x);
             (elastic_j, crushed_j + stored_j - elastic_j)
         })
     }

@@ -6,7 +6,7 @@ use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Departure, EnergyLedger, Event, EventKind, Mode, Sample};
 use crate::numerics::root::each_down_crossing;
 use crate::numerics::series::{evaluate, slope};
-use crate::numerics::{larger, maximum};
+use crate::numerics::{larger, maximum, smaller};
 
 /// Points drawn within each Taylor step, its end included.
 const POINTS_PER_STEP: usize = 8;
@@ -36,6 +36,7 @@ pub(super) struct Record<'a> {
     pub(super) peak_mount_n: f64,
     pub(super) max_displacement_m: f64,
     pub(super) max_displacement_s: f64,
+    pub(super) min_displacement_m: f64,
     /// Greatest push and pull through the interface while fused, over A `S_y`, and when the limits were first passed, s.
     pub(super) push_ratio: Option<f64>,
     pub(super) pull_ratio: f64,
@@ -104,11 +105,12 @@ impl Record<'_> {
         self.series.push(row);
     }
 
-    /// Note a displacement that may be the greatest so far.
+    /// Note a displacement that may be the greatest, or the least, so far.
     pub(super) fn reach(&mut self, state: &State) {
         if state.plate_m > self.max_displacement_m {
             (self.max_displacement_m, self.max_displacement_s) = (state.plate_m, state.t_s);
         }
+        self.min_displacement_m = smaller(state.plate_m, self.min_displacement_m);
     }
 
     /// Write down a step of an expansion: points to draw, work done, extremes of the forces. `span` is the part

@@ -6,13 +6,16 @@ use crate::model::impact::body::MaximumDisplacement;
 use crate::model::impact::problem::{PlateResponse, Problem};
 use crate::model::impact::record::Record;
 use crate::model::impact::simulation::Simulation;
-use crate::model::mechanism::{PowerKind, load};
+use crate::model::mechanism::{PowerKind, Spring, load};
 use crate::model::run::{
     AtLeast, Cost, EndReason, EnergyLedger, Event, EventKind, MechanismLoad, Mode, NotModelled,
     Outcome, Run, STILL_WITHIN_CONTACT, Warning,
 };
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
+
+/// Part of the mount's force within which way back and way forward are the same.
+const ROUNDING: f64 = 1e-9;
 
 pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReason) -> Run {
     let outcome = simulation
@@ -163,9 +166,42 @@ fn load(
         yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
         added_kg: positive(inertia.added_kg()),
         spring_mass_kg: inertia.spring_mass_kg,
-        peak_mount_n: problem.follows_mount_force().then_some(simulation.record.peak_mount_n),
+        peak_mount_n: if problem.follows_mount_force() {
+            Some(simulation.record.peak_mount_n)
+        } else {
+            swinging_mount_n(problem, simulation, max_displacement)
+        },
         rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
     }
+}
+
+/// The greatest force of a spring that is a curve and acts alone, N: on the way of the run, and back from there with the energy
+/// that is left.
+fn swinging_mount_n(
+    problem: &Problem,
+    simulation: &Simulation<'_>,
+    max_displacement: Option<f64>,
+) -> Option<f64> {
+    let (body, record) = (&simulation.body, &simulation.record);
+    let greatest = |spring: &Spring, low_m, high_m| {
+        let forces = spring.curve().map(|curve| curve.forces_between(low_m, high_m));
+        forces.map(|(least, most)| larger(least.abs(), most.abs()))
+    };
+    let energy_j = body.energy_j();
+    let reached_m = larger(record.max_displacement_m, body.reach_with(energy_j));
+    let far_m = max_displacement.unwrap_or(reached_m);
+    let on_the_way_n = greatest(&problem.mechanism.spring, record.min_displacement_m, far_m)?;
+    // An absorber that is still being crushed gives back less than was spent on it.
+    let crushed = body.problem.unloaded_spring(far_m).filter(|_| body.state.plate_m_s > 0.0);
+    let back_n = if let Some(spring) = crushed {
+        let back_m = -spring.backward(far_m, spring.energy(far_m));
+        greatest(&spring, back_m, far_m)?
+    } else {
+        let spring = &body.problem.mechanism.spring;
+        greatest(spring, -spring.backward(body.state.plate_m, energy_j), far_m)?
+    };
+    let is_more = back_n > on_the_way_n * (1.0 + ROUNDING);
+    Some(if is_more { back_n } else { on_the_way_n })
 }
 
 fn warnings(

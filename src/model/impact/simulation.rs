@@ -49,6 +49,7 @@ impl<'a> Simulation<'a> {
             record: Record {
                 keep_series,
                 max_displacement_m: problem.start_m,
+                min_displacement_m: problem.start_m,
                 ..Record::default()
             },
             termination: Termination::default(),

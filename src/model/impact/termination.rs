@@ -4,9 +4,11 @@
 //! that the interface may have to carry.
 
 use crate::model::impact::body::{MaximumDisplacement, NO_ENERGY};
+use crate::model::impact::record::Record;
 use crate::model::impact::simulation::Simulation;
+use crate::model::mechanism::sign;
 use crate::model::motion::ContactForce;
-use crate::model::run::{EndReason, Mode, Outcome};
+use crate::model::run::{EndReason, Mode, Observer, Outcome};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
@@ -23,6 +25,8 @@ const ARRIVED_SPEED: f64 = 1e-2;
 const DEMAND_GROWTH: f64 = 1e-9;
 /// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
 const NEGLIGIBLE_ENERGY: f64 = 1e-18;
+/// Turns of a plate that is followed for its loads: to the way back, forward again, and the end of that.
+const TURNS_FOLLOWED: usize = 3;
 
 /// The known part of the run's outcome.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +36,8 @@ pub(super) struct Termination {
     pub(super) max_displacement: MaximumDisplacement,
     /// How far the first half-oscillation of the joined body has come.
     oscillation: HalfOscillation,
+    /// The plate is followed after the run for its greatest loads: how often it has turned, and its direction.
+    loads: Option<(usize, f64)>,
 }
 
 /// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
@@ -46,8 +52,10 @@ enum HalfOscillation {
 impl Simulation<'_> {
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         self.note_half_oscillation();
-        let at_horizon =
-            self.body.state.t_s >= self.body.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
+        if self.termination.loads.is_some() {
+            return (!self.loads_are_ahead()).then_some(EndReason::Decided);
+        }
+        let at_horizon = self.body.state.t_s >= self.horizon_s() * (1.0 - 4.0 * f64::EPSILON);
         if self.termination.decided.is_none() {
             let outcome = self.body.outcome();
             if outcome != Outcome::Moving {
@@ -93,11 +101,16 @@ impl Simulation<'_> {
         let in_tail = self.termination.decided.is_some()
             && !self.body.problem.horizon_is_given
             && self.body.state.t_s < tail;
-        if in_tail {
-            smaller(tail, self.body.problem.horizon_s)
-        } else {
-            self.body.problem.horizon_s
-        }
+        if in_tail { smaller(tail, self.horizon_s()) } else { self.horizon_s() }
+    }
+
+    /// When the run ends at the latest, s: a plate that coasts to a stop, or presses it, arrives first.
+    fn horizon_s(&self) -> f64 {
+        let problem = self.body.problem;
+        let stop_s = self.body.time_at_stop_s().filter(|_| !problem.horizon_is_given);
+        let later_s = stop_s.map_or(0.0, |stop_s| self.body.state.t_s + 2.0 * stop_s);
+        let followed = if self.termination.loads.is_some() { f64::INFINITY } else { 0.0 };
+        larger(problem.horizon_s, larger(later_s, followed))
     }
 
     /// Whether there is still something worth drawing.
@@ -189,6 +202,70 @@ impl Simulation<'_> {
             && self.record.push_ratio.is_some_and(|known| {
                 self.body.push_at(self.body.energy_j()) > known * strength * (1.0 + DEMAND_GROWTH)
             })
+    }
+
+    /// Follows the plate after the run where way back or second swing forward may load mount or fused interface more than the run
+    /// has: on an asymmetric or falling spring, or thrown back by an elastic stop. Nothing else of the run changes. On a spring
+    /// of an odd power law the first swing forward is the greatest.
+    pub(super) fn follow_loads<const N: usize>(&mut self, observer: Observer<'_>) -> EndReason {
+        let mechanism = &self.body.problem.mechanism;
+        let swings_otherwise =
+            mechanism.spring.curve().is_some() || mechanism.elastic_stop().is_some();
+        if !swings_otherwise || self.termination.decided.is_none() || !self.loads_may_grow() {
+            return EndReason::Decided;
+        }
+        let Record {
+            peak_mount_n, push_ratio, pull_ratio, push_exceeded_s, pull_exceeded_s, ..
+        } = self.record;
+        let mut after = Self {
+            body: self.body.clone(),
+            control: self.control.clone(),
+            record: Record {
+                peak_mount_n,
+                push_ratio,
+                pull_ratio,
+                push_exceeded_s,
+                pull_exceeded_s,
+                ..Record::default()
+            },
+            termination: self.termination.clone(),
+        };
+        after.termination.loads = Some((0, sign(self.body.state.plate_m_s)));
+        let end = after.run::<N>(observer);
+        let record = after.record;
+        self.record.peak_mount_n = record.peak_mount_n;
+        self.record.push_ratio = record.push_ratio;
+        self.record.push_exceeded_s = record.push_exceeded_s;
+        end
+    }
+
+    /// Whether a plate that is followed for its loads has not been far enough: back and forward again.
+    fn loads_are_ahead(&mut self) -> bool {
+        let way = sign(self.body.state.plate_m_s);
+        if let Some((turns, before)) = &mut self.termination.loads
+            && way * *before < 0.0
+        {
+            (*turns, *before) = (*turns + 1, way);
+        }
+        let turns = self.termination.loads.map_or(0, |(turns, _)| turns);
+        turns < TURNS_FOLLOWED && !self.body.is_at_rest() && self.loads_may_grow()
+    }
+
+    /// Whether the energy that is left may load the mount, or the fused interface, more than they have been.
+    fn loads_may_grow(&self) -> bool {
+        let (body, record) = (&self.body, &self.record);
+        if body.is_still() {
+            return false;
+        }
+        let energy_j = body.energy_j();
+        let strength_n = body.interface_n();
+        let push_n = body.push_at(energy_j);
+        let is_carried = body.mode == Mode::Fused && !body.problem.plastic && strength_n > 0.0;
+        let known_n = record.push_ratio.filter(|_| is_carried).map(|ratio| ratio * strength_n);
+        let mount_n = larger(push_n, body.pull_at(energy_j)) / body.problem.interface_fraction;
+        known_n.is_some_and(|known_n| push_n > known_n * (1.0 + DEMAND_GROWTH))
+            || (body.problem.follows_mount_force()
+                && mount_n > record.peak_mount_n * (1.0 + DEMAND_GROWTH))
     }
 
     /// Puts a plate at rest that oscillates about zero without contact, with less energy than rounding leaves, until it is struck

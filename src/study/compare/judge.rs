@@ -1,5 +1,6 @@
 //! The evaluation of one candidate: the mass of its hardware, and the velocity at which plate or hardware fails.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::model::run::{EndReason, Outcome, Run};
@@ -22,6 +23,15 @@ pub(super) struct Judge<'c, 'w> {
     pub(super) context: &'c mut Context<'w>,
 }
 
+/// A shot that the hardware does not hold.
+#[derive(Clone, Copy)]
+struct Overload {
+    /// A slower shot that it holds, m/s; 0 where none is known.
+    holds_m_s: f64,
+    fails_m_s: f64,
+    failure: Failure,
+}
+
 /// Up to which velocity plate and hardware hold.
 struct Limits {
     /// Of the plate alone.
@@ -35,6 +45,13 @@ struct Limits {
     limit_m_s: Option<f64>,
     /// What fails there before the plate is perforated.
     failure: Option<Failure>,
+    /// A shot slower than the design shot that the hardware does not hold, m/s, and what fails.
+    slower: Option<(f64, Failure)>,
+}
+
+/// How many plates of a stack a shot perforates.
+fn passed(run: &Run) -> usize {
+    run.stack.as_ref().map_or(0, |stack| stack.passed())
 }
 
 /// The limit velocity of a valid scene with its hardware, which is sized for the scene's own shot, m/s.
@@ -70,21 +87,41 @@ impl Judge<'_, '_> {
         let is_through = run.shot_outcome() == Outcome::Perforated && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).map_or(&run, |(_, run)| run);
         let built = Built::of(&scene, &self.hardware, sizing);
-        let failure = fastest.as_ref().and_then(|(_, run)| built.failure(run));
-        let (limit_m_s, failure) = match (&fastest, failure) {
-            (Some((top_m_s, _)), Some(failure)) => {
-                let (limit_m_s, failure) = self.limit(*top_m_s, failure, &built)?;
+        let design_m_s = scene.projectile.velocity_m_s;
+        let (mut overload, mut slower) = (None, None);
+        if let Some((top_m_s, fastest)) = &fastest {
+            let design = passed(&run);
+            overload = self.overload(design_m_s, *top_m_s, design..passed(fastest), &built).ok()?;
+            let at_top = built.failure(fastest).map(|failure| (*top_m_s, failure));
+            let at_design = built.failure(&run).filter(|_| design_m_s < *top_m_s);
+            let at_end = at_design.map(|failure| (design_m_s, failure)).or(at_top);
+            if at_design.is_some() || overload.is_none() {
+                overload = at_end.map(|(fails_m_s, failure)| Overload {
+                    holds_m_s: 0.0,
+                    fails_m_s,
+                    failure,
+                });
+            }
+            if let Some(found) = self.overload(0.0, design_m_s, 0..design, &built).ok()? {
+                let (velocity_m_s, failure) = self.limit(found, &built)?;
+                slower = velocity_m_s.map(|velocity_m_s| (velocity_m_s, failure));
+            }
+        }
+        let (limit_m_s, failure) = match overload {
+            Some(overload) => {
+                let (limit_m_s, failure) = self.limit(overload, &built)?;
                 (limit_m_s, Some(failure))
             }
-            (_, _) => (plate_m_s, None),
+            None => (plate_m_s, None),
         };
-        Some(Limits { perforation, run, fastest, built, limit_m_s, failure })
+        Some(Limits { perforation, run, fastest, built, limit_m_s, failure, slower })
     }
 
     /// The entry; `None` when stopped.
     pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
-        let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
+        let Limits { perforation, run, fastest, built, limit_m_s, failure, slower } =
+            self.limits()?;
         let limit_load = match (limit_m_s, &fastest) {
             (Some(_), Some((_, run))) if failure.is_none() => Load::of(run),
             (Some(limit), _) => Load::of(&self.fire_below(limit)?),
@@ -108,6 +145,7 @@ impl Judge<'_, '_> {
             perforation,
             limit_m_s,
             failure,
+            slower,
             sized,
             equivalent_m,
             as_built: equivalent.zip(areal_kg_m2).map(|(equal, own)| equal / own),
@@ -132,15 +170,35 @@ impl Judge<'_, '_> {
         self.fire(limit_m_s * (1.0 - JUST_BELOW))
     }
 
-    /// The limit velocity with hardware that fails before the plate is perforated, and what fails there; `None` when stopped.
-    fn limit(
+    /// The slowest shot at which the hardware fails, of those from one velocity up to another that load a plate most; an error when
+    /// stopped. Each is just too slow to perforate one more plate of a stack, from so many on: faster ones load that plate less.
+    fn overload(
         &mut self,
-        top_m_s: f64,
-        mut failure: Failure,
+        from_m_s: f64,
+        to_m_s: f64,
+        plates: Range<usize>,
         built: &Built,
-    ) -> Option<(Option<f64>, Failure)> {
+    ) -> Result<Option<Overload>, ()> {
+        let mut known_m_s = from_m_s;
+        for plate in plates {
+            let (mut low, mut high) = (known_m_s, to_m_s);
+            while high - low > WIDTH * high && high > limit::RANGE_M_S.0 {
+                let middle = 0.5 * (low + high);
+                let is_through = passed(&self.fire(middle).ok_or(())?) > plate;
+                (low, high) = if is_through { (low, middle) } else { (middle, high) };
+            }
+            if let Some(failure) = built.failure(&self.fire_below(high).ok_or(())?) {
+                return Ok(Some(Overload { holds_m_s: known_m_s, fails_m_s: high, failure }));
+            }
+            known_m_s = high;
+        }
+        Ok(None)
+    }
+
+    /// The limit velocity with hardware that fails before the plate is perforated, and what fails there; `None` when stopped.
+    fn limit(&mut self, overload: Overload, built: &Built) -> Option<(Option<f64>, Failure)> {
         let design_m_s = self.scene.projectile.velocity_m_s;
-        let (mut holds, mut fails) = (0.0, top_m_s);
+        let Overload { holds_m_s: mut holds, fails_m_s: mut fails, mut failure } = overload;
         let mut look = |velocity_m_s: f64, holds: &mut f64, fails: &mut f64| {
             match built.failure(&self.fire(velocity_m_s)?) {
                 None => *holds = velocity_m_s,
@@ -150,7 +208,7 @@ impl Judge<'_, '_> {
         };
         // What was sized for a shot holds it, and nothing faster.
         for velocity_m_s in [design_m_s, design_m_s * (1.0 + JUST_BELOW)] {
-            if velocity_m_s < fails {
+            if holds < velocity_m_s && velocity_m_s < fails {
                 look(velocity_m_s, &mut holds, &mut fails)?;
             }
         }

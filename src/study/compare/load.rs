@@ -1,7 +1,7 @@
 //! The load of the mount in a run: the greatest force, and the impulse.
 
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EventKind, Outcome, Run, Sample};
+use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
 use crate::study::quantities::Join;
@@ -43,10 +43,15 @@ impl Load {
 
 /// The greatest force into the mount, N.
 ///
-/// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
-/// displacement, where the damper is at rest; with a damper or a stop the run locates it, and of other interaction models the rows are
-/// searched.
+/// A rigid mount takes all of the contact force along the plate's normal. The greatest force of a power law is at the greatest
+/// displacement, where the damper is at rest; that of a curve, or with a damper or a stop, the run finds, way back included. Of the
+/// listing of Appendix A the rows are searched. `None` where the run ended before the greatest displacement.
 pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
+    peak_so_far_n(run).filter(|_| run.at_least.plate_displacement_m.is_none())
+}
+
+/// The same up to the end of a run that ended before the plate's greatest displacement, N.
+pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
@@ -76,10 +81,10 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
 
 /// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.
 pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
-    let acts = !Mechanism::of(scene).is_absent();
+    let mechanism = Mechanism::of(scene);
     scene.plate.mount == Mount::Sprung
-        && acts
-        && scene.plate.cocking_m == 0.0
+        && !mechanism.is_absent()
+        && mechanism.spring.force(scene.start_m()) == 0.0
         && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
 }
 
@@ -88,7 +93,8 @@ pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f6
 pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let scene = &run.scene;
     // The other models do not all keep the momentum of the projectile.
-    if !run.end.is_complete() || scene.contact.model != ContactModel::Hydrodynamic {
+    let is_over = run.end.is_complete() && run.at_least.plate_displacement_m.is_none();
+    if !is_over || scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
@@ -112,5 +118,11 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         None => run.series.last()?,
     };
     let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
-    Some(lost - moving_plate_kg(scene) * row.plate_velocity_m_s)
+    let left = moving_plate_kg(scene) * row.plate_velocity_m_s;
+    // A plate whose greatest displacement is known comes to rest there, with a projectile that is in it.
+    let known_m = run.max_plate_displacement_m.filter(|_| turn.is_none());
+    if known_m.is_none_or(|far_m| far_m <= row.plate_displacement_m) {
+        return Some(lost - left);
+    }
+    Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost })
 }

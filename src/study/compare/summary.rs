@@ -183,6 +183,12 @@ fn limits(report: &Report) -> Vec<String> {
                 format!("limit velocity {limit}, where {why}; the plate is perforated {plate}");
             lines.push(format!("{word}: {text}"));
         }
+        if let Some((slower_m_s, failure)) = entry.slower {
+            let (slower, why) = (velocity(slower_m_s, 4), failure.words());
+            lines.push(format!(
+                "{word}: a slower shot is not held: from {slower} on fewer plates stop it, and {why}"
+            ));
+        }
         lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
         if !entry.is_held {
             lines.push(format!("{word}: nothing stops plate and projectile"));

@@ -45,16 +45,23 @@ pub(super) fn peak_force_n(run: &Run) -> Option<f64> {
     force_n(scene, run.max_plate_displacement_m).or_else(|| load::peak_n(run))
 }
 
+/// The greatest force into the mount of a run that ended before the plate's greatest displacement.
+pub(super) fn least_peak_n(run: &Run) -> Option<f64> {
+    run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
+}
+
 /// Whether the force into the mount has to be looked for in the rows of a run: other models than the simulation do not locate it.
 pub(super) fn needs_course(scene: &Scene) -> bool {
     let is_simulated = scene.contact.model == ContactModel::Hydrodynamic;
     scene.plate.mount == Mount::Sprung && !is_simulated && !turn_tells_force(scene)
 }
 
-/// Whether the greatest force into the mount follows from where the plate starts and turns: without stop and damper.
+/// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
+/// stop and damper.
 pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     let mechanism = Mechanism::of(scene);
-    mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0
+    let is_odd = mechanism.spring.power().is_some();
+    is_odd && mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0
 }
 
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
@@ -67,10 +74,6 @@ pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<
         return None;
     }
     let (start_m, max_displacement_m) = (scene.start_m(), max_displacement_m?);
-    // A curve's greatest force may lie on the way.
-    let (least, most) = mechanism.spring.curve().map_or_else(
-        || (mechanism.spring.force(start_m), mechanism.spring.force(max_displacement_m)),
-        |curve| curve.forces_between(start_m, max_displacement_m),
-    );
-    Some(larger(least.abs(), most.abs()))
+    let [at_start, at_turn] = [start_m, max_displacement_m].map(|x| mechanism.spring.force(x));
+    Some(larger(at_start.abs(), at_turn.abs()))
 }

@@ -1,5 +1,7 @@
 //! The outcome of a shot and the greatest displacement, as far as nothing can change them any more.
 
+use std::f64::consts::PI;
+
 use super::{Body, NO_ENERGY};
 use crate::model::motion::State;
 use crate::model::run::{Mode, Outcome};
@@ -14,6 +16,9 @@ const AT_REST: f64 = 1e-9;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
 /// as arrested: an undamped mount rattles for ever.
 const FRUITLESS_SLIPS_MAX: usize = 24;
+
+/// Part of its speed with which a damped plate is waited for at its stop.
+const ARRIVES: f64 = 1e-3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(in crate::model::impact) enum MaximumDisplacement {
@@ -167,10 +172,39 @@ impl Body<'_> {
         if springless && w <= 0.0 && !self.stop_touches {
             return MaximumDisplacement::Known(so_far);
         }
-        if springless && mechanism.stop.is_none() {
-            return self.coasting(so_far);
+        if springless && !self.stop_touches {
+            let coasting = self.coasting(so_far);
+            let is_short =
+                matches!(coasting, MaximumDisplacement::Known(x) if x < mechanism.stop_at_m);
+            if is_short || mechanism.stop.is_none() {
+                return coasting;
+            }
         }
         MaximumDisplacement::Pending
+    }
+
+    /// How long a plate without spring takes to its stop at its present speed, or to press an elastic one, s; `None` where it is
+    /// struck on the way, or its damper leaves it next to no speed.
+    pub(in crate::model::impact) fn time_at_stop_s(&self) -> Option<f64> {
+        let mechanism = &self.problem.mechanism;
+        let stop = mechanism.stop?;
+        if !mechanism.spring.is_absent() || self.is_sliding() || self.is_still() {
+            return None;
+        }
+        if self.stop_touches {
+            return Some(PI * (self.moving_kg() / stop.stiffness_n_m).sqrt());
+        }
+        let (gap_m, w) = (mechanism.stop_at_m - self.state.plate_m, self.state.plate_m_s);
+        let comes = w > 0.0 && gap_m >= 0.0 && self.speed_left_after(gap_m) > ARRIVES;
+        comes.then(|| gap_m / w)
+    }
+
+    /// The part of its speed that the damper alone leaves the plate after a distance: `w^(2-m)` falls by b (2-m)/M with each metre.
+    fn speed_left_after(&self, distance_m: f64) -> f64 {
+        let damper = self.problem.mechanism.damper;
+        let (power, w) = (2.0 - damper.exponent, self.state.plate_m_s);
+        let lost = damper.coefficient * distance_m / self.moving_kg() / w.powf(power);
+        if power == 0.0 { (-lost).exp() } else { larger(1.0 - power * lost, 0.0).powf(1.0 / power) }
     }
 
     /// Without a spring: the damper's travel in closed form, x + M w^(2-m)/(b (2-m)), finite for m < 2.

@@ -1,0 +1,109 @@
+//! The loads of mount and interface over the whole motion, the way back included: against closed forms, and against a run that goes
+//! on for long enough.
+
+use serde_json::Value;
+
+use crate::support::{assert_near, says};
+
+/// A run's JSON: a preset or nothing, and variables.
+fn run(pairs: &str) -> Value {
+    let words = pairs.split_whitespace();
+    let set =
+        words.flat_map(|word| if word.contains('=') { vec!["--set", word] } else { vec![word] });
+    let arguments: Vec<&str> = set.chain(["--json"]).collect();
+    serde_json::from_str(&says("run", &arguments, 0).0).unwrap()
+}
+
+fn number(run: &Value, key: &str) -> f64 {
+    run[key].as_f64().unwrap_or_else(|| panic!("{key}: {run}"))
+}
+
+/// The greatest force in the rows of a run that goes on for 60 ms, N.
+fn of_rows_n(pairs: &str) -> f64 {
+    let pairs = format!("{pairs} horizon=60ms");
+    let set = pairs.split_whitespace().flat_map(|pair| ["--set", pair]);
+    let (rows, _) = says("run", &set.chain(["--csv", "-"]).collect::<Vec<_>>(), 0);
+    let mut rows = rows.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let columns: Vec<usize> = (0..names.len())
+        .filter(|at| ["spring_force_n", "damper_force_n", "stop_force_n"].contains(&names[*at]))
+        .collect();
+    let force =
+        |row: Vec<&str>| columns.iter().filter_map(|at| row[*at].parse::<f64>().ok()).sum::<f64>();
+    rows.map(|row| force(row).abs()).fold(0.0, f64::max)
+}
+
+/// The bistable spring pushes forward only half as hard as it pulls on the swing back.
+#[test]
+fn valid_the_mount_carries_the_swing_back_of_an_asymmetric_spring() {
+    for damper in ["", " b=50", " x_stop=1m"] {
+        let pairs = format!("spring=bistable x_u=15mm F_bar=6kN{damper}");
+        let found = number(&run(&pairs), "peak_mount_force_n");
+        assert_near(found, of_rows_n(&pairs), 1e-4);
+        assert!(found > 16e3, "{pairs}: {found}");
+    }
+}
+
+/// The table is F = 3 kN + x 200 kN/m: it pulls the plate back before the shot drives it forward, and is never loaded more than at
+/// first contact.
+#[test]
+fn valid_a_preloaded_plate_that_only_goes_back_does_not_stand_still() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("preloaded.csv");
+    std::fs::write(&table, "-0.02,-1000\n0.01,5000\n").unwrap();
+    let found = run(&format!("table={} v_i=10", table.display()));
+    assert_near(number(&found, "peak_mount_force_n"), 3000.0, 1e-12);
+}
+
+/// The plate coasts to its stop with the momentum p that the shot has lost, and presses it with `p sqrt(k/m_2)`, wherever it stands.
+#[test]
+fn valid_an_elastic_stop_takes_the_momentum_of_a_coasting_plate_however_far_away_it_stands() {
+    let free = run("h=3mm v_i=400 k=0");
+    let momentum = 0.0295 * (400.0 - number(&free, "residual_velocity_m_s"));
+    for place in ["30mm", "60mm", "100mm", "2m"] {
+        let found = run(&format!("h=3mm v_i=400 k=0 stop_kind=elastic k_stop=1e6 x_stop={place}"));
+        let force = momentum * (1e6 / number(&found, "plate_mass_kg")).sqrt();
+        assert_near(number(&found, "peak_mount_force_n"), force, 1e-9);
+        assert_near(number(&found, "mount_impulse_n_s"), momentum, 1e-9);
+    }
+    // A damper of the power m takes (2 - m) b x/M of w^(2 - m).
+    for (m, b) in [(1.0f64, 0.5), (3.0, 1e-5)] {
+        let found = run(&format!(
+            "h=3mm v_i=400 k=0 stop_kind=elastic k_stop=1e6 x_stop=500mm b={b} m={m}"
+        ));
+        let mass = number(&found, "plate_mass_kg");
+        let left = (momentum / mass).powf(2.0 - m) - (2.0 - m) * b * 0.5 / mass;
+        let force = left.powf(1.0 / (2.0 - m)) * (1e6 * mass).sqrt();
+        // The damper works on the way into the stop, too.
+        assert_near(number(&found, "peak_mount_force_n"), force, 0.02);
+        assert_near(number(&found, "mount_impulse_n_s"), momentum, 1e-4);
+    }
+}
+
+/// A damper alone stops the plate at last: the mount takes all of the shot's momentum, 0.0295 kg at 50 m/s.
+#[test]
+fn valid_a_damper_takes_all_momentum_of_an_arrested_shot() {
+    assert_near(number(&run("v_i=50 k=0 b=100"), "mount_impulse_n_s"), 1.475, 1e-12);
+}
+
+/// A run that is cut short knows only what the mount has carried so far.
+#[test]
+fn the_load_up_to_a_horizon_before_the_stop_is_a_lower_bound() {
+    let found = run("h=3mm v_i=400 k=0 stop_kind=elastic k_stop=1e6 x_stop=100mm horizon=1ms");
+    let bounds = found["lower_bounds"].as_array().unwrap();
+    assert!(bounds.contains(&Value::from("peak_mount_force_n")), "{found}");
+    assert!(found["mount_impulse_n_s"].is_null());
+}
+
+/// The column's 15 kN are passed while the shot still penetrates; the fused interface meets them on the way back, with the half of
+/// two equal masses: `15 kN/2` over `pi R² S_y`.
+#[test]
+fn valid_the_fused_interface_carries_the_buckling_load_on_the_way_back() {
+    let demand = |pairs: &str| number(&run(pairs), "interface_demand_ratio");
+    let column = "spring=column F_crit=15kN F_plat=3kN k_col=1e8 S_y=1.52e8";
+    let depth_m = number(&run(column), "final_penetration_m").min(0.00635);
+    let area_m2 = std::f64::consts::PI * (2.0 * 0.00635 * depth_m - depth_m * depth_m);
+    assert_near(demand(column), 7500.0 / (area_m2 * 1.52e8), 1e-9);
+    let preset = "concept-buckling-four-bar";
+    assert_near(demand(preset), demand(&format!("{preset} horizon=60ms")), 1e-9);
+}
