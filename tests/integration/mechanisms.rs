@@ -47,6 +47,17 @@ fn two_linear_springs_are_one() {
     assert_same(&run(scene("k=1e6 n=1.4 N_spring=3")), &run(scene("k=3e6 n=1.4")), 1e-13);
 }
 
+/// Straight very close to zero, a steep law of a combination starts like the same law alone, which starts singular.
+#[test]
+fn a_spring_that_does_nothing_beside_a_steep_one_changes_nothing() {
+    for (law, tolerance) in [("n=0.3 k=1e5", 2e-10), ("n=0.5 k=1e5", 1e-11), ("n=0.2 k=1e3", 2e-9)]
+    {
+        let pair = law.replace('=', "_2=");
+        let pair = run(scene(&format!("combine=parallel n=1 k=1e-9 {pair}")));
+        assert_same(&pair, &run(scene(law)), tolerance);
+    }
+}
+
 #[test]
 fn the_normalised_law_is_the_power_law_and_follows_its_reference() {
     let k = 900.0 / 0.02f64.powf(1.4);
