@@ -54,7 +54,7 @@ fn a_final_quantity_of_an_undecided_run_is_a_value() {
     assert!(bounds.contains(&"final_penetration_m".into()) && !bounds.contains(&"stroke_m".into()));
 }
 
-/// Uncocked, the plate's common energy goes into the spring: m_p v²/2 is 147.5 J, of which it keeps 1/(1 + gamma).
+/// Uncocked, the plate's common energy goes into the spring: `m_p` v²/2 is 147.5 J, of which it keeps 1/(1 + gamma).
 #[test]
 fn a_goal_has_the_units_of_its_quantity() {
     let over = ["--over", "gamma=0.5..7", "--set", "interface=fused", "--json", "--goal"];
