@@ -36,8 +36,16 @@ pub(super) struct Termination {
     pub(super) max_displacement: MaximumDisplacement,
     /// How far the first half-oscillation of the joined body has come.
     oscillation: HalfOscillation,
-    /// The plate is followed after the run for its greatest loads: how often it has turned, and its direction.
-    loads: Option<(usize, f64)>,
+    /// The plate is followed after the run for its greatest loads.
+    loads: Option<Following>,
+}
+
+/// A plate that is followed after the run: how often it has turned, its direction, and how long it is followed.
+#[derive(Clone, Copy, Debug)]
+struct Following {
+    turns: usize,
+    way: f64,
+    until_s: f64,
 }
 
 /// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
@@ -52,10 +60,10 @@ enum HalfOscillation {
 impl Simulation<'_> {
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         self.note_half_oscillation();
-        if self.termination.loads.is_some() {
-            return (!self.loads_are_ahead()).then_some(EndReason::Decided);
-        }
         let at_horizon = self.body.state.t_s >= self.horizon_s() * (1.0 - 4.0 * f64::EPSILON);
+        if self.termination.loads.is_some() {
+            return (at_horizon || !self.loads_are_ahead()).then_some(EndReason::Decided);
+        }
         if self.termination.decided.is_none() {
             let outcome = self.body.outcome();
             if outcome != Outcome::Moving {
@@ -109,8 +117,8 @@ impl Simulation<'_> {
         let problem = self.body.problem;
         let stop_s = self.body.time_at_stop_s().filter(|_| !problem.horizon_is_given);
         let later_s = stop_s.map_or(0.0, |stop_s| self.body.state.t_s + 2.0 * stop_s);
-        let followed = if self.termination.loads.is_some() { f64::INFINITY } else { 0.0 };
-        larger(problem.horizon_s, larger(later_s, followed))
+        let followed_s = self.termination.loads.map_or(0.0, |it| it.until_s);
+        larger(problem.horizon_s, larger(later_s, followed_s))
     }
 
     /// Whether there is still something worth drawing.
@@ -230,7 +238,10 @@ impl Simulation<'_> {
             },
             termination: self.termination.clone(),
         };
-        after.termination.loads = Some((0, sign(self.body.state.plate_m_s)));
+        // A plate that leaves for good never turns; one that stays turns within its usual horizon.
+        let until_s = self.body.state.t_s + self.body.problem.horizon_s;
+        let way = sign(self.body.state.plate_m_s);
+        after.termination.loads = Some(Following { turns: 0, way, until_s });
         let end = after.run::<N>(observer);
         let record = after.record;
         self.record.peak_mount_n = record.peak_mount_n;
@@ -242,13 +253,11 @@ impl Simulation<'_> {
     /// Whether a plate that is followed for its loads has not been far enough: back and forward again.
     fn loads_are_ahead(&mut self) -> bool {
         let way = sign(self.body.state.plate_m_s);
-        if let Some((turns, before)) = &mut self.termination.loads
-            && way * *before < 0.0
-        {
-            (*turns, *before) = (*turns + 1, way);
+        let Some(following) = &mut self.termination.loads else { return false };
+        if way * following.way < 0.0 {
+            (following.turns, following.way) = (following.turns + 1, way);
         }
-        let turns = self.termination.loads.map_or(0, |(turns, _)| turns);
-        turns < TURNS_FOLLOWED && !self.body.is_at_rest() && self.loads_may_grow()
+        following.turns < TURNS_FOLLOWED && !self.body.is_at_rest() && self.loads_may_grow()
     }
 
     /// Whether the energy that is left may load the mount, or the fused interface, more than they have been.
