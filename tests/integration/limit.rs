@@ -119,7 +119,7 @@ fn valid_an_oblique_limit_says_how_far_it_is_off() {
         let error = row.computed.unwrap() / row.case.measured - 1.0;
         assert!((100.0 * error + percent).abs() < 0.1, "{percent} {error}");
     }
-    let told = "below measured ones, by 8.6 % at 30 deg (cmra validate)";
+    let told = "below measured ones, by 8.6 % at 30 deg on a rigid mount (cmra validate)";
     let steep = output(&["--set", "theta=60deg", "--scatter", "0"]);
     assert!(steep.contains("16.1 %"), "{steep}");
     let oblique = ["--set", "theta=30deg", "--scatter", "0"];
