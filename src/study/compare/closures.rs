@@ -3,7 +3,7 @@
 //! plate have different closures, and a verdict that neither closure gives.
 
 use crate::model::scene::{Closure, Scene};
-use crate::model::units::{NO_NUMBER, fixed_significant};
+use crate::model::units::{NO_NUMBER, fixed_significant, significant};
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, Verdict};
 use crate::study::limit::by_closure;
@@ -15,20 +15,22 @@ pub struct ByClosure {
     pub double_yield: Option<f64>,
     /// Cavity expansion.
     pub cavity: Option<f64>,
+    /// The drag coefficients with them.
+    drag: [f64; 2],
 }
 
 impl ByClosure {
     /// Of a scene; the reason where there is none.
     pub(super) fn of(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Self, Absence> {
-        let by = |closure| {
-            let sized = sized(&by_closure(scene, closure), hardware, width);
-            sized.map(|sized| sized.mass_efficiency())
-        };
-        match (by(Closure::DoubleYield), by(Closure::Cavity)) {
-            (Err(absence), Err(_)) => Err(absence),
-            (double_yield, cavity) => {
-                Ok(Self { double_yield: double_yield.ok(), cavity: cavity.ok() })
-            }
+        let scenes = [Closure::DoubleYield, Closure::Cavity].map(|it| by_closure(scene, it));
+        let by = |own| sized(own, hardware, width).map(|sized| sized.mass_efficiency());
+        match scenes.each_ref().map(by) {
+            [Err(absence), Err(_)] => Err(absence),
+            [double_yield, cavity] => Ok(Self {
+                double_yield: double_yield.ok(),
+                cavity: cavity.ok(),
+                drag: scenes.map(|own| own.drag_coefficient()),
+            }),
         }
     }
 
@@ -76,9 +78,10 @@ impl ByClosure {
     pub(super) fn words(self) -> String {
         let [double_yield, cavity] = [self.double_yield, self.cavity]
             .map(|it| it.map_or_else(|| "none".to_owned(), |it| fixed_significant(it, 4)));
+        let [thin, thick] = self.drag.map(|it| significant(it, 4));
         format!(
-            "only the change of closure at h = D decides: mass efficiency {double_yield} by closure=double-yield (dishing=true, C_d=0.5), \
-             {cavity} by closure=cavity (dishing=false, C_d=1); set one of them"
+            "only the change of closure at h = D decides: mass efficiency {double_yield} by closure=double-yield (dishing=true, \
+             C_d={thin}), {cavity} by closure=cavity (dishing=false, C_d={thick}); set one of them"
         )
     }
 }

@@ -356,6 +356,19 @@ fn a_verdict_is_not_that_of_the_change_of_closure() {
     }
 }
 
+/// A drag coefficient that is given for thick plates is halved for thin ones, as in the band of limit velocities.
+#[test]
+fn a_caution_about_the_closure_names_the_drag_of_each() {
+    let words = |pairs: &str| by_thickness(&format!("gamma=2 {pairs}")).caution().unwrap();
+    let own = words("v_i=280");
+    assert!(
+        own.contains("dishing=true, C_d=0.5)") && own.contains("dishing=false, C_d=1)"),
+        "{own}"
+    );
+    let given = words("v_i=320 C_d=0.212 drag=given");
+    assert!(given.contains("C_d=0.106)") && given.contains("C_d=0.212)"), "{given}");
+}
+
 #[test]
 fn closures_that_disagree_leave_the_verdict_open() {
     let pairs = "gamma=2 v_i=280 e_spring=12000";
