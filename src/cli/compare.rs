@@ -16,7 +16,6 @@ use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{Quantity, fixed_significant, significant};
-use crate::report::chart;
 use crate::report::compare as tables;
 use crate::report::compare::beside;
 use crate::report::figures::axis_of;
@@ -241,11 +240,7 @@ fn line_of_one(page: &mut String, map: &Map) {
     let (x, y) = (map.x(), map.y());
     // As on the axes of the chart.
     let [across, up] = [x, y].map(axis_of);
-    let head = |axis: &chart::Axis<'_>| match &*axis.unit.name {
-        "" => axis.label.to_string(),
-        unit => format!("{} [{unit}]", axis.label),
-    };
-    let (y_head, x_head) = (head(&up), head(&across));
+    let (y_head, x_head) = (up.text(0), across.text(0));
     let _ = writeln!(page, "\n{y_head:>12}  {x_head} at which the mass efficiency is 1");
     let last = y.count() - 1;
     let rows = LINE_ROWS.min(y.count());
