@@ -27,6 +27,9 @@ const DEMAND_GROWTH: f64 = 1e-9;
 const NEGLIGIBLE_ENERGY: f64 = 1e-18;
 /// Turns of a plate that is followed for its loads: to the way back, forward again, and the end of that.
 const TURNS_FOLLOWED: usize = 3;
+/// Steps in which such a plate is followed at most: one that turns takes fewer, one that creeps against its damper thousands, with
+/// ever smaller loads.
+const STEPS_FOLLOWED: usize = 1_000;
 
 /// The known part of the run's outcome.
 #[derive(Clone, Debug, Default)]
@@ -40,12 +43,14 @@ pub(super) struct Termination {
     loads: Option<Following>,
 }
 
-/// A plate that is followed after the run: how often it has turned, its direction, and how long it is followed.
+/// A plate that is followed after the run: how often it has turned, its direction, and for how long and how many steps in all it is
+/// followed.
 #[derive(Clone, Copy, Debug)]
 struct Following {
     turns: usize,
     way: f64,
     until_s: f64,
+    steps_max: usize,
 }
 
 /// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
@@ -238,10 +243,13 @@ impl Simulation<'_> {
             },
             termination: self.termination.clone(),
         };
-        // A plate that leaves for good never turns; one that stays turns within its usual horizon.
-        let until_s = self.body.state.t_s + self.body.problem.horizon_s;
-        let way = sign(self.body.state.plate_m_s);
-        after.termination.loads = Some(Following { turns: 0, way, until_s });
+        after.termination.loads = Some(Following {
+            turns: 0,
+            way: sign(self.body.state.plate_m_s),
+            // A plate that leaves for good never turns; one that stays turns within its usual horizon.
+            until_s: self.body.state.t_s + self.body.problem.horizon_s,
+            steps_max: self.control.steps + STEPS_FOLLOWED,
+        });
         let end = after.run::<N>(observer);
         let record = after.record;
         self.record.peak_mount_n = record.peak_mount_n;
@@ -255,9 +263,14 @@ impl Simulation<'_> {
         let way = sign(self.body.state.plate_m_s);
         let Some(following) = &mut self.termination.loads else { return false };
         if way * following.way < 0.0 {
-            (following.turns, following.way) = (following.turns + 1, way);
+            following.turns += 1;
         }
-        following.turns < TURNS_FOLLOWED && !self.body.is_at_rest() && self.loads_may_grow()
+        // Where it turns, and a run often ends, it has none.
+        following.way = if way == 0.0 { following.way } else { way };
+        following.turns < TURNS_FOLLOWED
+            && self.control.steps < following.steps_max
+            && !self.body.is_at_rest()
+            && self.loads_may_grow()
     }
 
     /// Whether the energy that is left may load the mount, or the fused interface, more than they have been.
