@@ -61,7 +61,7 @@ pub struct Report {
 #[derive(Clone, Debug)]
 pub enum ReportBody {
     Progress {
-        progress: Progress,
+        progress: JobProgress,
         /// How long it has been running.
         elapsed: Duration,
     },
@@ -93,7 +93,7 @@ impl ReportBody {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Progress {
+pub enum JobProgress {
     /// Simulated time reached, s; 0 when it has begun.
     Time(f64),
     Points(usize, usize),

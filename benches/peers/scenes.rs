@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cmra::model::contact_phase::stored::Stored;
-use cmra::model::contact_phase::{Answer, Ending, Phase, exact};
+use cmra::model::contact_phase::{ContactSolution, Ending, Phase, exact};
 use cmra::model::scene::{Mount, Scene};
 use cmra::model::variables::changed_free_plate;
 use cmra::numerics::stepper::dop853::Dop853;
@@ -50,7 +50,7 @@ impl Reference {
     /// The stored digits; else closed form; else closed form of a plate that provably cannot move; else DOP853 at 1e-14.
     pub(crate) fn of(name: &str, scene: &Scene) -> Self {
         if let Some(row) = Stored::rows().find(|row| row.name == name) {
-            let Answer { ending, t_s, depth_m, .. } = row.answer();
+            let ContactSolution { ending, t_s, depth_m, .. } = row.answer();
             return Self { ending, end: (t_s, depth_m), source: "stored digits" };
         }
         let rigid = Scene {

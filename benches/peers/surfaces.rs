@@ -14,7 +14,7 @@ use std::time::Instant;
 use cmra::files::preset;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
-use cmra::study::context::Stop;
+use cmra::study::context::CancelFlag;
 use cmra::study::parallel::{self, Work, cores};
 use cmra::study::quantities::named;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
@@ -120,7 +120,7 @@ fn seconds(work: impl FnOnce()) -> f64 {
 
 /// The engine, all of it: placing, contacts, threads, results in order.
 fn rows(plan: &Plan, threads: usize) -> Vec<Rows> {
-    let stop = Stop::default();
+    let stop = CancelFlag::default();
     let mut all = Vec::new();
     let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);

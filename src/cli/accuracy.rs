@@ -17,7 +17,7 @@ use crate::report::accuracy::{
     self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
 };
 use crate::study::accuracy::method::Method;
-use crate::study::accuracy::{Effort, MethodReport, Report, compare};
+use crate::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
 use crate::tui::theme::Theme;
 use crate::worker::clock;
 
@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     }
     let baseline = [OsString::from(bundled::BASELINE)];
     let names = if arguments.scenes.is_empty() { &baseline[..] } else { &arguments.scenes };
-    let effort = if arguments.quick { Effort::QUICK } else { Effort::FULL };
+    let effort = if arguments.quick { ComparisonOptions::QUICK } else { ComparisonOptions::FULL };
     let mut presets = Vec::new();
     for name in names {
         let mut preset = scene::named(name)?;
@@ -94,7 +94,7 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
     auto.flat_map(|method| &method.points)
         .filter_map(|point| {
             let why = point.result.as_ref().err()?.words();
-            Some(format!("{scene}: auto gave no answer at {}: {why}", point.knob))
+            Some(format!("{scene}: auto gave no answer at {}: {why}", point.parameter))
         })
         .collect()
 }
@@ -176,9 +176,11 @@ fn answers(page: &mut String, report: &Report) {
 
 fn thesis_step(report: &Report) -> Option<f64> {
     let printed = report.methods.iter().find(|it| it.method == Method::ThesisPrinted)?;
-    let own = |knob: f64| (knob / 1e-6 - 1.0).abs() < 1e-9;
+    let own = |parameter: f64| (parameter / 1e-6 - 1.0).abs() < 1e-9;
     let mut points = printed.measured();
-    points.find(|(knob, _)| knob.value().is_some_and(own)).map(|(_, measured)| measured.error())
+    points
+        .find(|(parameter, _)| parameter.value().is_some_and(own))
+        .map(|(_, measured)| measured.error())
 }
 
 fn references(page: &mut String, report: &Report) {
@@ -209,20 +211,20 @@ fn refusals(page: &mut String, report: &Report) {
         let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
         for point in &method.points {
             let Err(refusal) = point.result else { continue };
-            let knob = point.knob.to_string();
+            let parameter = point.parameter.to_string();
             match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
-                Some((_, knobs)) => knobs.push(knob),
-                None => reasons.push((refusal.words(), vec![knob])),
+                Some((_, parameters)) => parameters.push(parameter),
+                None => reasons.push((refusal.words(), vec![parameter])),
             }
         }
-        for (words, knobs) in reasons {
+        for (words, parameters) in reasons {
             if std::mem::take(&mut is_first) {
                 page.push_str("\nwithout result\n");
             }
-            let which = match knobs.as_slice() {
+            let which = match parameters.as_slice() {
                 [] => String::new(),
                 [only] => only.clone(),
-                [first, .., last] => format!("{} points, {first} to {last}", knobs.len()),
+                [first, .., last] => format!("{} points, {first} to {last}", parameters.len()),
             };
             let blank = if which.is_empty() { "" } else { ": " };
             let _ = writeln!(page, "  {} {which}{blank}{words}", method.method.letter());

@@ -4,11 +4,11 @@ use std::ops::RangeInclusive;
 
 use clap::builder::{RangedU64ValueParser, TypedValueParser};
 
-use crate::model::units::{self, Bare, Quantity};
+use crate::model::units::{self, Bare, Dimension};
 
 /// Reads an amount above zero, SI.
 pub(super) fn above_zero(
-    quantity: Quantity,
+    quantity: Dimension,
     example: &'static str,
 ) -> impl TypedValueParser<Value = f64> {
     move |text: &str| {
@@ -20,12 +20,12 @@ pub(super) fn above_zero(
 
 /// Reads a mass, which may be zero, kg.
 pub(super) fn mass(text: &str) -> Result<f64, String> {
-    let value = finite(text, Quantity::Mass)?;
+    let value = finite(text, Dimension::Mass)?;
     let problem = || "a mass is 0 kg or more, for example 20g".to_owned();
     (value >= 0.0).then_some(value).ok_or_else(problem)
 }
 
-fn finite(text: &str, quantity: Quantity) -> Result<f64, String> {
+fn finite(text: &str, quantity: Dimension) -> Result<f64, String> {
     let value = units::parse(text, quantity, Bare::Si).map_err(|problem| problem.to_string())?;
     value.is_finite().then_some(value).ok_or_else(|| "must be a finite number".to_owned())
 }

@@ -8,14 +8,14 @@ use clap::Args;
 
 use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::study::{Answer, StudyArguments};
+use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::at_top;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
-use crate::model::units::{Quantity, fixed_significant, significant};
+use crate::model::units::{Dimension, fixed_significant, significant};
 use crate::report::compare as tables;
 use crate::report::compare::beside;
 use crate::report::figures::axis_of;
@@ -40,10 +40,10 @@ const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 )]
 pub(super) struct CompareArguments {
     /// Velocity at which the candidates are sized and compared, m/s or with a unit [default: the scene's]
-    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, value_parser = above_zero(Quantity::Velocity, "230m/s"))]
+    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, value_parser = above_zero(Dimension::Velocity, "230m/s"))]
     design_velocity: Option<f64>,
     /// Energy per mass of the spring or absorber, J/kg or with a unit (10kJ/kg) [default: the scene's, or its wire's]
-    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true, value_parser = above_zero(Quantity::SpecificEnergy, "197J/kg"))]
+    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true, value_parser = above_zero(Dimension::SpecificEnergy, "197J/kg"))]
     spring_energy: Option<f64>,
     /// Mass of the spring, kg or with a unit [default: the least for the energy that it stores]
     #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = mass)]
@@ -52,7 +52,7 @@ pub(super) struct CompareArguments {
     #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true, value_parser = mass)]
     mount_mass: f64,
     /// Available stroke, m or with a unit [default: unlimited]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = above_zero(Quantity::Length, "20mm"))]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = above_zero(Dimension::Length, "20mm"))]
     stroke: Option<f64>,
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
@@ -105,7 +105,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene);
     let report = arguments.study.run("candidates", |it| compare(&scene, hardware, it))?;
     let name = preset.name.as_str();
-    let answer = Answer {
+    let answer = StudyOutput {
         warnings: validity::of_scene(&scene),
         page: page(name, &report),
         object: tables::json(name, &report),

@@ -16,7 +16,7 @@ use crate::numerics::statistics::sorted_by;
 use crate::report::fit as tables;
 use crate::report::fit::table;
 use crate::study::fit::calibrate::{Calibration, calibrate};
-use crate::study::fit::{Estimator, Report, Shot, fit};
+use crate::study::fit::{Estimator, MeasuredShot, Report, fit};
 
 #[derive(Debug, Args)]
 #[command(
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
 }
 
 /// A warning for each shot that was stopped deeper than the plate is thick.
-fn too_deep(shots: &[Shot], thickness_m: f64) -> Vec<String> {
+fn too_deep(shots: &[MeasuredShot], thickness_m: f64) -> Vec<String> {
     let stopped = shots.iter().filter(|shot| !shot.perforated);
     let deep = stopped.filter_map(|shot| Some((shot.velocity_m_s, shot.penetration_m?)));
     deep.filter(|(_, depth_m)| *depth_m > thickness_m)

@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::amount::{count, deviation, part};
 use crate::cli::pictures::PictureArguments;
-use crate::cli::study::{Answer, Random, StudyArguments};
+use crate::cli::study::{Random, StudyArguments, StudyOutput};
 use crate::cli::table::choice;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw, progress};
@@ -17,7 +17,7 @@ use crate::model::units::velocity;
 use crate::report::limit::{self, remarks, residual};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
-use crate::study::limit::{Criterion, Effort, Limit, Report, find};
+use crate::study::limit::{Criterion, Limit, LimitOptions, Report, find};
 use crate::tui::theme::Theme;
 
 const SAMPLES_MAX: u64 = 1_000_000;
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
                     fraction above 0";
         return Err(CliError::Option(text.to_owned()));
     }
-    let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling() };
+    let effort = LimitOptions { criterion: arguments.criterion, sampling: arguments.sampling() };
     let preset = study.load()?;
     let scene = Arc::new(preset.scene);
     let report = study.run("shots or so", |context| find(&scene, effort, context))?;
@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let warnings = limit::warnings(&report, effort.sampling);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
-        let answer = Answer { warnings, page, object, rows: limit::shots(name, &report) };
+        let answer = StudyOutput { warnings, page, object, rows: limit::shots(name, &report) };
         study.deliver(&report.scene, answer)?;
     }
     let chart = || {

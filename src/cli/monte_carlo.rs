@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{Answer, Random, StudyArguments};
+use crate::cli::study::{Random, StudyArguments, StudyOutput};
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
@@ -75,7 +75,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let task = arguments.task(&preset.scene)?;
     let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
-    let answer = Answer {
+    let answer = StudyOutput {
         warnings: monte_carlo::warnings(&preset.scene, &report, task.samples),
         page: page(name, &report),
         object: monte_carlo::json(name, &report),

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::amount::count;
-use crate::cli::study::{Answer, Random, StudyArguments, bounds};
+use crate::cli::study::{Random, StudyArguments, StudyOutput, bounds};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::model::scene::{InterfaceLaw, Scene};
@@ -18,7 +18,7 @@ use crate::report::table::{Cells, grid};
 use crate::study::search::front::{
     Candidate, Constraint, Front, STEPS_MAX, Task, feasibility, objectives, optimise,
 };
-use crate::study::search::nsga::Effort;
+use crate::study::search::nsga::EvolutionOptions;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::{Axis, Spacing};
 
@@ -105,7 +105,7 @@ impl OptimiseArguments {
                 Laws::Fused => vec![InterfaceLaw::Fused],
                 Laws::Plastic => vec![InterfaceLaw::Plastic],
             },
-            effort: Effort {
+            effort: EvolutionOptions {
                 population: self.population,
                 generations: self.generations,
                 seed: self.random.seed,
@@ -130,7 +130,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let warnings = front::warnings(&preset.scene, &task, &fronts);
     let (page, object) = (page(name, &task, &fronts), front::json(name, &task, &fronts));
-    let answer = Answer { warnings, page, object, rows: front::table(name, &task, &fronts) };
+    let answer = StudyOutput { warnings, page, object, rows: front::table(name, &task, &fronts) };
     arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(fronts.iter().all(|front| !front.designs.is_empty())))
 }

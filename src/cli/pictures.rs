@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::cli::progress::was_interrupted;
-use crate::cli::table::{TableArguments, Target};
+use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::{CliError, output};
 use crate::files::atomic;
 use crate::report::svg::{self, Picture, Svg};
@@ -33,7 +33,7 @@ impl PictureArguments {
 
     /// Whether they can be written where they are to go: checked before a long computation, not after it.
     pub(super) fn check(&self, table: &TableArguments) -> Result<(), CliError> {
-        if self.is_stdout() && (table.json || matches!(table.target(), Target::Stdout)) {
+        if self.is_stdout() && (table.json || matches!(table.target(), TableDestination::Stdout)) {
             return Err(CliError::Option(
                 "--svg - writes to standard output, as --json and --csv - do: name a file for one of them".to_owned(),
             ));
@@ -48,7 +48,7 @@ impl PictureArguments {
             }
             atomic::check(path, table.existing())?;
         }
-        if let (Some(path), Target::File(to)) = (&self.svg, table.target())
+        if let (Some(path), TableDestination::File(to)) = (&self.svg, table.target())
             && to.has(path)
         {
             let path = path.display();

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use clap::{Args, Subcommand};
 
-use crate::cli::table::{TableArguments, Target};
+use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::{CliError, output, scene};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
@@ -38,7 +38,8 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<(), CliError> {
         Some(Action::List { table }) if table.is_given() => list(table),
         None | Some(Action::List { .. }) => list(&arguments.table),
         Some(Action::Show { .. })
-            if arguments.table.json || !matches!(arguments.table.target(), Target::None) =>
+            if arguments.table.json
+                || !matches!(arguments.table.target(), TableDestination::None) =>
         {
             let text = "presets show prints the preset's file: --json and --csv are for the list";
             Err(CliError::Option(text.to_owned()))

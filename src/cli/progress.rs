@@ -15,7 +15,7 @@ use signal_hook::flag;
 
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
-use crate::study::context::{Context, Progress, Stop};
+use crate::study::context::{CancelFlag, Context, Progress};
 
 /// Set by the first interrupt. Global, as signals are.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
@@ -37,7 +37,7 @@ pub(super) struct ProgressLine {
     last_shown: Instant,
     shown: bool,
     wanted: bool,
-    stop: Stop,
+    stop: CancelFlag,
 }
 
 impl ProgressLine {
@@ -129,7 +129,7 @@ pub(super) fn exit_code(good: bool) -> ExitCode {
 }
 
 /// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
-pub(super) fn interruptible() -> Stop {
+pub(super) fn interruptible() -> CancelFlag {
     let stop = STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
         let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
@@ -140,7 +140,7 @@ pub(super) fn interruptible() -> Stop {
         }
         stop
     });
-    Stop::from(Arc::clone(stop))
+    CancelFlag::from(Arc::clone(stop))
 }
 
 /// A file beyond the limit of its size (`ulimit -f`) is an error of writing, as on a full disk, and not the end of the process.

@@ -10,7 +10,7 @@ use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, progress, text};
 use crate::report::thesis as tables;
-use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
+use crate::study::thesis::{self, Claim, ClaimVerdict, Evidence, Row};
 
 #[derive(Debug, Args)]
 #[command(
@@ -58,7 +58,7 @@ fn only(
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
     let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
-    if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
+    if ClaimVerdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
         let mut rows = check(all);
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
         return Ok(rows);
@@ -85,7 +85,7 @@ fn page(report: &[Row], differences: usize) -> String {
         let lines = [
             ("says", claim.says),
             (
-                if row.found.basis == Basis::Read { "read" } else { "computed" },
+                if row.found.basis == Evidence::Read { "read" } else { "computed" },
                 row.found.sound.as_str(),
             ),
             ("as printed", row.found.printed.as_str()),
@@ -103,7 +103,7 @@ fn summary(report: &[Row], differences: usize) -> String {
     let on = |basis| report.iter().filter(|row| row.found.basis == basis).count();
     let runs: usize = report.iter().map(|row| row.runs).sum();
     let counts = thesis::tally(report);
-    let verdicts: Vec<String> = Verdict::ALL
+    let verdicts: Vec<String> = ClaimVerdict::ALL
         .iter()
         .zip(counts)
         .filter(|(_, count)| *count > 0)
@@ -116,7 +116,7 @@ fn summary(report: &[Row], differences: usize) -> String {
             "{differences} verdicts differ from those stored with this program (listed on standard error)."
         ),
     };
-    let [computed, read, none] = [Basis::Computed, Basis::Read, Basis::None].map(on);
+    let [computed, read, none] = [Evidence::Computed, Evidence::Read, Evidence::None].map(on);
     let (rows, verdicts) = (report.len(), verdicts.join(", "));
     format!(
         "{rows} rows: {computed} computed ({runs} runs), {read} read from the text, {none} not checked.\nVerdicts: {verdicts}.\n{stored}\n"

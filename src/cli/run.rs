@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, Target, at_top, choice, missing_line};
+use crate::cli::table::{TableArguments, TableDestination, at_top, choice, missing_line};
 use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
@@ -23,7 +23,7 @@ use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::run::envelope::warnings;
 use crate::model::simulate::{self, Settings};
-use crate::model::units::{Quantity, engineering};
+use crate::model::units::{Dimension, engineering};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::{mechanism, response, selected};
 use crate::report::models as tables;
@@ -50,7 +50,7 @@ pub(super) struct RunArguments {
     #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = choice(&What::ALL, What::word, What::about))]
     compare: Option<What>,
     /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
-    #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Quantity::Time, "1us"))]
+    #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Dimension::Time, "1us"))]
     dt: Option<f64>,
     /// Print charts as plain text below the summary
     #[arg(long, conflicts_with = "json")]
@@ -146,12 +146,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         comments: missing_line() + &again::comment(None),
     };
     match arguments.table.target() {
-        Target::None => {}
-        Target::Stdout => {
+        TableDestination::None => {}
+        TableDestination::Stdout => {
             output::print(&table().text(arguments.table.meta)?)?;
             return Ok(exit_code(&computed.run));
         }
-        Target::File(to) => {
+        TableDestination::File(to) => {
             let (to, table) = (to.placed(!was_interrupted()), table());
             let mut scenes = table.scenes();
             if let Some(first) = scenes.first_mut() {

@@ -17,7 +17,7 @@ use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Closure, PlateSize, Scene, Spring, SpringKind, Table, WhichSpring};
-use crate::model::units::{self, Bare, Quantity, shortest};
+use crate::model::units::{self, Bare, Dimension, shortest};
 use crate::model::variables::{self, VARIABLES, Variable, is_used, used_where};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
@@ -187,16 +187,16 @@ impl Changes {
 fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw> {
     let number = variable.number()?;
     let (linear, exponent) = match number.quantity {
-        Quantity::SpringCoefficient => {
+        Dimension::SpringCoefficient => {
             let (which, _) = WhichSpring::of_key(variable.key)?;
-            (Quantity::Stiffness, scene.mechanism.one(which).exponent)
+            (Dimension::Stiffness, scene.mechanism.one(which).exponent)
         }
-        Quantity::DamperCoefficient => (Quantity::Damping, scene.mechanism.damper.exponent),
+        Dimension::DamperCoefficient => (Dimension::Damping, scene.mechanism.damper.exponent),
         _ => return None,
     };
     let is_in = |quantity| units::parse(value, quantity, Bare::Si).is_ok();
     let is_bent =
-        is_in(linear) && !is_in(Quantity::Number) && (exponent - 1.0).abs() > f64::EPSILON;
+        is_in(linear) && !is_in(Dimension::Number) && (exponent - 1.0).abs() > f64::EPSILON;
     Some(PowerLaw { coefficient: (number.get)(scene)?, exponent }).filter(|_| is_bent)
 }
 

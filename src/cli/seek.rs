@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{Answer, StudyArguments, on_plastic};
+use crate::cli::study::{StudyArguments, StudyOutput, on_plastic};
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::InterfaceLaw;
@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     }
     let warnings = seek::warnings(&preset.scene, &report);
     let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
-    let answer = Answer { warnings, page, object, rows: seek::table(name, &report) };
+    let answer = StudyOutput { warnings, page, object, rows: seek::table(name, &report) };
     arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }

@@ -8,12 +8,12 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::count;
-use crate::cli::study::{Answer, Random, StudyArguments, bounds};
+use crate::cli::study::{Random, StudyArguments, StudyOutput, bounds};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
-use crate::study::sensitivity::{Effort, Report, SCATTER, study, usual_axes};
+use crate::study::sensitivity::{Report, SCATTER, SamplingOptions, study, usual_axes};
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -54,7 +54,7 @@ fn samples(text: &str) -> Result<usize, String> {
 }
 
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
-    let effort = Effort {
+    let effort = SamplingOptions {
         rows: arguments.samples,
         trajectories: arguments.trajectories,
         seed: arguments.random.seed,
@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         .study
         .run("runs", |context| study(&preset.scene, axes, &arguments.output, effort, context))?;
     let name = preset.name.as_str();
-    let answer = Answer {
+    let answer = StudyOutput {
         warnings: validity::of_axes(&preset.scene, &report.axes),
         page: page(name, &report, arguments.over.is_empty()),
         object: sensitivity::json(name, &report),

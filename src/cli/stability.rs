@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::cli::study::{Answer, StudyArguments};
+use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::table::choice;
 use crate::cli::{CliError, draw, output, progress, text};
 use crate::model::library;
@@ -80,7 +80,7 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let wanted = Wanted { method: arguments.method, axis, size, ends: None };
     let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
-    let answer = Answer {
+    let answer = StudyOutput {
         warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
         page: map_page(&map, name),
         object: tables::map_json(name, &map),

@@ -27,7 +27,7 @@ pub(super) struct StudyArguments {
 }
 
 /// What a study found.
-pub(super) struct Answer<'a, R> {
+pub(super) struct StudyOutput<'a, R> {
     /// They head the page, and are in the object and in every row.
     pub(super) warnings: Vec<String>,
     pub(super) page: String,
@@ -52,8 +52,12 @@ impl StudyArguments {
     }
 
     /// Prints the page or the object, and writes the rows.
-    pub(super) fn deliver<R>(&self, scene: &Scene, answer: Answer<'_, R>) -> Result<(), CliError> {
-        let Answer { warnings, page, mut object, rows } = answer;
+    pub(super) fn deliver<R>(
+        &self,
+        scene: &Scene,
+        answer: StudyOutput<'_, R>,
+    ) -> Result<(), CliError> {
+        let StudyOutput { warnings, page, mut object, rows } = answer;
         object["warnings"] = warnings.as_slice().into();
         let (page, rows) = (at_top(&page, &warnings), rows.with_warnings(&warnings));
         self.table.of(&self.scene, scene).deliver_report(&page, object, rows)

@@ -16,7 +16,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
-use crate::cli::table::{TableArguments, Target, at_top};
+use crate::cli::table::{TableArguments, TableDestination, at_top};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, again, output, progress};
 use crate::files::atomic::Growing;
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
     arguments.pictures.check(&arguments.table)?;
     let preset = arguments.scene.load()?;
-    let csv_wanted = !matches!(arguments.table.target(), Target::None);
+    let csv_wanted = !matches!(arguments.table.target(), TableDestination::None);
     let rows_wanted = arguments.table.json || csv_wanted;
     let (plan, columns) = arguments.points.plan(&preset, !rows_wanted)?;
     let plan = Arc::new(plan);
@@ -92,8 +92,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let threads = arguments.threads.count();
     let job = Job { plan: &plan, shard, threads, preset: &preset };
     let file = match &arguments.table.target() {
-        Target::File(to) => Some(to.begin()?),
-        Target::None | Target::Stdout => None,
+        TableDestination::File(to) => Some(to.begin()?),
+        TableDestination::None | TableDestination::Stdout => None,
     };
     let points = job.points();
     let start = Instant::now();
@@ -156,13 +156,16 @@ impl Job<'_> {
             ));
             return ExitCode::FAILURE;
         }
-        if !matches!(table.target(), Target::None) && columns == Columns::Chosen && !table.json {
+        if !matches!(table.target(), TableDestination::None)
+            && columns == Columns::Chosen
+            && !table.json
+        {
             // Rows with all columns have their own.
             for warning in validity::of_plan(self.plan) {
                 output::note(&format!("warning: {warning}"));
             }
         }
-        if !matches!(table.target(), Target::None) && !table.json {
+        if !matches!(table.target(), TableDestination::None) && !table.json {
             let took = page::duration(start.elapsed().as_secs_f64());
             output::note(&format!("{} points in {took}: {}", ended.points(), ended.outcomes));
         }
@@ -192,7 +195,7 @@ impl Job<'_> {
         kept: &mut Option<Grid>,
     ) -> Result<Summary, CliError> {
         let target = arguments.table.target();
-        let (has_csv, has_json) = (!matches!(target, Target::None), arguments.table.json);
+        let (has_csv, has_json) = (!matches!(target, TableDestination::None), arguments.table.json);
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
         let (style, is_inline) = (arguments.table.csv_style, arguments.table.meta == Meta::Inline);
@@ -221,7 +224,7 @@ impl Job<'_> {
             write(&style.rows(piece.csv.as_bytes())?, &piece.json)
         });
         let summary = match (streamed, &target) {
-            (Err(CliError::File(problem)), Target::File(to)) => {
+            (Err(CliError::File(problem)), TableDestination::File(to)) => {
                 return Err(to.kept(file, problem).into());
             }
             (streamed, _) => streamed?,
@@ -235,7 +238,7 @@ impl Job<'_> {
             write(b"", &json_tail(summary.points(), missing.is_none()))?;
         }
         output::print("")?;
-        if let (Some(file), Target::File(to)) = (file, target) {
+        if let (Some(file), TableDestination::File(to)) = (file, target) {
             let part = Part {
                 shard: self.shard,
                 design: self.plan.design(),

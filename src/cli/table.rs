@@ -51,7 +51,7 @@ pub(super) fn choice<T: Copy + Send + Sync + 'static>(
         .try_map(move |text| named(text).ok_or("not one of the choices"))
 }
 
-pub(super) enum Target {
+pub(super) enum TableDestination {
     None,
     /// Whether the table replaces the page on standard output.
     Stdout,
@@ -59,11 +59,11 @@ pub(super) enum Target {
 }
 
 impl TableArguments {
-    pub(super) fn target(&self) -> Target {
+    pub(super) fn target(&self) -> TableDestination {
         match &self.csv {
-            None => Target::None,
-            Some(path) if path == Path::new("-") => Target::Stdout,
-            Some(path) => Target::File(Destination {
+            None => TableDestination::None,
+            Some(path) if path == Path::new("-") => TableDestination::Stdout,
+            Some(path) => TableDestination::File(Destination {
                 path: path.clone(),
                 existing: self.existing(),
                 meta: self.meta,
@@ -94,14 +94,14 @@ impl TableArguments {
     fn check_with(&self, meta: Meta) -> Result<(), CliError> {
         self.check_stdout()?;
         match self.target() {
-            Target::None | Target::Stdout => Ok(()),
-            Target::File(to) => Ok(Destination { meta, ..to }.check()?),
+            TableDestination::None | TableDestination::Stdout => Ok(()),
+            TableDestination::File(to) => Ok(Destination { meta, ..to }.check()?),
         }
     }
 
     /// Checks that only one kind of result goes to standard output.
     pub(super) fn check_stdout(&self) -> Result<(), CliError> {
-        if self.json && matches!(self.target(), Target::Stdout) {
+        if self.json && matches!(self.target(), TableDestination::Stdout) {
             return Err(CliError::Option(
                 "--json and --csv - both write to standard output: omit one of them, or name a file for --csv".to_owned(),
             ));
@@ -174,9 +174,9 @@ impl Delivery<'_> {
         let table = self.table;
         let text = || table.csv_style.file(&self.comments(), &csv());
         let written = match table.target() {
-            Target::None => Ok(()),
-            Target::Stdout => return output::print(&text()?),
-            Target::File(to) => self.write(to, &text()?),
+            TableDestination::None => Ok(()),
+            TableDestination::Stdout => return output::print(&text()?),
+            TableDestination::File(to) => self.write(to, &text()?),
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());

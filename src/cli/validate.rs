@@ -12,7 +12,7 @@ use crate::files::validation;
 use crate::model::scene::ClosureInEffect;
 use crate::model::units::{engineering, fixed_significant};
 use crate::report::validation as tables;
-use crate::study::validation::{NOT_COUNTED, Quantity, Row, biases, measurements};
+use crate::study::validation::{MeasuredQuantity, NOT_COUNTED, Row, biases, measurements};
 
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
@@ -41,7 +41,7 @@ fn page(report: &[Row]) -> String {
         let case = row.case;
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
-            Quantity::Ratio => fixed_significant(value, 4),
+            MeasuredQuantity::Ratio => fixed_significant(value, 4),
             _ => engineering(value, unit, 4),
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));

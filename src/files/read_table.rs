@@ -10,7 +10,7 @@ use toml::de::{DeValue, ValueDeserializer};
 use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::read::{self, Accepts, Reader};
-use crate::model::units::{self, Bare, Quantity};
+use crate::model::units::{self, Bare, Dimension};
 
 /// The key of a table of each spring.
 pub(super) const KEYS: [&str; 2] = ["mechanism.spring.table", "mechanism.second.table"];
@@ -79,7 +79,7 @@ fn end(heading: &str) -> Option<(&str, bool)> {
 }
 
 /// The unit that a heading ends in, in that of the stored quantity; `None` without one of its kind.
-fn unit(heading: &str, quantity: Quantity) -> Option<f64> {
+fn unit(heading: &str, quantity: Dimension) -> Option<f64> {
     let (unit, _) = end(heading)?;
     // Columns of tables end in `_n`.
     if unit.eq_ignore_ascii_case(quantity.unit()) {
@@ -123,7 +123,7 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
             (Some(x), Some(force)) => points.push([units[0] * x, units[1] * force]),
             (None, None) if index == 0 => {
                 let [x, force] = [0, 1].map(|at| row.get(at).unwrap_or_default());
-                let swapped = unit(x, Quantity::Force).or_else(|| unit(force, Quantity::Length));
+                let swapped = unit(x, Dimension::Force).or_else(|| unit(force, Dimension::Length));
                 if swapped.is_some() {
                     return Err(format!(
                         "`{shown}`, line {line}: `{}` names a force before a displacement: write displacement first, then force",
@@ -131,7 +131,7 @@ fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
                     ));
                 }
                 for (at, heading, quantity) in
-                    [(0, x, Quantity::Length), (1, force, Quantity::Force)]
+                    [(0, x, Dimension::Length), (1, force, Dimension::Force)]
                 {
                     let found = unit(heading, quantity);
                     if let Some((word, true)) = end(heading).filter(|_| found.is_none()) {

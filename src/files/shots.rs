@@ -6,7 +6,7 @@ use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::read::{self, Accepts};
 use crate::files::read_table;
-use crate::study::fit::Shot;
+use crate::study::fit::MeasuredShot;
 
 /// The columns that are read; the first two are needed.
 const COLUMNS: [&str; 4] = ["velocity_m_s", "perforated", "residual_m_s", "penetration_m"];
@@ -16,7 +16,7 @@ const SHOWN_MAX: usize = 40;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// In the order of the file.
-    pub shots: Vec<Shot>,
+    pub shots: Vec<MeasuredShot>,
     /// Columns that mean nothing here.
     pub ignored: Vec<String>,
 }
@@ -90,7 +90,7 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
         if !perforated && residual_m_s.is_some_and(|residual| residual > 0.0) {
             return Err(wrong(2, "empty or 0 for a shot that was stopped"));
         }
-        shots.push(Shot {
+        shots.push(MeasuredShot {
             velocity_m_s,
             perforated,
             residual_m_s: residual_m_s.filter(|_| perforated),
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(table.shots.len(), 2);
         assert_eq!(
             table.shots[0],
-            Shot {
+            MeasuredShot {
                 velocity_m_s: 250.5,
                 perforated: false,
                 residual_m_s: None,

@@ -6,7 +6,7 @@
 //! model page, section 6, and named in [`Listing`]. Here is the contact; the whole run is in `listing`.
 
 use crate::model::contact_phase::section::Faces;
-use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 
@@ -242,7 +242,7 @@ pub fn contact(
     dt_s: f64,
     coupling: Reading,
     steps_max: usize,
-) -> Result<Answer, Refusal> {
+) -> Result<ContactSolution, Refusal> {
     let scheme = Scheme::of(scene, Listing::coupled(dt_s, coupling));
     if scheme.plate.is_some() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
@@ -258,7 +258,14 @@ pub fn contact(
         if let Some(ending) = scheme.ended(&state) {
             let (steps, evaluations) = (i + 1, 5 * (i + 1));
             let t_s = steps as f64 * dt_s;
-            return Ok(Answer { ending, t_s, depth_m: deepest, steps, rejected: 0, evaluations });
+            return Ok(ContactSolution {
+                ending,
+                t_s,
+                depth_m: deepest,
+                steps,
+                rejected: 0,
+                evaluations,
+            });
         }
     }
     Err(Refusal::StepBudget)

@@ -17,8 +17,8 @@ use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
-use expansion::{Clock, Constants};
-use integration::{InitialPhase, Plan, Progress, Sides};
+use expansion::{Constants, StepTime};
+use integration::{InitialPhase, IntegrationState, Plan, Sides};
 pub use simd_batch::run_batch;
 use similarity_start::Start;
 use slow_manifold_series::MANIFOLD_BELOW;
@@ -248,10 +248,10 @@ impl Contact {
             }
             let (t_s, state) = self.moved(singular, tolerance)?;
             let s = t_s.cbrt();
-            self.begin(t_s, state, Clock::Graded { s, unit: GRADED_UNIT * s })
+            self.begin(t_s, state, StepTime::Graded { s, unit: GRADED_UNIT * s })
         } else {
             let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-            self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? })
+            self.begin(0.0, state, StepTime::Even { unit_s: 0.5 * self.scale_s? })
         };
         Some(match self.spring_manifold() {
             Some(manifold) => manifold.plan(progress, tolerance, terms),
@@ -289,8 +289,8 @@ impl Contact {
         let constants = self.constants;
         let ahead_m = manifold.delay_m(&constants, self.growth_n_s()?);
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
-        let clock = Clock::Even { unit_s: 0.5 * self.scale_s? };
-        let expand = |progress: &Progress, piece| {
+        let clock = StepTime::Even { unit_s: 0.5 * self.scale_s? };
+        let expand = |progress: &IntegrationState, piece| {
             manifold.expand::<TERMS>(&constants, progress.state, progress.clock.rates()[0], piece)
         };
         let progress = self.begin(0.0, state, clock);

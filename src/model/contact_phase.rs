@@ -43,7 +43,7 @@ worded! {
 
 /// The result of a method for the contact phase, and its cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer {
+pub struct ContactSolution {
     /// How it ends.
     pub ending: Ending,
     /// When, s.
@@ -58,7 +58,7 @@ pub struct Answer {
     pub evaluations: usize,
 }
 
-impl Answer {
+impl ContactSolution {
     /// One that has cost nothing.
     pub fn free(ending: Ending, t_s: f64, depth_m: f64) -> Self {
         Self { ending, t_s, depth_m, steps: 0, rejected: 0, evaluations: 0 }
@@ -199,14 +199,14 @@ impl Phase {
     ///
     /// # Errors
     /// A [`Refusal`] when the phase cannot be followed to its end.
-    pub fn solve(&self, method: &Method, steps_max: usize) -> Result<Answer, Refusal> {
+    pub fn solve(&self, method: &Method, steps_max: usize) -> Result<ContactSolution, Refusal> {
         let mut stretch = Stretch::first(self, method.lands());
         let mut count = Count::up_to(steps_max);
         let mut start = Start { t: 0.0, y: [0.0, 1.0, self.start_x, 0.0], step: None };
         for _ in 0..STRETCHES_MAX {
             let mut reached = method.integrate(&stretch, start, &mut count);
             if let Some(ending) = stretch.follow(&mut reached)? {
-                return Ok(Answer {
+                return Ok(ContactSolution {
                     ending,
                     t_s: reached.t * self.unit_s,
                     depth_m: self.faces.depth(reached.y[0]) * self.radius_m,

@@ -15,12 +15,12 @@ use table::Unit;
 /// on an exponent; they accept the units of the linear case (`N/m`, `N s/m`) with SI prefixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the row of each has its unit and an example")]
-pub enum Quantity {
+pub enum Dimension {
     Number,
     Mass,
     Length,
     Velocity,
-    /// deg (the SI unit is rad; angles are kept in degrees, see [`Quantity`])
+    /// deg (the SI unit is rad; angles are kept in degrees, see [`Dimension`])
     Angle,
     Density,
     Pressure,
@@ -38,7 +38,7 @@ pub enum Quantity {
     ArealMass,
 }
 
-impl Quantity {
+impl Dimension {
     /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a
     /// text that would do.
     fn row(self) -> (&'static str, &'static [Unit], &'static str) {
@@ -92,7 +92,7 @@ pub struct QuantityError(String);
 
 impl QuantityError {
     /// NaN, an infinity, or an overflow such as `1e999`.
-    fn not_finite(text: &str, quantity: Quantity) -> Self {
+    fn not_finite(text: &str, quantity: Dimension) -> Self {
         let (shown, example) = (quoted(text), quantity.example());
         Self(format!("`{shown}` is not a finite number: write for example `{example}`"))
     }
@@ -120,7 +120,7 @@ pub enum Bare {
 ///
 /// # Errors
 /// [`QuantityError`] when the text is empty, no number, not finite, or has a unit of another kind.
-pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, QuantityError> {
+pub fn parse(text: &str, quantity: Dimension, bare: Bare) -> Result<f64, QuantityError> {
     let trimmed = text.trim();
     let example = quantity.example();
     if trimmed.is_empty() {
@@ -139,7 +139,7 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
         return Err(QuantityError(format!("`{shown}` has a comma (column {column}): {point}")));
     }
     let unit = rest.trim();
-    let needs_unit = bare == Bare::Si && quantity == Quantity::Angle;
+    let needs_unit = bare == Bare::Si && quantity == Dimension::Angle;
     // Zero is the same in every unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
         return Err(QuantityError(format!(
@@ -180,7 +180,7 @@ fn with_point(text: &str, rest: &str) -> Option<String> {
 
 /// The complaint, with its cure, about a range of which one end has a unit and the other has none. Zero is the same in every
 /// unit.
-pub fn one_bare_end(low: &str, high: &str, quantity: Quantity) -> Option<String> {
+pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String> {
     let (low, high) = (low.trim(), high.trim());
     let unit_of = |text| {
         let (value, rest) = expression(text)?;
@@ -211,11 +211,11 @@ pub fn one_bare_end(low: &str, high: &str, quantity: Quantity) -> Option<String>
 pub fn parse_relative(
     text: &str,
     old: f64,
-    quantity: Quantity,
+    quantity: Dimension,
     bare: Bare,
 ) -> Result<f64, QuantityError> {
     let trimmed = text.trim();
-    let plain = |rest: &str| parse(rest, Quantity::Number, Bare::Stored);
+    let plain = |rest: &str| parse(rest, Dimension::Number, Bare::Stored);
     let new = if let Some(rest) = trimmed.strip_prefix('*') {
         old * plain(rest)?
     } else if let Some(rest) = trimmed.strip_prefix('/') {
@@ -228,7 +228,7 @@ pub fn parse_relative(
     if new.is_finite() { Ok(new) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
 }
 
-fn find_unit(unit: &str, quantity: Quantity) -> Option<Unit> {
+fn find_unit(unit: &str, quantity: Dimension) -> Option<Unit> {
     let squeezed: String = unit
         .chars()
         .filter(|c| !c.is_whitespace())
@@ -239,8 +239,8 @@ fn find_unit(unit: &str, quantity: Quantity) -> Option<Unit> {
         })
         .collect();
     let other = match quantity {
-        Quantity::Angle => "°",
-        Quantity::Density => "kg/m³",
+        Dimension::Angle => "°",
+        Dimension::Density => "kg/m³",
         _ => "",
     };
     if squeezed == quantity.unit() || squeezed == other {
@@ -462,19 +462,19 @@ mod tests {
     #[test]
     fn units_scale_to_the_nearest_float() {
         let cases = [
-            ("25.4mm", Quantity::Length, 0.0254),
-            ("6.35 mm", Quantity::Length, 0.00635),
-            ("29.5g", Quantity::Mass, 0.0295),
-            ("7.5MN/m", Quantity::SpringCoefficient, 7.5e6),
-            ("1e5 N/m^n", Quantity::SpringCoefficient, 1e5),
-            ("150 us", Quantity::Time, 150e-6),
-            ("150 µs", Quantity::Time, 150e-6),
-            ("151.6 MPa", Quantity::Pressure, 151.6e6),
-            ("30deg", Quantity::Angle, 30.0),
-            ("30°", Quantity::Angle, 30.0),
-            ("1/3", Quantity::Number, 1.0 / 3.0),
-            ("2 kN s/m", Quantity::DamperCoefficient, 2000.0),
-            ("2.71 g/cm3", Quantity::Density, 2710.0),
+            ("25.4mm", Dimension::Length, 0.0254),
+            ("6.35 mm", Dimension::Length, 0.00635),
+            ("29.5g", Dimension::Mass, 0.0295),
+            ("7.5MN/m", Dimension::SpringCoefficient, 7.5e6),
+            ("1e5 N/m^n", Dimension::SpringCoefficient, 1e5),
+            ("150 us", Dimension::Time, 150e-6),
+            ("150 µs", Dimension::Time, 150e-6),
+            ("151.6 MPa", Dimension::Pressure, 151.6e6),
+            ("30deg", Dimension::Angle, 30.0),
+            ("30°", Dimension::Angle, 30.0),
+            ("1/3", Dimension::Number, 1.0 / 3.0),
+            ("2 kN s/m", Dimension::DamperCoefficient, 2000.0),
+            ("2.71 g/cm3", Dimension::Density, 2710.0),
         ];
         for (text, quantity, expected) in cases {
             let value = parse(text, quantity, Bare::Stored).unwrap();
@@ -488,66 +488,66 @@ mod tests {
         let lbf = 4.448_221_615_260_5;
         let square_inch = 0.0254 * 0.0254;
         let cases = [
-            ("1in", Quantity::Length, 0.0254),
-            ("3in", Quantity::Length, 0.0762),
-            ("12 in", Quantity::Length, 0.3048),
-            ("1ft", Quantity::Length, 0.3048),
-            ("1000mil", Quantity::Length, 0.0254),
-            ("7000gr", Quantity::Mass, 0.453_592_37),
-            ("1gr", Quantity::Mass, 64.798_91e-6),
-            ("1lb", Quantity::Mass, 0.453_592_37),
-            ("16oz", Quantity::Mass, 0.453_592_37),
-            ("1fps", Quantity::Velocity, 0.3048),
-            ("2780 ft/s", Quantity::Velocity, 847.344),
-            ("2.78kfps", Quantity::Velocity, 847.344),
-            ("3.6km/h", Quantity::Velocity, 1.0),
-            ("1mph", Quantity::Velocity, 1609.344 / 3600.0),
-            ("1psi", Quantity::Pressure, lbf / square_inch),
-            ("40ksi", Quantity::Pressure, 40_000.0 * lbf / square_inch),
-            ("10Msi", Quantity::Pressure, 1e7 * lbf / square_inch),
-            ("1lbf", Quantity::Force, lbf),
-            ("1 lbf/in", Quantity::Stiffness, lbf / 0.0254),
-            ("570lbf/in", Quantity::SpringCoefficient, 570.0 * lbf / 0.0254),
-            ("1 lbf s/in", Quantity::Damping, lbf / 0.0254),
-            ("0.098 lb/in3", Quantity::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
-            ("20 J/g", Quantity::SpecificEnergy, 20_000.0),
+            ("1in", Dimension::Length, 0.0254),
+            ("3in", Dimension::Length, 0.0762),
+            ("12 in", Dimension::Length, 0.3048),
+            ("1ft", Dimension::Length, 0.3048),
+            ("1000mil", Dimension::Length, 0.0254),
+            ("7000gr", Dimension::Mass, 0.453_592_37),
+            ("1gr", Dimension::Mass, 64.798_91e-6),
+            ("1lb", Dimension::Mass, 0.453_592_37),
+            ("16oz", Dimension::Mass, 0.453_592_37),
+            ("1fps", Dimension::Velocity, 0.3048),
+            ("2780 ft/s", Dimension::Velocity, 847.344),
+            ("2.78kfps", Dimension::Velocity, 847.344),
+            ("3.6km/h", Dimension::Velocity, 1.0),
+            ("1mph", Dimension::Velocity, 1609.344 / 3600.0),
+            ("1psi", Dimension::Pressure, lbf / square_inch),
+            ("40ksi", Dimension::Pressure, 40_000.0 * lbf / square_inch),
+            ("10Msi", Dimension::Pressure, 1e7 * lbf / square_inch),
+            ("1lbf", Dimension::Force, lbf),
+            ("1 lbf/in", Dimension::Stiffness, lbf / 0.0254),
+            ("570lbf/in", Dimension::SpringCoefficient, 570.0 * lbf / 0.0254),
+            ("1 lbf s/in", Dimension::Damping, lbf / 0.0254),
+            ("0.098 lb/in3", Dimension::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
+            ("20 J/g", Dimension::SpecificEnergy, 20_000.0),
             // One kilobar is 100 MPa, one N/mm2 is 1 MPa, and a turn is 2 pi rad or 360 deg.
-            ("15.2 kbar", Quantity::Pressure, 1.52e9),
-            ("276 N/mm2", Quantity::Pressure, 276e6),
-            ("2.71 t/m3", Quantity::Density, 2710.0),
-            ("50 rad/m", Quantity::Twist, 50.0),
-            ("360 deg/mm", Quantity::Twist, 2000.0 * std::f64::consts::PI),
-            ("5 kg cm2", Quantity::Inertia, 5e-4),
-            ("1 lbf s", Quantity::Impulse, lbf),
-            ("1 ft lbf", Quantity::Energy, 0.3048 * lbf),
-            ("1.5kJ", Quantity::Energy, 1500.0),
-            ("1 lb/ft2", Quantity::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
-            ("4 g/cm2", Quantity::ArealMass, 40.0),
+            ("15.2 kbar", Dimension::Pressure, 1.52e9),
+            ("276 N/mm2", Dimension::Pressure, 276e6),
+            ("2.71 t/m3", Dimension::Density, 2710.0),
+            ("50 rad/m", Dimension::Twist, 50.0),
+            ("360 deg/mm", Dimension::Twist, 2000.0 * std::f64::consts::PI),
+            ("5 kg cm2", Dimension::Inertia, 5e-4),
+            ("1 lbf s", Dimension::Impulse, lbf),
+            ("1 ft lbf", Dimension::Energy, 0.3048 * lbf),
+            ("1.5kJ", Dimension::Energy, 1500.0),
+            ("1 lb/ft2", Dimension::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
+            ("4 g/cm2", Dimension::ArealMass, 40.0),
             // Any prefix before the stored unit.
-            ("2 GN", Quantity::Force, 2e9),
-            ("3 mN s", Quantity::Impulse, 3e-3),
-            ("5 nJ", Quantity::Energy, 5e-9),
+            ("2 GN", Dimension::Force, 2e9),
+            ("3 mN s", Dimension::Impulse, 3e-3),
+            ("5 nJ", Dimension::Energy, 5e-9),
         ];
         for (text, quantity, expected) in cases {
             let value = parse(text, quantity, Bare::Si).unwrap();
             assert!((value - expected).abs() <= 4.0 * f64::EPSILON * expected, "{text}: {value}");
         }
-        assert_eq!(parse("3in", Quantity::Length, Bare::Si), Ok(0.0762));
+        assert_eq!(parse("3in", Dimension::Length, Bare::Si), Ok(0.0762));
     }
 
     #[test]
     fn an_angle_without_a_unit_is_degrees_in_a_file_and_refused_on_the_command_line() {
-        let radians = parse("pi/6 rad", Quantity::Angle, Bare::Si).unwrap();
+        let radians = parse("pi/6 rad", Dimension::Angle, Bare::Si).unwrap();
         assert!((radians - 30.0).abs() < 1e-13);
-        assert_eq!(parse("30", Quantity::Angle, Bare::Stored), Ok(30.0));
-        assert_eq!(parse("0", Quantity::Angle, Bare::Si), Ok(0.0));
-        let error = parse("0.5", Quantity::Angle, Bare::Si).unwrap_err().to_string();
+        assert_eq!(parse("30", Dimension::Angle, Bare::Stored), Ok(30.0));
+        assert_eq!(parse("0", Dimension::Angle, Bare::Si), Ok(0.0));
+        let error = parse("0.5", Dimension::Angle, Bare::Si).unwrap_err().to_string();
         assert!(error.contains("`0.5 deg` or `0.5 rad`"), "{error}");
     }
 
     #[test]
     fn relative_edits_use_the_old_value() {
-        let edit = |text| parse_relative(text, 8.0, Quantity::Length, Bare::Stored).unwrap();
+        let edit = |text| parse_relative(text, 8.0, Dimension::Length, Bare::Stored).unwrap();
         let cases = [("*2", 16.0), ("/4", 2.0), ("+50%", 12.0), ("-3", -3.0), ("1mm", 0.001)];
         for (text, expected) in cases {
             assert_eq!(edit(text).to_bits(), f64::to_bits(expected), "{text}");
@@ -574,12 +574,12 @@ mod tests {
             ("2 mkg", "`mkg` is not a unit"),
         ];
         for (text, fragment) in cases {
-            let error = parse(text, Quantity::Length, Bare::Stored).unwrap_err().to_string();
+            let error = parse(text, Dimension::Length, Bare::Stored).unwrap_err().to_string();
             assert!(error.contains(fragment), "{text}: {error}");
         }
         for (quantity, cure) in [
-            (Quantity::Number, "use %, or no unit"),
-            (Quantity::Twist, "use rad/m, rad/mm, deg/m, deg/mm, or no unit for rad/m"),
+            (Dimension::Number, "use %, or no unit"),
+            (Dimension::Twist, "use rad/m, rad/mm, deg/m, deg/mm, or no unit for rad/m"),
         ] {
             let error = parse("5 lb", quantity, Bare::Si).unwrap_err().to_string();
             assert!(error.ends_with(cure), "{error}");

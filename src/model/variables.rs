@@ -7,7 +7,7 @@
 use thiserror::Error;
 
 use crate::model::scene::Scene;
-use crate::model::units::{self, Bare, Quantity};
+use crate::model::units::{self, Bare, Dimension};
 use crate::model::worded::worded;
 
 mod describe;
@@ -94,7 +94,7 @@ pub enum Kind {
 #[derive(Clone, Copy)]
 pub struct Number {
     /// Its units.
-    pub quantity: Quantity,
+    pub quantity: Dimension,
     /// The physically possible values.
     pub allowed: Allowed,
     /// The range the thesis searched (Table 9.2), where it gives one.
@@ -166,7 +166,7 @@ impl Allowed {
     }
 
     /// The rule in words, with the unit: `greater than 0 kg`.
-    pub fn describe(self, quantity: Quantity) -> String {
+    pub fn describe(self, quantity: Dimension) -> String {
         let unit = format!(" {}", quantity.unit());
         let unit = unit.trim_end();
         let show = units::shortest;
@@ -353,7 +353,7 @@ impl Variable {
     fn impossible(&self, number: &Number, value: f64) -> VariableError {
         let unit = number.quantity.unit();
         let cure = match (number.quantity, number.allowed) {
-            (Quantity::Angle, _) if value >= 90.0 => {
+            (Dimension::Angle, _) if value >= 90.0 => {
                 "write degrees as for example `30deg`".to_owned()
             }
             (_, Allowed::Positive | Allowed::NonNegative) if value < 0.0 => {

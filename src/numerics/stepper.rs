@@ -103,18 +103,18 @@ impl Count {
     }
 
     /// Why a step of the length `h` cannot be taken from the time `t`, if so.
-    pub(crate) fn forbids(&self, t: f64, h: f64) -> Option<Stop> {
+    pub(crate) fn forbids(&self, t: f64, h: f64) -> Option<StopReason> {
         if self.steps + self.rejected >= self.most {
-            return Some(Stop::StepBudget);
+            return Some(StopReason::StepBudget);
         }
         // So is a length that is not a number.
-        (!(t + h > t && h.is_finite())).then_some(Stop::StepUnderflow)
+        (!(t + h > t && h.is_finite())).then_some(StopReason::StepUnderflow)
     }
 }
 
 /// Why a stretch ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
+pub enum StopReason {
     /// At the boundary of this index.
     Boundary(usize),
     /// The steps allowed are used up.
@@ -130,7 +130,7 @@ pub enum Stop {
 pub struct Reached<const N: usize> {
     pub(crate) t: f64,
     pub(crate) y: [f64; N],
-    pub(crate) stop: Stop,
+    pub(crate) stop: StopReason,
     /// The step that would have been tried next.
     pub(crate) step: f64,
 }
@@ -200,7 +200,7 @@ mod tests {
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
             let (system, mut count) = (oscillator(&[HALF]), many());
             let end = Dop853 { tolerance }.integrate(&system, START, &mut count);
-            assert_eq!(end.stop, Stop::Boundary(0));
+            assert_eq!(end.stop, StopReason::Boundary(0));
             assert!((end.y[0] - 0.5).abs() < 1e-15, "{tolerance}");
             assert!(
                 (end.t - exact).abs() < 10.0 * tolerance + 1e-15,
@@ -214,7 +214,7 @@ mod tests {
             let system = oscillator(&[HALF]);
             let end =
                 Rk4 { step: h, crossing: Crossing::Locate }.integrate(&system, START, &mut count);
-            assert_eq!(end.stop, Stop::Boundary(0));
+            assert_eq!(end.stop, StopReason::Boundary(0));
             assert_eq!(count.evaluations, system.calls.get());
             (end.t - exact).abs()
         };
@@ -228,7 +228,7 @@ mod tests {
         let (system, mut count) = (oscillator(&[HALF]), many());
         let method = Rk4 { step: 0.1, crossing: Crossing::Notice };
         let end = method.integrate(&system, START, &mut count);
-        assert_eq!(end.stop, Stop::Boundary(0));
+        assert_eq!(end.stop, StopReason::Boundary(0));
         assert!((end.t - 1.1).abs() < 1e-15);
     }
 
@@ -237,10 +237,10 @@ mod tests {
         let earlier = Boundary { offset: -0.8, slope: [1.0, 0.0] };
         let (system, mut count) = (oscillator(&[HALF, earlier]), many());
         let end = Dop853 { tolerance: 1e-10 }.integrate(&system, START, &mut count);
-        assert_eq!(end.stop, Stop::Boundary(1));
+        assert_eq!(end.stop, StopReason::Boundary(1));
         let again = Start { t: end.t, y: end.y, step: Some(end.step) };
         let end = Dop853 { tolerance: 1e-10 }.integrate(&system, again, &mut count);
-        assert_eq!(end.stop, Stop::Boundary(0));
+        assert_eq!(end.stop, StopReason::Boundary(0));
         assert!((end.t - std::f64::consts::FRAC_PI_3).abs() < 1e-9);
     }
 
@@ -250,7 +250,7 @@ mod tests {
         let plane = Boundary { offset: 0.99, slope: [1.0, 0.0] };
         let (system, mut count) = (oscillator(&[plane]), many());
         let end = Dop853 { tolerance: 1e-3 }.integrate(&system, START, &mut count);
-        assert_eq!(end.stop, Stop::Boundary(0));
+        assert_eq!(end.stop, StopReason::Boundary(0));
         assert!((end.t - (-0.99f64).acos()).abs() < 0.03, "{}", end.t);
     }
 
@@ -276,22 +276,22 @@ mod tests {
         let start = Start { t: 0.0, y: [0.0], step: None };
         let dop853 = Dop853 { tolerance: 1e-6 };
         let end = dop853.integrate(&Cliff, start, &mut many());
-        assert_eq!(end.stop, Stop::NonFinite);
+        assert_eq!(end.stop, StopReason::NonFinite);
         assert!(end.y[0] <= 1.0 && end.y[0] > 0.999, "{}", end.y[0]);
         let rk4 = |step| Rk4 { step, crossing: Crossing::Locate };
         let end = rk4(0.1).integrate(&Cliff, start, &mut many());
-        assert_eq!(end.stop, Stop::NonFinite);
+        assert_eq!(end.stop, StopReason::NonFinite);
         assert!(end.y[0] <= 1.0);
 
         let mut count = Count::up_to(500);
         let end = dop853.integrate(&Fast, START, &mut count);
-        assert_eq!(end.stop, Stop::StepBudget);
+        assert_eq!(end.stop, StopReason::StepBudget);
         assert_eq!(count.steps + count.rejected, 500);
 
         let late = Start { t: 1e9, y: [1.0, 0.0], step: None };
         let end = dop853.integrate(&Fast, late, &mut many());
-        assert_eq!(end.stop, Stop::StepUnderflow);
+        assert_eq!(end.stop, StopReason::StepUnderflow);
         let end = rk4(1e-9).integrate(&Fast, late, &mut many());
-        assert_eq!(end.stop, Stop::StepUnderflow);
+        assert_eq!(end.stop, StopReason::StepUnderflow);
     }
 }

@@ -6,7 +6,7 @@ use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
-use crate::study::accuracy::method::Knob;
+use crate::study::accuracy::method::Parameter;
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, Report};
 
 /// A scene's name and its comparison.
@@ -43,13 +43,13 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("scene", "scene", "", |row| row.of.0.as_str())
         .with("method", "method", "", |row| row.method.method.name())
         .with("letter", "letter", "", |row| row.method.method.letter().to_string())
-        .with("time_step_s", "time step", "s", |row| match row.point.knob {
-            Knob::Step(dt_s) => Some(dt_s),
-            Knob::None | Knob::Tolerance(_) => None,
+        .with("time_step_s", "time step", "s", |row| match row.point.parameter {
+            Parameter::Step(dt_s) => Some(dt_s),
+            Parameter::None | Parameter::Tolerance(_) => None,
         })
-        .with("tolerance", "tolerance", "", |row| match row.point.knob {
-            Knob::Tolerance(value) => Some(value),
-            Knob::None | Knob::Step(_) => None,
+        .with("tolerance", "tolerance", "", |row| match row.point.parameter {
+            Parameter::Tolerance(value) => Some(value),
+            Parameter::None | Parameter::Step(_) => None,
         })
         .with("error", "error", "", |row| Some(row.measured()?.error()))
         .with("penetration_error", "error of depth", "", |row| Some(row.measured()?.depth_error))
@@ -103,8 +103,8 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
 
 /// The method of a result, and its parameter.
 pub fn by(found: &Cheapest) -> String {
-    let knob = found.knob.to_string();
-    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
+    let parameter = found.parameter.to_string();
+    let with = if parameter.is_empty() { String::new() } else { format!(" at {parameter}") };
     format!("by {}{with}", found.method.name())
 }
 
@@ -149,7 +149,7 @@ fn scene(named: &Named) -> Value {
         json!({
             "error": target,
             "method": found.map(|it| it.method.name()),
-            "parameter": found.and_then(|it| it.knob.value()),
+            "parameter": found.and_then(|it| it.parameter.value()),
             "run_time_s": found.map(|it| it.min_s),
             "no_term_omitted_s": report.cheapest_in_full(target).map(|it| it.min_s),
         })

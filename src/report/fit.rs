@@ -4,10 +4,10 @@ use serde_json::{Value, json};
 
 use crate::report::table::Table;
 use crate::study::fit::calibrate::Calibration;
-use crate::study::fit::{CONFIDENCE, Report, Shot};
+use crate::study::fit::{CONFIDENCE, MeasuredShot, Report};
 
 /// The shots, with what the fits say of their velocities.
-pub fn table(report: &Report) -> Table<'_, &Shot> {
+pub fn table(report: &Report) -> Table<'_, &MeasuredShot> {
     Table::of(&report.shots)
         .with("velocity_m_s", "velocity", "m/s", |shot| shot.velocity_m_s)
         .with("perforated", "perforated", "", |shot| u8::from(shot.perforated))

@@ -8,25 +8,25 @@ use crate::study::quantities;
 
 /// A model that was run, or one that does not apply.
 #[derive(Clone, Copy)]
-pub struct Line<'r> {
+pub struct ModelLine<'r> {
     model: &'static str,
     row: Option<&'r Row>,
     /// Why it does not apply.
     refused: &'r str,
 }
 
-impl<'r> Line<'r> {
+impl<'r> ModelLine<'r> {
     fn run(&self) -> Option<&'r Run> {
         self.row.map(|row| &*row.run)
     }
 }
 
 /// All of them.
-pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
+pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, ModelLine<'c>> {
     let runs = found.rows.iter();
-    let runs = runs.map(|row| Line { model: row.name, row: Some(row), refused: "" });
+    let runs = runs.map(|row| ModelLine { model: row.name, row: Some(row), refused: "" });
     let refused = found.refused.iter();
-    let refused = refused.map(|(model, why)| Line { model, row: None, refused: why });
+    let refused = refused.map(|(model, why)| ModelLine { model, row: None, refused: why });
     Table::of(runs.chain(refused))
         .with("scene", "scene", "", move |_| name)
         .with("model", "model", "", |it| it.model)

@@ -7,7 +7,7 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
-use crate::study::search::seek::{Kind, Line, Place, Report};
+use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
@@ -22,7 +22,7 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
 }
 
 /// A solution in words.
-pub fn solution(report: &Report, solution: &Line) -> String {
+pub fn solution(report: &Report, solution: &SeekResult) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
     let until = solution.until.map(|it| format!(" to {} (whole interval)", axis.show(it.at, 6)));
@@ -44,8 +44,9 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
     let at = |value: f64| axis.show(value, 6);
     let shown = |value: f64| measure.show(value, 6);
-    let place =
-        |place: Place| format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at));
+    let place = |place: SamplePoint| {
+        format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at))
+    };
     let mut remarks = Vec::new();
     for jump in report.of(Kind::Jump) {
         let (from, to) =
@@ -84,7 +85,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
 }
 
 /// The lines of the answer.
-pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Line> {
+pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult> {
     Table::of(&report.lines)
         .with("scene", "scene", "", move |_| name)
         .with("kind", "kind", "", |line| line.kind.word())
@@ -107,7 +108,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         table.rows.retain(|line| kinds.contains(&line.kind));
         table.objects(|key| own.contains(&key))
     };
-    let place = |place: Place| json!({ "at": place.at, "value": place.value });
+    let place = |place: SamplePoint| json!({ "at": place.at, "value": place.value });
     let (low, high) = report.axis.ends();
     json!({
         "scene": name,

@@ -23,7 +23,7 @@ pub enum Source {
 
 enumeration! {
     /// A quantity of the series, in the order `v` goes through them.
-    pub enum Quantity in Row {
+    pub enum Channel in Row {
         /// The name for chart titles.
         title: &'static str,
         /// The symbol for readouts.
@@ -60,7 +60,7 @@ enumeration! {
     Stress { title: "Stress over yield strength", symbol: "stress/yield", unit: "", source: Source::Law(Law::stress) }
 }
 
-impl Quantity {
+impl Channel {
     /// Whether it is drawn over time, not over the plate's displacement.
     pub fn is_over_time(self) -> bool {
         matches!(self.source(), Source::Time(_))
@@ -205,7 +205,7 @@ mod tests {
         let scene = Arc::new(scene);
         let run = simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();
         let arrest = run.first_arrest.unwrap();
-        let points = Quantity::ContactForce.points(&run, &run.series);
+        let points = Channel::ContactForce.points(&run, &run.series);
         let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();
         let at_event: Vec<f64> =
             points.iter().filter(|point| is_event(point)).map(|point| point.1).collect();

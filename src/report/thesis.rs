@@ -2,7 +2,7 @@
 
 use crate::report::table::Table;
 use crate::study::principles::{PRINCIPLES, Principle};
-use crate::study::screening::{CONCEPTS, Concept, Place, ranking};
+use crate::study::screening::{CONCEPTS, Concept, Ranking, ranking};
 use crate::study::thesis::{Opens, Row};
 
 /// The claims.
@@ -25,8 +25,8 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
 }
 
 /// The ranking of the concepts by weights in percent, the first one first, beside the printed one.
-pub fn screening(weights: &[f64; 7]) -> Table<'static, Place> {
-    let concept = |place: &Place| -> &'static Concept { &CONCEPTS[place.concept] };
+pub fn screening(weights: &[f64; 7]) -> Table<'static, Ranking> {
+    let concept = |place: &Ranking| -> &'static Concept { &CONCEPTS[place.concept] };
     Table::of(ranking(weights))
         .with("rank", "rank", "", |place| place.rank)
         .with("concept", "concept", "", move |place| concept(place).name)

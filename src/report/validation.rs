@@ -6,14 +6,14 @@ use crate::study::validation::{Bias, Case, NotChecked, Row, biases, measurements
 
 /// A row of the table.
 #[derive(Default)]
-pub struct Line<'r> {
+pub struct ValidationLine<'r> {
     row: Option<&'r Row>,
     /// A case that cannot be checked: what it says, where it comes from, and why not.
     not_checked: Option<&'static NotChecked>,
     bias: Option<Bias>,
 }
 
-impl Line<'_> {
+impl ValidationLine<'_> {
     fn case(&self) -> Option<&'static Case> {
         self.row.map(|row| row.case)
     }
@@ -41,22 +41,24 @@ impl Line<'_> {
 }
 
 /// All of them.
-pub fn table(report: &[Row]) -> Table<'_, Line<'_>> {
-    let cases = report.iter().map(|row| Line { row: Some(row), ..Line::default() });
+pub fn table(report: &[Row]) -> Table<'_, ValidationLine<'_>> {
+    let cases =
+        report.iter().map(|row| ValidationLine { row: Some(row), ..ValidationLine::default() });
     let others = measurements().not_checked.iter();
-    let others = others.map(|it| Line { not_checked: Some(it), ..Line::default() });
+    let others =
+        others.map(|it| ValidationLine { not_checked: Some(it), ..ValidationLine::default() });
     let biases = biases(report).into_iter();
-    let biases = biases.map(|it| Line { bias: Some(it), ..Line::default() });
+    let biases = biases.map(|it| ValidationLine { bias: Some(it), ..ValidationLine::default() });
     Table::of(cases.chain(others).chain(biases))
-        .with("case", "case", "", Line::id)
+        .with("case", "case", "", ValidationLine::id)
         .with("preset", "preset", "", |it| it.case().map(|case| case.preset))
-        .with("quantity", "quantity", "", Line::quantity)
+        .with("quantity", "quantity", "", ValidationLine::quantity)
         .with("unit", "unit", "", |it| it.case().map(|case| case.quantity.unit()))
         .with("measured", "measured", "", |it| it.case().map(|case| case.measured))
         .with("resolution", "resolution", "", |it| it.case()?.resolution)
         .with("closure", "closure", "", |it| it.row.map(|row| row.closure.word()))
         .with("computed", "computed", "", |it| it.row?.computed)
-        .with("relative_error", "bias", "", Line::error)
+        .with("relative_error", "bias", "", ValidationLine::error)
         .with("other_closure", "other closure", "", |it| it.row?.other)
         .with("other_relative_error", "its error", "", |it| {
             let row = it.row?;
@@ -72,7 +74,7 @@ pub fn table(report: &[Row]) -> Table<'_, Line<'_>> {
         .with("caution", "caution", "", |it| it.case().map(|case| case.caution))
         .with("beyond_closure", "beyond closure", "", |it| it.row?.beyond.clone())
         .with("not_checked_because", "why not", "", |it| it.not_checked.map(|it| it.why))
-        .with("class", "class", "", Line::class)
+        .with("class", "class", "", ValidationLine::class)
         .with("points", "points", "", |it| it.bias.as_ref().map(|bias| bias.points))
         .with("relative_error_deviation", "std dev", "", |it| it.bias.as_ref()?.deviation)
 }

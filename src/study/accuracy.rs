@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::statistics::slope;
@@ -16,7 +16,7 @@ pub mod method;
 pub mod reference;
 pub mod timing;
 
-use method::{Job, Knob, Ladder, Method};
+use method::{Job, Ladder, Method, Parameter};
 use reference::{Reference, references};
 use timing::{Clock, Patience, Timing, time};
 
@@ -39,14 +39,14 @@ const UNSTEADY: f64 = 0.2;
 
 /// How thorough a comparison is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Effort {
-    /// Which values of the knobs.
+pub struct ComparisonOptions {
+    /// Which values of the parameters.
     pub ladder: Ladder,
     /// How much time each may take.
     pub patience: Patience,
 }
 
-impl Effort {
+impl ComparisonOptions {
     /// A few seconds a scene.
     pub const FULL: Self =
         Self { ladder: Ladder::Full, patience: Patience { point_s: 1.2e-2, slow_s: 8e-2 } };
@@ -59,7 +59,7 @@ impl Effort {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The value.
-    pub knob: Knob,
+    pub parameter: Parameter,
     /// The result, or why there is none.
     pub result: Result<Measured, Refusal>,
 }
@@ -68,7 +68,7 @@ pub struct Point {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// The computed quantity.
-    pub answer: Answer,
+    pub answer: ContactSolution,
     /// Relative error of the depth.
     pub depth_error: f64,
     /// Relative error of the time.
@@ -130,7 +130,7 @@ pub struct Cheapest {
     /// Which method.
     pub method: Method,
     /// With which parameter.
-    pub knob: Knob,
+    pub parameter: Parameter,
     /// Least time, s.
     pub min_s: f64,
 }
@@ -141,7 +141,7 @@ pub struct Cheapest {
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn compare(
     scene: &Arc<Scene>,
-    effort: Effort,
+    effort: ComparisonOptions,
     clock: Clock<'_>,
     context: &mut Context<'_, Report>,
 ) -> Result<Report, VariableError> {
@@ -150,27 +150,27 @@ pub fn compare(
     variables::require_hydrodynamic(scene)?;
     let references = references(scene);
     let end_s = references.first().map_or(f64::NAN, |reference| reference.answer.t_s);
-    let plan: Vec<(Method, Vec<Knob>)> =
-        Method::ALL.map(|method| (method, method.knobs(end_s, effort.ladder))).into();
-    context.expect(plan.iter().map(|(_, knobs)| knobs.len()).sum());
+    let plan: Vec<(Method, Vec<Parameter>)> =
+        Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
+    context.expect(plan.iter().map(|(_, parameters)| parameters.len()).sum());
     let mut report = Report {
         scene: Arc::clone(scene),
         references: references.clone(),
         methods: Vec::new(),
         is_complete: true,
     };
-    for (method, knobs) in plan {
+    for (method, parameters) in plan {
         let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
         let reference = references.iter().find(independent).copied();
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;
-        for knob in knobs {
+        for parameter in parameters {
             report.is_complete = context.show(&report);
             if !report.is_complete {
                 break;
             }
             context.count(1);
-            let job = Job::new(method, knob, scene, end_s, steps_max(knob, end_s));
+            let job = Job::new(method, parameter, scene, end_s, steps_max(parameter, end_s));
             let result = match reference {
                 None => Err(Refusal::NoReference),
                 Some(_) if is_slow => Err(Refusal::TooSlow),
@@ -185,23 +185,23 @@ pub fn compare(
                 }
             };
             if let Some(method) = report.methods.last_mut() {
-                method.points.push(Point { knob, result });
+                method.points.push(Point { parameter, result });
             }
         }
     }
     Ok(report)
 }
 
-fn steps_max(knob: Knob, end_s: f64) -> usize {
-    match knob {
-        Knob::Step(dt_s) => {
+fn steps_max(parameter: Parameter, end_s: f64) -> usize {
+    match parameter {
+        Parameter::Step(dt_s) => {
             let (times, more) = STEPS_BEYOND;
             let steps = times * end_s / dt_s + more;
             // Ladders end well below the last of these.
             let mut powers = (0..24).map(|bit| 1usize << bit);
             powers.find(|power| *power as f64 > steps).unwrap_or(STEPS_MAX)
         }
-        Knob::None | Knob::Tolerance(_) => STEPS_MAX,
+        Parameter::None | Parameter::Tolerance(_) => STEPS_MAX,
     }
 }
 
@@ -226,10 +226,10 @@ fn judged(
 
 impl MethodReport {
     /// The points that gave a result.
-    pub fn measured(&self) -> impl DoubleEndedIterator<Item = (Knob, &Measured)> {
-        self.points
-            .iter()
-            .filter_map(|point| point.result.as_ref().ok().map(|measured| (point.knob, measured)))
+    pub fn measured(&self) -> impl DoubleEndedIterator<Item = (Parameter, &Measured)> {
+        self.points.iter().filter_map(|point| {
+            point.result.as_ref().ok().map(|measured| (point.parameter, measured))
+        })
     }
 
     /// The order that is observed: how fast log error falls with log steps, by least squares through the finest points that
@@ -271,9 +271,9 @@ impl MethodReport {
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
         let meeting = self.measured().rev().take_while(|(_, measured)| measured.error() <= target);
         let meeting: Vec<Cheapest> = meeting
-            .map(|(knob, measured)| Cheapest {
+            .map(|(parameter, measured)| Cheapest {
                 method: self.method,
-                knob,
+                parameter,
                 min_s: measured.timing.min_s,
             })
             .collect();

@@ -144,7 +144,7 @@ pub fn is_equal(mass_efficiency: f64) -> bool {
 
 /// Whether the mechanism pays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Profitability {
     /// It stops the shot, and is lighter than the solid plate that does.
     Pays,
     /// It stops the shot, and is heavier.
@@ -161,7 +161,7 @@ pub enum Verdict {
     Unknown,
 }
 
-impl Verdict {
+impl Profitability {
     /// Of an armour that stops the shot with this mass efficiency.
     fn of(mass_efficiency: f64) -> Self {
         match mass_efficiency {
@@ -231,7 +231,7 @@ impl Report {
         let sized = self.of(Candidate::Scene)?.sized.as_ref().ok()?;
         let is_open = !self.uncounted.is_empty() && self.scene.stack.base_thickness_m.is_none();
         let spare = (sized.solid_areal_kg_m2 - sized.areal_kg_m2) * face_m2(&sized.scene);
-        Some(spare).filter(|_| is_open && self.verdict() == Verdict::Pays)
+        Some(spare).filter(|_| is_open && self.verdict() == Profitability::Pays)
     }
 
     /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
@@ -249,29 +249,29 @@ impl Report {
     }
 
     /// Whether the mechanism pays.
-    pub fn verdict(&self) -> Verdict {
-        let Some(own) = self.of(Candidate::Scene) else { return Verdict::Unknown };
+    pub fn verdict(&self) -> Profitability {
+        let Some(own) = self.of(Candidate::Scene) else { return Profitability::Unknown };
         let design_m_s = self.scene.projectile.velocity_m_s;
         if !own.is_held && own.outcome != Outcome::Perforated {
-            return Verdict::NothingStops;
+            return Profitability::NothingStops;
         }
         match own.outcome {
-            Outcome::Perforated => return Verdict::Perforated,
+            Outcome::Perforated => return Profitability::Perforated,
             // A run that still oscillates is decided by the limit.
             Outcome::Moving if own.perforation.velocity_m_s().is_none_or(|it| it < design_m_s) => {
-                return Verdict::Unknown;
+                return Profitability::Unknown;
             }
             Outcome::Arrested | Outcome::Separated | Outcome::Moving => {}
         }
         if let Some(failure) =
             own.failure.filter(|_| own.limit_m_s.is_none_or(|it| it < design_m_s))
         {
-            return Verdict::Fails(failure);
+            return Profitability::Fails(failure);
         }
         match &own.sized {
-            Ok(sized) => Verdict::of(sized.mass_efficiency()),
+            Ok(sized) => Profitability::of(sized.mass_efficiency()),
             Err(Absence::ClosureChange(by_closure)) => by_closure.verdict(),
-            Err(_) => Verdict::Unknown,
+            Err(_) => Profitability::Unknown,
         }
     }
 

@@ -25,15 +25,15 @@ pub type Watch<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<(
 
 /// The flag that stops a study, as its workers see it: they hand in what they have done.
 #[derive(Clone, Debug, Default)]
-pub struct Stop(Arc<AtomicBool>);
+pub struct CancelFlag(Arc<AtomicBool>);
 
-impl From<Arc<AtomicBool>> for Stop {
+impl From<Arc<AtomicBool>> for CancelFlag {
     fn from(flag: Arc<AtomicBool>) -> Self {
         Self(flag)
     }
 }
 
-impl Stop {
+impl CancelFlag {
     /// Whether it is set.
     pub fn is_set(&self) -> bool {
         self.0.load(Ordering::Relaxed)
@@ -55,13 +55,13 @@ pub struct Context<'w, P: ?Sized = ()> {
     watch: Watch<'w, P>,
     threads: usize,
     progress: Progress,
-    stop: Stop,
+    stop: CancelFlag,
 }
 
 impl<'w, P: ?Sized> Context<'w, P> {
     /// A context on a given number of threads.
     pub fn new(threads: usize, watch: Watch<'w, P>) -> Self {
-        Self { watch, threads, progress: Progress::default(), stop: Stop::default() }
+        Self { watch, threads, progress: Progress::default(), stop: CancelFlag::default() }
     }
 
     /// Whether the study was stopped.
@@ -70,7 +70,7 @@ impl<'w, P: ?Sized> Context<'w, P> {
     }
 
     /// The flag that is set then.
-    pub fn stop(&self) -> Stop {
+    pub fn stop(&self) -> CancelFlag {
         self.stop.clone()
     }
 

@@ -22,7 +22,7 @@ const SHOTS_MIN: usize = 3;
 
 /// One shot of a test.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shot {
+pub struct MeasuredShot {
     /// Impact velocity, m/s.
     pub velocity_m_s: f64,
     /// Whether the projectile went through.
@@ -74,7 +74,7 @@ impl Logistic {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The shots, in the order of the file.
-    pub shots: Vec<Shot>,
+    pub shots: Vec<MeasuredShot>,
     /// The fastest that was stopped, m/s.
     pub highest_stopped_m_s: f64,
     /// The slowest that perforated, m/s.
@@ -102,7 +102,7 @@ impl Report {
     }
 }
 
-fn residuals(shots: &[Shot]) -> Vec<(f64, f64)> {
+fn residuals(shots: &[MeasuredShot]) -> Vec<(f64, f64)> {
     let through = shots.iter().filter(|shot| shot.perforated);
     through.filter_map(|shot| Some((shot.velocity_m_s, shot.residual_m_s?))).collect()
 }
@@ -111,7 +111,7 @@ fn residuals(shots: &[Shot]) -> Vec<(f64, f64)> {
 ///
 /// # Errors
 /// In words, when they do not bracket a limit.
-pub fn fit(shots: Vec<Shot>) -> Result<Report, String> {
+pub fn fit(shots: Vec<MeasuredShot>) -> Result<Report, String> {
     let count = shots.len();
     if count < SHOTS_MIN {
         return Err(format!(
@@ -167,7 +167,7 @@ struct Likelihood {
 }
 
 impl Regression {
-    fn new(shots: &[Shot], method: Estimator) -> Self {
+    fn new(shots: &[MeasuredShot], method: Estimator) -> Self {
         let n = shots.len() as f64;
         let mean_m_s = shots.iter().map(|it| it.velocity_m_s).sum::<f64>() / n;
         let squares: f64 = shots.iter().map(|it| (it.velocity_m_s - mean_m_s).powi(2)).sum();

@@ -17,7 +17,7 @@ use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
 use fit::ResidualLaw;
 use monte_carlo::{SampledLimit, Sampling};
-use search::{BESIDE, Range};
+use search::{BESIDE, ShotRunner};
 use verdict::digits_apart;
 
 mod closures;
@@ -42,7 +42,7 @@ const CURVE: (f64, f64) = (0.5, 2.5);
 
 enumeration! {
     /// How the limit is known.
-    pub enum Basis in BasisRow {
+    pub enum LimitMethod in BasisRow {
         /// A short text.
         words: &'static str,
     }
@@ -76,7 +76,7 @@ pub enum Limit {
         /// The limit velocity, m/s.
         velocity_m_s: f64,
         /// How it is known.
-        basis: Basis,
+        basis: LimitMethod,
         /// A faster shot that is stopped again, where there is one, m/s: there is no single limit then.
         stopped_at_m_s: Option<f64>,
         /// A slower shot whose run ends undecided, where there is one, m/s: it is not known to perforate.
@@ -99,7 +99,7 @@ pub enum Limit {
 
 impl Limit {
     /// A limit with all slower shots stopped and all faster ones perforating.
-    pub fn found(velocity_m_s: f64, basis: Basis) -> Self {
+    pub fn found(velocity_m_s: f64, basis: LimitMethod) -> Self {
         Self::Found { velocity_m_s, basis, stopped_at_m_s: None, undecided_at_m_s: None }
     }
 
@@ -191,7 +191,7 @@ pub struct Shot {
 
 /// The options besides the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Effort {
+pub struct LimitOptions {
     /// The criterion of perforation.
     pub criterion: Criterion,
     /// Scatter of the inputs; `None`: not requested.
@@ -255,13 +255,13 @@ impl Report {
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(
     scene: &Arc<Scene>,
-    effort: Effort,
+    effort: LimitOptions,
     context: &mut Context<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     let samples = effort.sampling.map_or(0, |sampling| sampling.samples);
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
-    let mut range = Range { scene, criterion: effort.criterion, context };
+    let mut range = ShotRunner { scene, criterion: effort.criterion, context };
     let limit = range.whole_limit();
     let undecided_m_s = range.undecided(limit);
     let shots = range.curve(limit);
@@ -296,7 +296,7 @@ pub fn find(
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
-    Ok(Range { scene, criterion: Criterion::default(), context }.whole_limit())
+    Ok(ShotRunner { scene, criterion: Criterion::default(), context }.whole_limit())
 }
 
 /// The limit velocity of a scene, m/s.

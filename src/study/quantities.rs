@@ -15,7 +15,7 @@ use crate::study::compare::{
     plates_kg, system_mass_of_run,
 };
 use crate::study::limit;
-use crate::study::sweep::kernel::Answer;
+use crate::study::sweep::kernel::KernelResult;
 
 mod mount;
 mod names;
@@ -68,11 +68,11 @@ pub(in crate::study) enum FromContact {
     /// It does not: it takes a simulation.
     No,
     /// From its end.
-    End(fn(&Answer) -> Option<f64>),
+    End(fn(&KernelResult) -> Option<f64>),
     /// From its end and the greatest displacement.
-    Displacement(fn(&Answer) -> Option<f64>),
+    Displacement(fn(&KernelResult) -> Option<f64>),
     /// The same, and from the scene.
-    WithScene(fn(&Answer, &Scene) -> Option<f64>),
+    WithScene(fn(&KernelResult, &Scene) -> Option<f64>),
     Scene,
 }
 
@@ -237,15 +237,15 @@ pub static QUANTITIES: &[Quantity] = &[
 ];
 
 /// How names end, and the kind that means; a longer ending stands before its own end.
-const ENDINGS: [(&str, units::Quantity); 8] = [
-    ("_kg_m2", units::Quantity::ArealMass),
-    ("_m_s", units::Quantity::Velocity),
-    ("_n_s", units::Quantity::Impulse),
-    ("_m", units::Quantity::Length),
-    ("_s", units::Quantity::Time),
-    ("_n", units::Quantity::Force),
-    ("_j", units::Quantity::Energy),
-    ("_kg", units::Quantity::Mass),
+const ENDINGS: [(&str, units::Dimension); 8] = [
+    ("_kg_m2", units::Dimension::ArealMass),
+    ("_m_s", units::Dimension::Velocity),
+    ("_n_s", units::Dimension::Impulse),
+    ("_m", units::Dimension::Length),
+    ("_s", units::Dimension::Time),
+    ("_n", units::Dimension::Force),
+    ("_j", units::Dimension::Energy),
+    ("_kg", units::Dimension::Mass),
 ];
 
 impl Quantity {
@@ -258,8 +258,8 @@ impl Quantity {
     }
 
     /// The kind of its values, which says in what units they may be written.
-    fn kind(&self) -> units::Quantity {
-        self.ending().map_or(units::Quantity::Number, |(_, kind)| kind)
+    fn kind(&self) -> units::Dimension {
+        self.ending().map_or(units::Dimension::Number, |(_, kind)| kind)
     }
 
     /// Its name in words, without the unit: `max plate displacement`.
@@ -273,7 +273,7 @@ impl Quantity {
         if self.short.is_empty() { self.title() } else { self.short.to_owned() }
     }
 
-    fn ending(&self) -> Option<(&'static str, units::Quantity)> {
+    fn ending(&self) -> Option<(&'static str, units::Dimension)> {
         ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
     }
 
@@ -353,7 +353,7 @@ impl Quantity {
     }
 
     /// Its value for a shot that the first contact decides.
-    pub(in crate::study) fn of_contact(&self, answer: &Answer, scene: &Scene) -> Option<f64> {
+    pub(in crate::study) fn of_contact(&self, answer: &KernelResult, scene: &Scene) -> Option<f64> {
         match (self.from_contact, self.source) {
             (End(get) | Displacement(get), _) => get(answer),
             (WithScene(get), _) => get(answer, scene),

@@ -46,7 +46,7 @@ pub const CONCEPTS: [Concept; 8] = [
 
 /// A concept's place under some weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct Ranking {
     /// Index into [`CONCEPTS`].
     pub concept: usize,
     /// Weighted total, each weight counted as percent.
@@ -56,7 +56,7 @@ pub struct Place {
 }
 
 /// Totals and ranks under these weights, in the order of [`CONCEPTS`].
-pub fn rank(weights_percent: &[f64; 7]) -> Vec<Place> {
+pub fn rank(weights_percent: &[f64; 7]) -> Vec<Ranking> {
     let total = |concept: &Concept| {
         concept
             .ratings
@@ -70,7 +70,7 @@ pub fn rank(weights_percent: &[f64; 7]) -> Vec<Place> {
     totals
         .iter()
         .enumerate()
-        .map(|(concept, total)| Place {
+        .map(|(concept, total)| Ranking {
             concept,
             total: *total,
             rank: 1 + totals.iter().filter(|other| **other > *total + 1e-9).count(),
@@ -79,7 +79,7 @@ pub fn rank(weights_percent: &[f64; 7]) -> Vec<Place> {
 }
 
 /// The same, the best first.
-pub fn ranking(weights_percent: &[f64; 7]) -> Vec<Place> {
+pub fn ranking(weights_percent: &[f64; 7]) -> Vec<Ranking> {
     let mut places = rank(weights_percent);
     places.sort_by_key(|place| place.rank);
     places

@@ -11,7 +11,7 @@ use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::Quantity;
-use crate::study::sweep::{Axis, Found, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, EvaluatedDesign, Plan, Spacing, SweepError};
 use crate::study::validity;
 use effects::{Effect, morris};
 use indices::{Sobol, sobol};
@@ -24,7 +24,7 @@ pub type Function<'a> = &'a mut dyn FnMut(&[Vec<f64>]) -> Option<Vec<f64>>;
 
 /// How much is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct SamplingOptions {
     /// Rows of the design for Sobol's indices, a power of two.
     pub rows: usize,
     /// Morris's trajectories.
@@ -33,7 +33,7 @@ pub struct Effort {
     pub seed: u64,
 }
 
-impl Effort {
+impl SamplingOptions {
     /// Runs for a given number of variables.
     pub fn runs(self, inputs: usize) -> usize {
         1 + 2 * inputs + self.trajectories * (inputs + 1) + self.rows * (inputs + 2)
@@ -64,7 +64,7 @@ pub struct Report {
     /// The result.
     pub output: &'static Quantity,
     /// The request.
-    pub effort: Effort,
+    pub effort: SamplingOptions,
     /// The result of the scene itself.
     pub own: Option<f64>,
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
@@ -148,7 +148,7 @@ pub fn study(
     scene: &Scene,
     axes: Vec<Axis>,
     output: &str,
-    effort: Effort,
+    effort: SamplingOptions,
     context: &mut Context<'_>,
 ) -> Result<Report, SweepError> {
     if axes.len() > indices::INPUTS_MAX {
@@ -163,7 +163,7 @@ pub fn study(
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
         let found = space.evaluate(designs, context);
-        let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
+        let value = |found: &EvaluatedDesign| found.values[0].unwrap_or(f64::NAN);
         (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
     };
     let at_own = values(std::slice::from_ref(&own));

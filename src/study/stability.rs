@@ -5,16 +5,16 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Answer, Ending};
+use crate::model::contact_phase::{ContactSolution, Ending};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Outcome, Run, STILL_WITHIN_CONTACT, Sample};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Knob, Method, answer_of};
+use crate::study::accuracy::method::{Method, Parameter, answer_of};
 use crate::study::accuracy::reference::stored;
-use crate::study::context::{Context, Stop};
+use crate::study::context::{CancelFlag, Context};
 use cases::Case;
 use others::{Fault, Other, Verdict};
 
@@ -114,13 +114,13 @@ const OTHERS_UNTIL_S: f64 = 30.0;
 
 /// The clock, and the time limit of the other methods, s.
 #[derive(Clone, Copy)]
-pub struct Clock<'a> {
+pub struct TimeBudget<'a> {
     /// The time now, s.
     pub now_s: &'a (dyn Fn() -> f64 + Sync),
     /// After this no other method is started, s.
     pub until_s: f64,
     /// Whether to stop, looked at before every step of a run.
-    pub stop: &'a Stop,
+    pub stop: &'a CancelFlag,
 }
 
 /// The cases of a battery; the quick one has every fifth.
@@ -139,7 +139,7 @@ pub fn run(
     context: &mut Context<'_, [Row]>,
 ) -> Result<Vec<Row>, VariableError> {
     let stop = context.stop();
-    let clock = Clock { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
+    let clock = TimeBudget { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
     for case in cases {
         case.scene()?;
     }
@@ -150,7 +150,7 @@ pub fn run(
 }
 
 /// Run one scene of the battery; `None` when stopped, or for a case that is not a scene, which a test rules out.
-pub fn examine(case: &'static Case, clock: Clock<'_>) -> Option<Row> {
+pub fn examine(case: &'static Case, clock: TimeBudget<'_>) -> Option<Row> {
     let scene = case.scene().ok()?;
     let start_s = (clock.now_s)();
     let run = bare(&scene, false, &mut |_| clock.stop.flow()).ok()?;
@@ -196,8 +196,8 @@ fn measure(run: &Run) -> Option<f64> {
 fn reference(
     scene: &Arc<Scene>,
     run: &Run,
-    clock: Clock<'_>,
-) -> (Option<(f64, Basis)>, Option<Answer>) {
+    clock: TimeBudget<'_>,
+) -> (Option<(f64, Basis)>, Option<ContactSolution>) {
     let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
         || run.first_arrest.is_some_and(|arrest| {
             run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
@@ -225,9 +225,9 @@ fn reference(
 }
 
 /// The contact by DOP853 or, where that cannot follow, by Radau IIA at two tolerances that agree.
-fn second_form(scene: &Scene) -> Option<(Answer, Basis)> {
+fn second_form(scene: &Scene) -> Option<(ContactSolution, Basis)> {
     let by = |method: Method, tolerance| {
-        method.solve(Knob::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
+        method.solve(Parameter::Tolerance(tolerance), scene, REFERENCE_STEPS_MAX).ok()
     };
     if let Some(contact) = by(Method::Dop853, REFERENCE_TOLERANCE) {
         return Some((contact, Basis::Dop853));
@@ -241,7 +241,7 @@ fn second_form(scene: &Scene) -> Option<(Answer, Basis)> {
 }
 
 /// The engine at a far tighter tolerance, where its check by another order agrees.
-fn tighter(scene: &Arc<Scene>, clock: Clock<'_>) -> Option<Run> {
+fn tighter(scene: &Arc<Scene>, clock: TimeBudget<'_>) -> Option<Run> {
     let mut own = Scene::clone(scene);
     own.run.tolerance = TIGHTER_TOLERANCE;
     let run = bare(&Arc::new(own), true, &mut |_| clock.stop.flow()).ok()?;

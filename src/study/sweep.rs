@@ -28,7 +28,7 @@ use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
 pub use design::{Design, Sampling};
 pub(in crate::study) use design::{hypercube, sequence};
-pub use designs::Found;
+pub use designs::EvaluatedDesign;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 

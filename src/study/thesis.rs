@@ -29,7 +29,7 @@ const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
 enumeration! {
     /// The outcome of a claim.
     #[derive(PartialOrd, Ord)]
-    pub enum Verdict in VerdictRow {
+    pub enum ClaimVerdict in VerdictRow {
         /// The words in tables and files.
         words: &'static str,
         /// One word, for counts in a narrow row.
@@ -64,7 +64,7 @@ pub enum Opens {
 
 enumeration! {
     /// The basis of a verdict.
-    pub enum Basis in BasisRow {
+    pub enum Evidence in BasisRow {
         /// The words in tables and files.
         words: &'static str,
     }
@@ -78,15 +78,15 @@ enumeration! {
 
 /// The result for a claim.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct ClaimResult {
     /// By the sound model.
     pub sound: String,
     /// By the Appendix as printed; empty where it has nothing to say.
     pub printed: String,
     /// The outcome of the claim.
-    pub verdict: Verdict,
+    pub verdict: ClaimVerdict,
     /// The basis of the verdict.
-    pub basis: Basis,
+    pub basis: Evidence,
 }
 
 /// A claim with its result.
@@ -95,7 +95,7 @@ pub struct Row {
     /// The claim.
     pub claim: &'static Claim,
     /// The result.
-    pub found: Found,
+    pub found: ClaimResult,
     /// How many impacts it took, those shared with other claims included.
     pub runs: usize,
 }
@@ -170,9 +170,9 @@ pub fn differences(report: &[Row]) -> Vec<String> {
     changed(report).into_iter().chain(missing).collect()
 }
 
-/// How many rows have each verdict, in the order of [`Verdict::ALL`].
+/// How many rows have each verdict, in the order of [`ClaimVerdict::ALL`].
 pub fn tally(rows: &[Row]) -> [usize; 6] {
-    Verdict::ALL.map(|verdict| rows.iter().filter(|row| row.found.verdict == verdict).count())
+    ClaimVerdict::ALL.map(|verdict| rows.iter().filter(|row| row.found.verdict == verdict).count())
 }
 
 #[cfg(test)]
@@ -180,7 +180,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use super::*;
-    use crate::study::context::Stop;
+    use crate::study::context::CancelFlag;
 
     #[test]
     fn the_file_of_claims_is_right() {
@@ -191,7 +191,7 @@ mod tests {
     /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
     #[test]
     fn a_claim_that_is_stopped_ends_quietly() {
-        let stop = Stop::default();
+        let stop = CancelFlag::default();
         stop.store(true);
         for claim in claims() {
             assert_eq!(row(claim, &SharedRuns::stopped_by(stop.clone())).claim.id, claim.id);

@@ -54,7 +54,7 @@ struct File {
 struct Group {
     preset: &'static str,
     class: &'static str,
-    quantity: Quantity,
+    quantity: MeasuredQuantity,
     nose: &'static str,
     projectile: &'static str,
     source: &'static str,
@@ -70,7 +70,7 @@ struct Entry {
     #[serde(default)]
     set: &'static str,
     class: Option<&'static str>,
-    quantity: Option<Quantity>,
+    quantity: Option<MeasuredQuantity>,
     measured: f64,
     over: Option<f64>,
     resolution: Option<f64>,
@@ -102,7 +102,7 @@ fn read(text: &'static str) -> Result<Measurements, toml::de::Error> {
 /// The measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Quantity {
+pub enum MeasuredQuantity {
     /// The ballistic limit, m/s.
     Limit,
     /// The depth, m.
@@ -117,7 +117,7 @@ pub enum Quantity {
     Bulge,
 }
 
-impl Quantity {
+impl MeasuredQuantity {
     /// The word.
     pub fn word(self) -> &'static str {
         match self {
@@ -154,7 +154,7 @@ pub struct Case {
     /// What it is of: one of the classes that are counted, or [`NOT_COUNTED`].
     pub class: &'static str,
     /// The measured quantity.
-    pub quantity: Quantity,
+    pub quantity: MeasuredQuantity,
     /// The measurement, in its unit.
     pub measured: f64,
     /// Its resolution, where it is known, in its unit.
@@ -240,25 +240,25 @@ fn other(scene: &Scene) -> Option<Scene> {
     Some(own)
 }
 
-fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
+fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
     variables::validate(scene).ok()?;
     match quantity {
-        Quantity::Limit => limit::closed_form(scene),
+        MeasuredQuantity::Limit => limit::closed_form(scene),
         // A hit leaves a hole of the volume its energy opens, and the next one starts at that depth. So N hits of mass m do what one of
         // mass N m does at their velocity.
-        Quantity::RepeatLimit(hits) => {
+        MeasuredQuantity::RepeatLimit(hits) => {
             let mut joined = scene.clone();
             joined.projectile.mass_kg *= f64::from(hits);
             limit::closed_form(&joined)
         }
-        Quantity::Ratio => {
+        MeasuredQuantity::Ratio => {
             let mut straight = scene.clone();
             straight.projectile.obliquity_deg = 0.0;
             Some(limit::closed_form(scene)? / limit::closed_form(&straight)?)
         }
-        Quantity::Strength => Some(scene.flow_strength_pa()),
-        Quantity::Bulge => scene.dishing().then_some(2.0 * scene.projectile.tip_radius_m),
-        Quantity::Depth => plain_run(scene)?.final_penetration_m,
+        MeasuredQuantity::Strength => Some(scene.flow_strength_pa()),
+        MeasuredQuantity::Bulge => scene.dishing().then_some(2.0 * scene.projectile.tip_radius_m),
+        MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
     }
 }
 

@@ -15,7 +15,7 @@ use ratatui::widgets::{Clear, Widget};
 use crate::model::scene::WhichSpring;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::dialogs::export::Choices;
-use crate::tui::keymap::{LINES, Line, Scope};
+use crate::tui::keymap::{KeyHelp, LINES, Scope};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages;
 use crate::tui::prelude::*;
@@ -149,10 +149,10 @@ pub struct HelpRow {
 /// What help lists: the keys of the focused pane first, with what they do there, then those that work everywhere.
 pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
     let pane = pages::spec(app.pane());
-    let has = |line: &Line, action| line.keys.iter().any(|(one, ..)| *one == action);
+    let has = |line: &KeyHelp, action| line.keys.iter().any(|(one, ..)| *one == action);
     let own = pane.keys.iter().map(|row| {
         // A line of keys that the pane explains itself is listed there only.
-        let of_row = |line: &&Line| line.scope != Scope::Everywhere && has(line, row.action);
+        let of_row = |line: &&KeyHelp| line.scope != Scope::Everywhere && has(line, row.action);
         let line = LINES.iter().find(of_row).map(|line| app.keymap.line_label(line));
         HelpRow {
             keys: line.unwrap_or_else(|| app.keymap.label(row.action)),
@@ -162,8 +162,8 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
         }
     });
     let lines = |everywhere: bool| {
-        let explained = move |line: &Line| pane.keys.iter().any(|row| has(line, row.action));
-        let scoped = move |line: &&Line| match line.scope {
+        let explained = move |line: &KeyHelp| pane.keys.iter().any(|row| has(line, row.action));
+        let scoped = move |line: &&KeyHelp| match line.scope {
             Scope::Everywhere => everywhere,
             Scope::With(_) | Scope::Listed => !everywhere && !explained(line),
         };

@@ -286,7 +286,7 @@ impl Keymap {
     }
 
     /// The keys of a line of the table: `1-7`, `u Ctrl-r`, `h j k l`.
-    pub fn line_label(&self, line: &Line) -> String {
+    pub fn line_label(&self, line: &KeyHelp) -> String {
         let labels = line.keys.iter().map(|(action, _, _)| self.label(*action));
         let labels: Vec<String> = labels.filter(|label| !label.is_empty()).collect();
         let digits = labels.len() > 2
@@ -382,13 +382,13 @@ pub enum Scope {
 /// An action, its name in the configuration, and its keys as people write them, the one to show first.
 pub(crate) type Bound = (Action, &'static str, &'static str);
 
-pub struct Line {
+pub struct KeyHelp {
     pub scope: Scope,
     pub keys: &'static [Bound],
     pub meaning: &'static str,
 }
 
-impl Line {
+impl KeyHelp {
     /// Whether its keys mean something in a pane.
     pub fn works_in(&self, pane: &PaneSpec) -> bool {
         match self.scope {
@@ -402,8 +402,8 @@ impl Line {
     }
 }
 
-const fn line(scope: Scope, keys: &'static [Bound], meaning: &'static str) -> Line {
-    Line { scope, keys, meaning }
+const fn line(scope: Scope, keys: &'static [Bound], meaning: &'static str) -> KeyHelp {
+    KeyHelp { scope, keys, meaning }
 }
 
 /// All actions that have a name in the configuration.
@@ -412,7 +412,7 @@ fn bound() -> impl Iterator<Item = &'static Bound> {
 }
 
 #[rustfmt::skip]
-pub static LINES: &[Line] = &[
+pub static LINES: &[KeyHelp] = &[
     line(Everywhere, TAB_KEYS, "go to the tab; again: its next page"),
     line(Everywhere, &[(A::TabPrevious, "previous-tab", "{"), (A::TabNext, "next-tab", "}")], "previous tab, next tab"),
     line(Everywhere, &[(A::FocusNext, "next-pane", "Tab"), (A::FocusPrevious, "previous-pane", "Shift-Tab")], "next pane, previous pane"),

@@ -7,7 +7,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
 use super::study::{BETWEEN, Lane, Reporter, Study};
-use super::{Finding, Progress, ReportBody, Slot};
+use super::{Finding, JobProgress, ReportBody, Slot};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
@@ -70,7 +70,7 @@ pub(super) fn run(
             reporter.report(ReportBody::Part(Finding::new(run)));
         }
         if let Some(t_s) = pulse.beat(t_s, || reporter.elapsed()) {
-            let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
+            let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
             reporter.report(ReportBody::Progress { progress, elapsed });
         }
         if slot == Slot::Current && pulse.part_is_due() {

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use super::quiet::Quiet;
 use super::runs::Cache;
-use super::{Progress, ReportBody, Shared, Slot, Task};
+use super::{JobProgress, ReportBody, Shared, Slot, Task};
 use crate::model::scene::Scene;
 use crate::study::context as study;
 
@@ -205,7 +205,7 @@ impl<'a> Reporter<'a> {
         let part = if is_due { part() } else { None };
         if part.is_some() || since(self.told.get()) >= BETWEEN {
             self.told.set(elapsed);
-            let progress = Progress::Points(progress.done, progress.total);
+            let progress = JobProgress::Points(progress.done, progress.total);
             self.report(ReportBody::Progress { progress, elapsed });
         }
         if let Some(part) = part {

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::runs::run;
 use super::study::{Lane, Reporter, Study, Tempo};
-use super::{Finding, Progress, Report, ReportBody, SceneRun, Slot, Task, Worker};
+use super::{Finding, JobProgress, Report, ReportBody, SceneRun, Slot, Task, Worker};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate;
@@ -95,7 +95,7 @@ fn next_last(reports: &Receiver<Report>) -> Report {
 fn await_started(reports: &Receiver<Report>, id: u64) {
     let report = next(reports);
     assert_eq!(report.id, id);
-    let begun = Progress::Time(0.0);
+    let begun = JobProgress::Time(0.0);
     assert!(
         matches!(report.body, ReportBody::Progress { progress, .. } if progress == begun),
         "{report:?}"
@@ -147,7 +147,7 @@ fn a_job_of_another_slot_does_not_cancel() {
     let report = next(&reports);
     assert_eq!(report.id, 1);
     assert!(
-        matches!(report.body, ReportBody::Progress { progress: Progress::Time(t_s), .. } if t_s > 0.0),
+        matches!(report.body, ReportBody::Progress { progress: JobProgress::Time(t_s), .. } if t_s > 0.0),
         "{report:?}"
     );
     worker.cancel(1);
@@ -212,7 +212,7 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     // Progress comes after half a second, a curve would have come before.
     loop {
         match next(&reports).body {
-            ReportBody::Progress { progress: Progress::Time(t_s), .. } if t_s > 0.0 => break,
+            ReportBody::Progress { progress: JobProgress::Time(t_s), .. } if t_s > 0.0 => break,
             body => assert!(matches!(body, ReportBody::Progress { .. }), "{body:?}"),
         }
     }

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use cmra::files::read::{self, Accepts};
 use cmra::files::{read_table, session, write};
 use cmra::model::scene::Scene;
-use cmra::model::units::{self, Bare, Quantity};
+use cmra::model::units::{self, Bare, Dimension};
 use cmra::model::variables;
 use cmra::study::monte_carlo::Tolerance;
 
@@ -161,13 +161,13 @@ fn read_scene(text: &str) -> Result<(), String> {
 }
 
 fn read_quantity(text: &str) -> Result<(), String> {
-    const ALL: [Quantity; 6] = [
-        Quantity::Number,
-        Quantity::Length,
-        Quantity::Angle,
-        Quantity::Pressure,
-        Quantity::Time,
-        Quantity::SpringCoefficient,
+    const ALL: [Dimension; 6] = [
+        Dimension::Number,
+        Dimension::Length,
+        Dimension::Angle,
+        Dimension::Pressure,
+        Dimension::Time,
+        Dimension::SpringCoefficient,
     ];
     let mut last = Ok(());
     for quantity in ALL {

@@ -6,7 +6,7 @@ use assert_cmd::Command;
 use cmra::files::bundled::BUNDLED;
 use cmra::report::thesis::claims as table_of;
 use cmra::study::context::{Context, to_its_end};
-use cmra::study::thesis::{self, Basis, Opens, Verdict, differences, reproduce, tally};
+use cmra::study::thesis::{self, ClaimVerdict, Evidence, Opens, differences, reproduce, tally};
 
 #[test]
 fn every_verdict_is_the_stored_one() {
@@ -17,11 +17,11 @@ fn every_verdict_is_the_stored_one() {
     assert_eq!(counts.iter().sum::<usize>(), report.len());
     assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
     let on = |basis| report.iter().filter(|row| row.found.basis == basis).count();
-    assert!(on(Basis::Read) >= 15 && on(Basis::Computed) > 150, "{}", on(Basis::Read));
+    assert!(on(Evidence::Read) >= 15 && on(Evidence::Computed) > 150, "{}", on(Evidence::Read));
     // What was computed is reported, unless nothing can be.
     for row in &report {
         let told = !row.found.sound.is_empty() || !row.found.printed.is_empty();
-        assert!(told || row.found.verdict == Verdict::Unchecked, "{}", row.claim.id);
+        assert!(told || row.found.verdict == ClaimVerdict::Unchecked, "{}", row.claim.id);
         assert!(
             !row.claim.cause.is_empty() && !row.found.sound.contains("NaN"),
             "{}",
@@ -38,7 +38,7 @@ fn every_verdict_is_the_stored_one() {
 #[test]
 fn a_changed_verdict_is_reported() {
     let mut report: Vec<_> = thesis::claims()[2..5].iter().map(thesis::check).collect();
-    report[1].found.verdict = Verdict::Reproduced;
+    report[1].found.verdict = ClaimVerdict::Reproduced;
     let told = differences(&report);
     assert!(
         told[0].starts_with("2.3.1-constant: reproduced, stored is reproduced with correction"),
@@ -88,7 +88,7 @@ fn the_command_prints_rows_as_text_and_json_and_holds_them_to_the_stored_table()
     assert!(coupling["as_printed"].as_str().unwrap().starts_with("82."));
 }
 
-fn found(id: &str) -> thesis::Found {
+fn found(id: &str) -> thesis::ClaimResult {
     thesis::check(thesis::find(id).expect(id)).found
 }
 
@@ -102,7 +102,7 @@ fn corrected_rows_quote_the_thesis() {
     assert!(strength.contains("held by a free plate of gamma = 1 (limit 110"), "{strength}");
     // Depth is the requirement's measure: 48.9 % of the solid plate's.
     let requirement = found("4.1-requirement");
-    assert_eq!(requirement.verdict, Verdict::TrendHolds, "{}", requirement.sound);
+    assert_eq!(requirement.verdict, ClaimVerdict::TrendHolds, "{}", requirement.sound);
     // 113 us and 185 us to common speed, 1.275 ms until the projectile stands.
     let duration = found("4.4.1-duration").sound;
     for time in ["185.0 us", "1.275 ms", "113."] {
@@ -110,7 +110,7 @@ fn corrected_rows_quote_the_thesis() {
     }
     // 100 cos 30 and 100 cos 45.
     let normal = found("4.3.1-normal");
-    assert_eq!(normal.verdict, Verdict::TrendHolds);
+    assert_eq!(normal.verdict, ClaimVerdict::TrendHolds);
     assert!(
         normal.sound.contains("86.60 m/s") && normal.sound.contains("70.71 m/s"),
         "{}",
@@ -121,10 +121,10 @@ fn corrected_rows_quote_the_thesis() {
     // Figure 8.4's caption as printed.
     let figure = found("8.2.2-figure");
     assert!(figure.sound.contains("\"Simple ballistic impact lumped-parameter model\""));
-    assert_eq!(figure.basis, Basis::Read);
-    assert_eq!(found("9.5.2-table").basis, Basis::Read);
-    assert_eq!(found("7.1-totals").basis, Basis::Computed);
-    assert_eq!(found("4.1-stone").basis, Basis::None);
+    assert_eq!(figure.basis, Evidence::Read);
+    assert_eq!(found("9.5.2-table").basis, Evidence::Read);
+    assert_eq!(found("7.1-totals").basis, Evidence::Computed);
+    assert_eq!(found("4.1-stone").basis, Evidence::None);
     // What a row varies, and what it holds.
     for (id, settings) in [
         ("9.12a-falls", "d = 0.25 m: "),

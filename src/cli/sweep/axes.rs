@@ -8,7 +8,7 @@ use crate::cli::CliError;
 use crate::cli::table::choice;
 use crate::files::preset::Preset;
 use crate::model::scene::{Scene, SweepAxis};
-use crate::model::units::{self, Bare, Quantity};
+use crate::model::units::{self, Bare, Dimension};
 use crate::model::variables;
 use crate::report::sweep::Columns;
 use crate::study::quantities::of_every_run;
@@ -171,7 +171,7 @@ fn high_end<'t>(
 }
 
 /// The kind of quantity of a variable; `None` for a variable of words, which is refused later.
-fn quantity(name: &str) -> Option<Quantity> {
+fn quantity(name: &str) -> Option<Dimension> {
     Some(variables::find(name).ok()?.number()?.quantity)
 }
 

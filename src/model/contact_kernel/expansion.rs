@@ -117,7 +117,7 @@ impl<R: Copy> Area<R> {
 
 /// Time along a step.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Clock {
+pub(super) enum StepTime {
     /// t = start + unit · sigma.
     Even { unit_s: f64 },
     /// t = (s + unit · sigma)³.
@@ -129,7 +129,7 @@ pub(super) enum Clock {
     },
 }
 
-impl Clock {
+impl StepTime {
     /// The first three coefficients of dt/dsigma, s.
     pub(super) fn rates(self) -> [f64; 3] {
         match self {

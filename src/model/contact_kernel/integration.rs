@@ -5,7 +5,7 @@ use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::contact_kernel::expansion::{Area, Clock, Series, trusted};
+use crate::model::contact_kernel::expansion::{Area, Series, StepTime, trusted};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::slow_manifold_series::tolerance_factor;
 use crate::model::contact_kernel::{Contact, ContactEnd};
@@ -20,11 +20,11 @@ const SHORT: f64 = 0.02;
 
 /// Where a contact is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Progress {
+pub(super) struct IntegrationState {
     pub(super) t_s: f64,
     /// (travel, slip, plate, speed).
     pub(super) state: [f64; 4],
-    pub(super) clock: Clock,
+    pub(super) clock: StepTime,
     pub(super) piece: usize,
     pub(super) max_displacement_m: f64,
     pub(super) steps: usize,
@@ -33,7 +33,7 @@ pub(super) struct Progress {
 /// The rest of a contact that plain steps can compute.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plan {
-    pub(super) progress: Progress,
+    pub(super) progress: IntegrationState,
     pub(super) tolerance: f64,
     /// The plate's displacement matters against this, m, or only against the travel.
     pub(super) reach_m: Option<f64>,
@@ -98,15 +98,15 @@ pub(super) fn plate_scale_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
 }
 
 impl Contact {
-    pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: Clock) -> Progress {
-        Progress { t_s, state, clock, piece: 0, max_displacement_m: self.start_m, steps: 0 }
+    pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: StepTime) -> IntegrationState {
+        IntegrationState { t_s, state, clock, piece: 0, max_displacement_m: self.start_m, steps: 0 }
     }
 
     /// Go on by steps to the end; `None` where the simulation must take over.
     #[inline(always)]
     pub(super) fn go_on<const N: usize>(
         &self,
-        expand: impl Fn(&Progress, Area) -> Series<N>,
+        expand: impl Fn(&IntegrationState, Area) -> Series<N>,
         sides: Sides,
         plan: &Plan,
     ) -> Option<ContactEnd> {
@@ -138,7 +138,7 @@ impl Contact {
     /// simulation must take over.
     pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
         &self,
-        progress: &mut Progress,
+        progress: &mut IntegrationState,
         sides: Sides,
         end_of_step: &StepEnd,
         series: impl Fn() -> S,
@@ -200,7 +200,7 @@ impl Contact {
         (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
     }
 
-    pub(super) fn end(&self, arrested: bool, progress: &Progress) -> ContactEnd {
+    pub(super) fn end(&self, arrested: bool, progress: &IntegrationState) -> ContactEnd {
         let state = &progress.state;
         ContactEnd {
             arrested,

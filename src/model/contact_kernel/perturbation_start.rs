@@ -8,9 +8,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
+use crate::model::contact_kernel::expansion::{Constants, Series, StepTime, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Plan, Progress, Sides, StepEnd, plate_scale_m,
+    InitialPhase, IntegrationState, Plan, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
@@ -90,7 +90,7 @@ impl Contact {
             (!is_linear(damper) && !is_root).then_some(OmittedLaw { law: damper, argument: 2.0 }),
         ];
         let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-        let mut progress = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
+        let mut progress = self.begin(0.0, state, StepTime::Even { unit_s: 0.5 * self.scale_s? });
         let until = self.matters_at(&omitted, tolerance)?;
         let kept = |law: PowerLaw| if is_linear(law) { law.coefficient } else { 0.0 };
         // Dampers that are not linear are compiled for one number of terms.
@@ -121,7 +121,7 @@ impl Contact {
         &self,
         spring_n_m: f64,
         damping: impl Damping<N>,
-        progress: &Progress,
+        progress: &IntegrationState,
     ) -> Option<Series<N>> {
         let (rates, area) = (progress.clock.rates(), self.area_law(progress.piece)?);
         let spring = Linear(spring_n_m);
@@ -158,8 +158,8 @@ impl Contact {
         omitted: &[Option<OmittedLaw>; 2],
         mut span: f64,
         tolerance: f64,
-        progress: Progress,
-    ) -> Option<Progress> {
+        progress: IntegrationState,
+    ) -> Option<IntegrationState> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
         for _ in 0..ROUNDS {
             let [travel, slip, x, w] = series.state(span);
@@ -189,8 +189,8 @@ impl Contact {
             let state =
                 [travel + cos * sum.x_m, slip + cos * sum.w_m_s, x - sum.x_m, w - sum.w_m_s];
             let s = t_s.cbrt();
-            let clock = Clock::Graded { s, unit: GRADED_UNIT * s };
-            return Some(Progress { t_s, state, clock, ..progress });
+            let clock = StepTime::Graded { s, unit: GRADED_UNIT * s };
+            return Some(IntegrationState { t_s, state, clock, ..progress });
         }
         None
     }
@@ -206,7 +206,7 @@ mod tests {
         Contact::of(&scene(pairs))
     }
 
-    fn progress(initial_phase: Option<&InitialPhase>) -> Progress {
+    fn progress(initial_phase: Option<&InitialPhase>) -> IntegrationState {
         match initial_phase {
             Some(InitialPhase::Steps(plan)) => plan.progress,
             _ => panic!("no steps"),
@@ -248,7 +248,7 @@ mod tests {
         let begin = contact.begin(
             0.0,
             [0.0, contact.constants.velocity_m_s, 0.0, 0.0],
-            Clock::Even { unit_s: start_s },
+            StepTime::Even { unit_s: start_s },
         );
         let series = contact.first::<14>(0.0, RootFromRest::new(3000.0), &begin).unwrap();
         let mass = 1.0 / contact.constants.plate_mobility;

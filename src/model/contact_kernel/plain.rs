@@ -2,8 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::contact_kernel::expansion::Clock;
-use crate::model::contact_kernel::integration::{Plan, Progress, Sides};
+use crate::model::contact_kernel::expansion::StepTime;
+use crate::model::contact_kernel::integration::{IntegrationState, Plan, Sides};
 use crate::model::contact_kernel::lane_buffer::has_lanes;
 use crate::model::contact_kernel::law::{Law, Linear, Power, Square};
 use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, is_linear};
@@ -41,8 +41,8 @@ impl Contact {
         // The singular start serves whole powers, too: a high power of a small displacement is next to nothing.
         let spring = Power::<N>::of(self.spring);
         match plan.progress.clock {
-            Clock::Graded { .. } => self.with_laws::<N, true>(spring, damper, plan),
-            Clock::Even { .. } => self.with_laws::<N, GRADED>(spring, damper, plan),
+            StepTime::Graded { .. } => self.with_laws::<N, true>(spring, damper, plan),
+            StepTime::Even { .. } => self.with_laws::<N, GRADED>(spring, damper, plan),
         }
     }
 
@@ -52,7 +52,7 @@ impl Contact {
         damper: impl Law<N>,
         plan: &Plan,
     ) -> Option<ContactEnd> {
-        debug_assert!(GRADED || matches!(plan.progress.clock, Clock::Even { .. }));
+        debug_assert!(GRADED || matches!(plan.progress.clock, StepTime::Even { .. }));
         Arch::new().dispatch(Single::<N, GRADED, _, _> { contact: self, spring, damper, plan })
     }
 }
@@ -77,7 +77,7 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
         if const { !has_lanes::<S>() && N != TERMS } {
             return self.contact.with_linear_damper::<TERMS>(self.plan);
         }
-        let expand = |progress: &Progress, area| {
+        let expand = |progress: &IntegrationState, area| {
             let rates = progress.clock.rates();
             let (spring, damper) = (self.spring, self.damper);
             self.contact.constants.expand::<N, GRADED>(spring, damper, progress.state, rates, area)

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::contact_kernel::expansion::{Area, Clock, trusted};
+use crate::model::contact_kernel::expansion::{Area, StepTime, trusted};
 use crate::model::contact_kernel::integration::{
     InitialPhase, Plan, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
@@ -100,7 +100,7 @@ impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
     fn class(&self, plan: &Plan) -> Option<Class> {
         let power = !is_linear(self.spring);
-        let graded = power && matches!(plan.progress.clock, Clock::Graded { .. });
+        let graded = power && matches!(plan.progress.clock, StepTime::Graded { .. });
         is_linear(self.damper).then_some(Class { terms: plan.terms, power, graded })
     }
 }

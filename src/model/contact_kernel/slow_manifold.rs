@@ -10,7 +10,7 @@ use pulp::{Arch, Scalar, Simd, WithSimd};
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_kernel::expansion::{Area, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Progress, STEPS_MAX, Sides, StepEnd, plate_scale_m,
+    InitialPhase, IntegrationState, STEPS_MAX, Sides, StepEnd, plate_scale_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::slow_manifold_series::{
@@ -49,9 +49,9 @@ const ROWS: usize = END + 4;
 pub(super) struct ManifoldRun {
     manifold: SpringManifold,
     tolerance: f64,
-    progress: Progress,
+    progress: IntegrationState,
     /// From where another method goes on: a step earlier than where this one was seen to fail.
-    before: Progress,
+    before: IntegrationState,
     /// The area law of the piece that the last step ended with.
     joint: Option<Area>,
     /// How far steps are trusted after failures.
@@ -86,7 +86,7 @@ enum PassResult {
 impl ManifoldRun {
     pub(super) fn from(
         manifold: SpringManifold,
-        start: Progress,
+        start: IntegrationState,
         tolerance: f64,
         terms: usize,
     ) -> Self {
@@ -113,7 +113,7 @@ impl ManifoldRun {
     }
 
     fn attempt(&mut self, contact: &Contact, area: Area, by_piece_before: bool) -> Continued {
-        let Progress { state, .. } = self.progress;
+        let IntegrationState { state, .. } = self.progress;
         let guess = Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
         let found = self.manifold.balance(&contact.constants, state, area, &guess);
         let Some(balance) = found else { return self.failed(contact, by_piece_before) };
@@ -132,7 +132,7 @@ impl ManifoldRun {
         }
         // The step there may have been too long, and so may be those to come.
         self.reach_factor *= 0.5;
-        self.progress = Progress { steps: self.progress.steps, ..self.before };
+        self.progress = IntegrationState { steps: self.progress.steps, ..self.before };
         self.step(contact)
     }
 
@@ -144,7 +144,7 @@ impl ManifoldRun {
         [old_m_s, new_m_s]: [f64; 2],
         lag_n: f64,
     ) -> PassResult {
-        let Progress { state, clock, .. } = self.progress;
+        let IntegrationState { state, clock, .. } = self.progress;
         let tolerance = self.tolerance * tolerance_factor(state[2], self.manifold.reach_m);
         let x = attempt.balance.plate_m;
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
@@ -197,7 +197,7 @@ impl ManifoldRun {
     }
 
     /// Plain steps go on from where the manifold was followed to.
-    fn handed(&self, contact: &Contact, progress: Progress) -> InitialPhase {
+    fn handed(&self, contact: &Contact, progress: IntegrationState) -> InitialPhase {
         if progress.steps == 0 {
             return self.left(contact);
         }
@@ -304,7 +304,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
 
     /// The first pass of an attempt: no inertia yet, and the plate's velocity as it is.
     fn begin(&mut self, lane: usize, lane_job: &Lane<'_>) {
-        let Progress { state, clock, .. } = lane_job.job.manifold_run.progress;
+        let IntegrationState { state, clock, .. } = lane_job.job.manifold_run.progress;
         self.buffer.put(lane, STATE, state);
         self.buffer.put(lane, UNIT, [clock.rates()[0]]);
         self.buffer.put(lane, PIECE, lane_job.attempt.area.numbers());

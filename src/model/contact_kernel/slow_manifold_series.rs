@@ -6,8 +6,8 @@
 //! singular perturbation). A pass gains as much as the plate oscillates fast against the motion; where two passes no longer
 //! agree, the contact goes on by plain steps from there.
 
-use crate::model::contact_kernel::expansion::{Area, Clock, Constants, Series};
-use crate::model::contact_kernel::integration::{Plan, Progress};
+use crate::model::contact_kernel::expansion::{Area, Constants, Series, StepTime};
+use crate::model::contact_kernel::integration::{IntegrationState, Plan};
 use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::{Contact, free, is_linear};
@@ -118,7 +118,7 @@ impl SpringManifold {
     }
 
     /// Plain steps from there, small enough to follow its oscillations.
-    pub(super) fn plan(&self, progress: Progress, tolerance: f64, terms: usize) -> Plan {
+    pub(super) fn plan(&self, progress: IntegrationState, tolerance: f64, terms: usize) -> Plan {
         Plan { progress, tolerance: STEP_TOLERANCE * tolerance, reach_m: Some(self.reach_m), terms }
     }
 
@@ -294,7 +294,12 @@ impl Contact {
     }
 
     /// Where a plate on the manifold is so early that the projectile has not felt it move.
-    fn at_balance(&self, manifold: &SpringManifold, part: f64, tolerance: f64) -> Option<Progress> {
+    fn at_balance(
+        &self,
+        manifold: &SpringManifold,
+        part: f64,
+        tolerance: f64,
+    ) -> Option<IntegrationState> {
         let c = &self.constants;
         let passage = c.passage(&self.geometry, c.slip_mobility - c.cos * c.cos * c.plate_mobility);
         let travel_m = c.velocity_m_s * self.scale_s? * part;
@@ -302,7 +307,7 @@ impl Contact {
         let (t_s, slip) = free::at_travel(&passage, travel_m, tolerance)?;
         let pressure = c.strength_pa + c.drag_kg_m3 * slip * slip;
         let plate_m = manifold.spring.at_force(c.cos * self.geometry.area_m2(travel_m) * pressure);
-        let clock = Clock::Even { unit_s: 0.5 * t_s };
+        let clock = StepTime::Even { unit_s: 0.5 * t_s };
         Some(self.begin(t_s, [travel_m, slip, plate_m, 0.0], clock))
     }
 

@@ -2,7 +2,7 @@
 
 use crate::model::closed_form::{self, Passage, Rule};
 use crate::model::contact::Geometry;
-use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::mechanism::Mechanism;
 use crate::model::scene::Scene;
 
@@ -11,7 +11,7 @@ use crate::model::scene::Scene;
 /// # Errors
 /// [`Refusal::NoClosedForm`] when a mechanism acts; [`Refusal::NonFinite`] at the ballistic limit itself, where the time is
 /// infinite.
-pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
+pub fn solve(scene: &Scene) -> Result<ContactSolution, Refusal> {
     let mechanism = &scene.mechanism;
     let rigid = scene.is_rigid();
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
@@ -29,7 +29,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
     if !t_s.is_finite() {
         return Err(Refusal::NonFinite);
     }
-    Ok(Answer::free(ending, t_s, geometry.depth_m(travel_m)))
+    Ok(ContactSolution::free(ending, t_s, geometry.depth_m(travel_m)))
 }
 
 #[cfg(test)]

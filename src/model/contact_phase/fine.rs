@@ -8,7 +8,7 @@
 //!
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
-use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::scene::Scene;
 use series::{Number, Series, TERMS, at, product, root, trusted};
 
@@ -55,9 +55,9 @@ pub struct Fine {
 
 impl Fine {
     /// The same to double precision.
-    pub fn answer(&self) -> Answer {
-        let free = Answer::free(self.ending, self.t_s.nearest(), self.depth_m.nearest());
-        Answer { steps: self.steps, evaluations: self.steps, ..free }
+    pub fn answer(&self) -> ContactSolution {
+        let free = ContactSolution::free(self.ending, self.t_s.nearest(), self.depth_m.nearest());
+        ContactSolution { steps: self.steps, evaluations: self.steps, ..free }
     }
 }
 

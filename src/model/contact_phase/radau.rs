@@ -10,7 +10,7 @@ use crate::numerics::event::first_sign_change;
 use crate::numerics::implicit::{
     ImplicitSystem, NODES, Step, Unfolded, interpolate, step, step_factor,
 };
-use crate::numerics::stepper::{Count, Reached, Start, Stepper, Stop, System};
+use crate::numerics::stepper::{Count, Reached, Start, Stepper, StopReason, System};
 
 /// The first step, in R/v, where none is known.
 const FIRST: f64 = 1e-4;
@@ -180,7 +180,7 @@ impl Stepper<4, Stretch<'_>> for Radau {
             }
             count.steps += 1;
             if let Some((index, s, y)) = landed(&system, &y, &solved, h, count) {
-                return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
+                return Reached { t: t + s * h, y, stop: StopReason::Boundary(index), step: h };
             }
             t += h;
             here = system.carried(&solved.stages[2]);

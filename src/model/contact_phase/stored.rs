@@ -1,6 +1,6 @@
 //! Contacts whose end is known to 18 digits: an 80-bit Taylor series and 30-digit arithmetic agree on them.
 
-use crate::model::contact_phase::{Answer, Ending};
+use crate::model::contact_phase::{ContactSolution, Ending};
 use crate::model::scene::Scene;
 use crate::model::variables::{VariableError, changed_free_plate};
 
@@ -48,8 +48,8 @@ impl Stored {
     }
 
     /// Its end to double precision.
-    pub fn answer(&self) -> Answer {
+    pub fn answer(&self) -> ContactSolution {
         let [t_s, depth_m, _] = self.digits.map(|digits| digits.parse().unwrap_or(f64::NAN));
-        Answer::free(self.ending, t_s, depth_m)
+        ContactSolution::free(self.ending, t_s, depth_m)
     }
 }

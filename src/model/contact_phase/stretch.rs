@@ -8,7 +8,7 @@ use super::{Ending, Phase, Refusal};
 use crate::model::mechanism::stop::{self, Hit};
 use crate::model::scene::{Stop as StopOfScene, StopKind};
 use crate::numerics::smaller;
-use crate::numerics::stepper::{Boundary, Reached, Stop, System};
+use crate::numerics::stepper::{Boundary, Reached, StopReason, System};
 
 /// The meaning of the boundary with this index.
 const ARREST: usize = 0;
@@ -160,8 +160,8 @@ impl<'a> Stretch<'a> {
     pub(super) fn follow(&mut self, reached: &mut Reached<4>) -> Result<Option<Ending>, Refusal> {
         self.must_have_been_held(&reached.y)?;
         match reached.stop {
-            Stop::Boundary(ARREST) => return Ok(Some(Ending::Arrest)),
-            Stop::Boundary(JOINT) => {
+            StopReason::Boundary(ARREST) => return Ok(Some(Ending::Arrest)),
+            StopReason::Boundary(JOINT) => {
                 let next = self.piece.map(|piece| piece + 1);
                 match next.filter(|next| *next < self.phase.faces.pieces()) {
                     None => return Ok(Some(Ending::Perforation)),
@@ -172,8 +172,8 @@ impl<'a> Stretch<'a> {
                     *area = self.phase.faces.area(reached.y[0], self.piece);
                 }
             }
-            Stop::Boundary(STOP) => self.meet_or_leave_stop(reached),
-            Stop::Boundary(PRESSED) => {
+            StopReason::Boundary(STOP) => self.meet_or_leave_stop(reached),
+            StopReason::Boundary(PRESSED) => {
                 self.boundaries[PRESSED] = NEVER;
                 // Within rounding of the stop's place its own boundary would not be seen to fall.
                 let beyond =
@@ -182,26 +182,26 @@ impl<'a> Stretch<'a> {
                     self.press_on(wall, reached.y[0]);
                 }
             }
-            Stop::Boundary(PLATE_ZERO) => {
+            StopReason::Boundary(PLATE_ZERO) => {
                 self.boundaries[PLATE_ZERO].slope[2] = 1f64.copysign(reached.y[3]);
             }
-            Stop::Boundary(SPEED_ZERO) => {
+            StopReason::Boundary(SPEED_ZERO) => {
                 let ahead = self.rate(&reached.y)[3];
                 self.boundaries[SPEED_ZERO] = NEVER;
                 self.watch_speed(ahead);
             }
-            Stop::Boundary(KNOT_ABOVE) => {
+            StopReason::Boundary(KNOT_ABOVE) => {
                 self.region = self.region.map(|region| region + 1);
                 self.watch_knots();
             }
-            Stop::Boundary(KNOT_BELOW) => {
+            StopReason::Boundary(KNOT_BELOW) => {
                 self.region = self.region.map(|region| region.saturating_sub(1));
                 self.watch_knots();
             }
-            Stop::Boundary(_) => return Err(Refusal::NoEnd),
-            Stop::StepBudget => return Err(Refusal::StepBudget),
-            Stop::StepUnderflow => return Err(Refusal::StepUnderflow),
-            Stop::NonFinite => return Err(Refusal::NonFinite),
+            StopReason::Boundary(_) => return Err(Refusal::NoEnd),
+            StopReason::StepBudget => return Err(Refusal::StepBudget),
+            StopReason::StepUnderflow => return Err(Refusal::StepUnderflow),
+            StopReason::NonFinite => return Err(Refusal::NonFinite),
         }
         // An arrest within rounding of another boundary would not be seen again.
         Ok((reached.y[1] <= 0.0).then_some(Ending::Arrest))
@@ -315,14 +315,14 @@ fn plane(offset: f64, component: usize, weight: f64) -> Boundary<4> {
 #[cfg(test)]
 mod tests {
     use super::super::radau::Radau;
-    use super::super::{Answer, Method, Phase, exact};
+    use super::super::{ContactSolution, Method, Phase, exact};
     use super::*;
     use crate::model::variables::scene_without_spring as scene;
     use crate::numerics::stepper::dop853::Dop853;
 
     const METHODS: [&Method; 2] = [&Dop853 { tolerance: 1e-12 }, &Radau { tolerance: 1e-11 }];
 
-    fn solve(pairs: &str, method: &Method) -> Result<Answer, Refusal> {
+    fn solve(pairs: &str, method: &Method) -> Result<ContactSolution, Refusal> {
         Phase::of(&scene(pairs)).solve(method, 100_000)
     }
 

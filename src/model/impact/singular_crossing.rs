@@ -146,7 +146,7 @@ impl Simulation<'_> {
     /// The stretch to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
         let whole = self.unbroken(variable, to)?;
-        let taken = Taken { simulation: self, variable, whole: &whole };
+        let taken = CrossingStep { simulation: self, variable, whole: &whole };
         let events = self.active_events();
         let mut first: Option<(EventId, EventFunction, SignChange)> = None;
         for (event, form) in events.iter().filter(|(event, _)| *event != variable.own_trigger()) {
@@ -217,7 +217,7 @@ impl Simulation<'_> {
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = Setting { body: &self.body, motion };
-        let taken = Taken { simulation: self, variable, whole: stretch };
+        let taken = CrossingStep { simulation: self, variable, whole: stretch };
         // Rows at equal time steps alone: the others are at the points.
         record.draw(&setting, end.t_s, 1, |part| taken.at_time(part));
         for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
@@ -247,13 +247,13 @@ impl Simulation<'_> {
 }
 
 /// A stretch, to look for events on.
-struct Taken<'a, 'b> {
+struct CrossingStep<'a, 'b> {
     simulation: &'a Simulation<'b>,
     variable: &'a IndependentVariable<'a>,
     whole: &'a Stretch,
 }
 
-impl Taken<'_, '_> {
+impl CrossingStep<'_, '_> {
     fn dense(&self, part: f64) -> State {
         let (z, y) = self.whole.graded.between(part);
         self.variable.state(z, &y)

@@ -215,7 +215,7 @@ impl Simulation<'_> {
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has
         // come back within it.
         for _ in events.iter() {
-            let taken = Taken { control: &self.control, system, y, h, solved: &solved };
+            let taken = StiffStep { control: &self.control, system, y, h, solved: &solved };
             let end = taken.dense(1.0);
             let armed = events.iter().filter(|(event, form)| {
                 detected != Some(*event) && form.value_beyond_rounding(motion, &start) > 0.0
@@ -280,7 +280,7 @@ impl Simulation<'_> {
         }
         // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to
         // there.
-        let taken = Taken { control: &self.control, system, y, h, solved };
+        let taken = StiffStep { control: &self.control, system, y, h, solved };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
             let rough = |part: f64| value(&taken.dense(part));
@@ -306,7 +306,7 @@ fn newton(
     solved
 }
 
-struct Taken<'a> {
+struct StiffStep<'a> {
     control: &'a StepControl,
     system: &'a Unknowns<'a>,
     y: &'a [f64; 4],
@@ -314,7 +314,7 @@ struct Taken<'a> {
     solved: &'a Step<4>,
 }
 
-impl Taken<'_> {
+impl StiffStep<'_> {
     fn dense(&self, part: f64) -> State {
         self.system.state(&interpolate(self.y, self.solved, part), part * self.h)
     }

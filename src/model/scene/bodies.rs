@@ -1,7 +1,7 @@
 //! The projectile, and the plate as a target and as a body.
 
 use crate::model::scene::Scene;
-use crate::model::units::Quantity;
+use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts};
 use crate::model::variables::visible::{has_stop, is_oblique, is_sprung, penetrates, resists};
 use crate::model::variables::{Allowed, Kind, Number, Variable};
@@ -240,7 +240,7 @@ const DRAG: Kind = Kind::Number(Number {
         scene.target.drag_coefficient = value.unwrap_or_default();
         scene.target.give_drag();
     },
-    ..Number::of(Quantity::Number, Allowed::NonNegative)
+    ..Number::of(Dimension::Number, Allowed::NonNegative)
 });
 
 /// gamma: setting it makes it the input that defines the plate's size.
@@ -250,7 +250,7 @@ const MASS_RATIO: Kind = Kind::Number(Number {
         scene.plate.size = PlateSize::Ratio;
         scene.plate.mass_ratio = value.unwrap_or_default();
     },
-    ..Number::of(Quantity::Number, Allowed::Positive)
+    ..Number::of(Dimension::Number, Allowed::Positive)
 });
 
 /// The inputs that define the plate's size instead of gamma.
@@ -268,7 +268,7 @@ fn sizes() -> Vec<Variable> {
                     (None, PlateSize::$size(_)) => scene.resize(PlateSize::Ratio),
                     (None, _) => {}
                 },
-                ..Number::of(Quantity::$quantity, Allowed::Positive)
+                ..Number::of(Dimension::$quantity, Allowed::Positive)
             };
             Variable::at::<Plate, Scene>($key, Kind::Number(number))
                 .listed_when(|scene| matches!(scene.plate.size, PlateSize::$size(_)))

@@ -3,7 +3,7 @@
 use super::visible::Visible;
 use super::{Allowed, Group, Kind, Number, Step, Variable};
 use crate::model::scene::Scene;
-use crate::model::units::Quantity;
+use crate::model::units::Dimension;
 
 /// Sources of many defaults.
 pub(in crate::model) const TABLE_9_1: &str = "thesis Table 9.1";
@@ -116,7 +116,7 @@ macro_rules! kind {
                 // The plate's mass ratio may depend on it.
                 scene.follow_size();
             },
-            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$($allowed)+)
+            ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$($allowed)+)
         })
     }};
     // An optional number, with the word for its absence.
@@ -126,7 +126,7 @@ macro_rules! kind {
             absent: Some($absent),
             get: |scene| $place::part(scene).$field,
             set: |scene, value| $place::part_mut(scene).$field = value,
-            ..Number::of($crate::model::units::Quantity::$quantity, Allowed::$allowed)
+            ..Number::of($crate::model::units::Dimension::$quantity, Allowed::$allowed)
         })
     }};
     // One of a few words.
@@ -230,7 +230,7 @@ impl Variable {
 
 impl Number {
     /// A number that is required; its access follows.
-    pub(in crate::model) const fn of(quantity: Quantity, allowed: Allowed) -> Self {
+    pub(in crate::model) const fn of(quantity: Dimension, allowed: Allowed) -> Self {
         let (thesis_range, step, absent) = (None, Step::Linear, None);
         Self { quantity, allowed, thesis_range, step, absent, get: |_| None, set: |_, _| {} }
     }

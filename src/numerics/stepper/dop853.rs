@@ -6,7 +6,7 @@
 
 use super::landing::Ends;
 use super::tableau::{ERRORS, STAGES};
-use super::{Count, Point, Reached, Start, Stepper, Stop, System, is_finite};
+use super::{Count, Point, Reached, Start, Stepper, StopReason, System, is_finite};
 
 /// Stages of a step.
 const S: usize = 12;
@@ -43,11 +43,11 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Dop853 {
         let (mut error_before, mut was_rejected, mut was_nan) = (1e-4f64, false, false);
         loop {
             if let Some(stop) = count.forbids(t, h) {
-                let is_lost = was_nan && stop == Stop::StepUnderflow;
+                let is_lost = was_nan && stop == StopReason::StepUnderflow;
                 return Reached {
                     t,
                     y,
-                    stop: if is_lost { Stop::NonFinite } else { stop },
+                    stop: if is_lost { StopReason::NonFinite } else { stop },
                     step: h,
                 };
             }
@@ -67,7 +67,7 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Dop853 {
             let ends = Ends { h, y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
             let anew = |s: f64| step(system, from, s * h, count).y;
             if let Some((index, part, y)) = ends.land(system.boundaries(), anew) {
-                return Reached { t: t + part * h, y, stop: Stop::Boundary(index), step: h };
+                return Reached { t: t + part * h, y, stop: StopReason::Boundary(index), step: h };
             }
             t += h;
             let least = if error > 1e-10 { error } else { 1e-10 };
@@ -243,7 +243,7 @@ mod tests {
         for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13] {
             let method = Dop853 { tolerance };
             let end = method.integrate(&Bell::up_to(5.0), BELL, &mut Count::up_to(10_000));
-            assert_eq!(end.stop, Stop::Boundary(0));
+            assert_eq!(end.stop, StopReason::Boundary(0));
             let error = (end.y[0] - bell(5.0)).abs();
             assert!(error < 10.0 * tolerance, "{tolerance}: {error}");
         }

@@ -4,7 +4,7 @@
 //! the step that crossed them, as a program without event location does.
 
 use super::landing::Ends;
-use super::{Count, Point, Reached, Start, Stepper, Stop, System, is_finite};
+use super::{Count, Point, Reached, Start, Stepper, StopReason, System, is_finite};
 
 /// The event at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Rk4 {
         let (mut t, mut y) = (start.t, start.y);
         let mut f = system.rate(&y);
         count.evaluations += 1;
-        let ended = |t: f64, y: [f64; N], stop: Stop| Reached { t, y, stop, step: h };
+        let ended = |t: f64, y: [f64; N], stop: StopReason| Reached { t, y, stop, step: h };
         let before = count.steps;
         loop {
             // The time of step i is start + i h: a sum of steps would drift.
@@ -48,19 +48,19 @@ impl<const N: usize, S: System<N>> Stepper<N, S> for Rk4 {
             count.evaluations += 1;
             count.steps += 1;
             if !(is_finite(&y_next) && is_finite(&f_next)) {
-                return ended(t, y, Stop::NonFinite);
+                return ended(t, y, StopReason::NonFinite);
             }
             let ends = Ends { h, y0: &y, f0: &f, y1: &y_next, f1: &f_next };
             match crossing {
                 Crossing::Notice => {
                     if let Some(index) = ends.first(system.boundaries()) {
-                        return ended(t_next, y_next, Stop::Boundary(index));
+                        return ended(t_next, y_next, StopReason::Boundary(index));
                     }
                 }
                 Crossing::Locate => {
                     let anew = |s: f64| step(system, from, s * h, count);
                     if let Some((index, part, y)) = ends.land(system.boundaries(), anew) {
-                        return ended(t + part * h, y, Stop::Boundary(index));
+                        return ended(t + part * h, y, StopReason::Boundary(index));
                     }
                 }
             }

@@ -4,11 +4,11 @@ use crate::model::run::Run;
 use crate::numerics::smaller;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
-use crate::report::series::Quantity;
+use crate::report::series::Channel;
 
 /// The quantity drawn over time.
-const QUANTITIES: [Quantity; 3] =
-    [Quantity::Penetration, Quantity::PlateDisplacement, Quantity::ContactForce];
+const QUANTITIES: [Channel; 3] =
+    [Channel::Penetration, Channel::PlateDisplacement, Channel::ContactForce];
 /// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
 pub fn event_letter(index: usize) -> &'static str {
     const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
@@ -38,7 +38,7 @@ pub fn response(run: &Run) -> Vec<Chart<'static>> {
 }
 
 fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
-    let chart = |quantity: &Quantity| {
+    let chart = |quantity: &Channel| {
         let points = quantity.points(run, &run.series);
         let name = format!("{} {}", quantity.title().to_lowercase(), quantity.symbol());
         let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);

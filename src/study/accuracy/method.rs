@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::model::appendix;
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_phase::radau::Radau;
-use crate::model::contact_phase::{self, Answer, Ending, Phase, Refusal, exact};
+use crate::model::contact_phase::{self, ContactSolution, Ending, Phase, Refusal, exact};
 use crate::model::impact::{Forced, simulate_by};
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Reading, Scene};
@@ -20,7 +20,7 @@ const BEYOND_CONTACT: f64 = 1.01;
 
 /// The parameter that makes a method more accurate and more expensive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Knob {
+pub enum Parameter {
     /// It has none.
     None,
     /// Time step, s.
@@ -29,7 +29,7 @@ pub enum Knob {
     Tolerance(f64),
 }
 
-impl Knob {
+impl Parameter {
     /// Its value, if it has one.
     pub fn value(self) -> Option<f64> {
         match self {
@@ -39,7 +39,7 @@ impl Knob {
     }
 }
 
-impl fmt::Display for Knob {
+impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::None => Ok(()),
@@ -49,7 +49,7 @@ impl fmt::Display for Knob {
     }
 }
 
-/// How finely knobs are turned.
+/// How finely parameters are turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ladder {
     /// Every value.
@@ -60,7 +60,7 @@ pub enum Ladder {
 
 /// The values of a parameter that are tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Range {
+pub enum ParameterRange {
     /// It has none.
     None,
     /// Time steps that make a given number of steps per contact at most, and how many of a decade are taken.
@@ -69,8 +69,9 @@ pub enum Range {
     Tolerances(i32, i32),
 }
 
-/// The knobs of those who choose their steps.
-const TIGHT: [Range; 2] = [Range::Tolerances(13, 1), Range::Tolerances(11, 2)];
+/// The parameters of those who choose their steps.
+const TIGHT: [ParameterRange; 2] =
+    [ParameterRange::Tolerances(13, 1), ParameterRange::Tolerances(11, 2)];
 
 enumeration! {
     /// A way to compute the contact phase.
@@ -82,32 +83,32 @@ enumeration! {
         /// Whether it is one of the engine's own, which have their areas and equations in common.
         is_of_engine: bool,
         /// The values of its parameter on the full ladder and on the quick one.
-        ranges: [Range; 2],
+        ranges: [ParameterRange; 2],
         /// The function that runs it.
-        run: fn(&Job) -> Result<Answer, Refusal>,
+        run: fn(&Job) -> Result<ContactSolution, Refusal>,
     }
     /// Appendix A as printed.
     ThesisPrinted {
         letter: 'T', name: "thesis as printed", is_of_engine: false,
-        ranges: [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
         run: |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max)
     }
     /// Appendix A with its coupling and damper corrected.
     ThesisCorrected {
         letter: 'M', name: "thesis, corrected", is_of_engine: false,
-        ranges: [Range::Steps(3e5, 1), Range::Steps(3e3, 1)],
+        ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
         run: |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max)
     }
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4 {
         letter: 'R', name: "RK4, no events", is_of_engine: false,
-        ranges: [Range::Steps(3e4, 2), Range::Steps(1.5e3, 2)],
+        ranges: [ParameterRange::Steps(3e4, 2), ParameterRange::Steps(1.5e3, 2)],
         run: |job| job.rk4(Crossing::Notice)
     }
     /// The same with events located and joints restarted at.
     Rk4Events {
         letter: 'E', name: "RK4 + events", is_of_engine: false,
-        ranges: [Range::Steps(1e4, 2), Range::Steps(1.5e3, 2)],
+        ranges: [ParameterRange::Steps(1e4, 2), ParameterRange::Steps(1.5e3, 2)],
         run: |job| job.rk4(Crossing::Locate)
     }
     /// DOP853 with events located and joints restarted at.
@@ -118,7 +119,7 @@ enumeration! {
     /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
     Radau {
         letter: 'I', name: "Radau IIA 5", is_of_engine: false,
-        ranges: [Range::Tolerances(12, 1), Range::Tolerances(11, 2)],
+        ranges: [ParameterRange::Tolerances(12, 1), ParameterRange::Tolerances(11, 2)],
         run: |job| job.phase(&Radau { tolerance: job.value() })
     }
     /// The simulation by Taylor steps alone.
@@ -128,7 +129,7 @@ enumeration! {
     }
     /// Closed form, where only inertia resists.
     ClosedForm {
-        letter: 'C', name: "closed form", is_of_engine: true, ranges: [Range::None; 2],
+        letter: 'C', name: "closed form", is_of_engine: true, ranges: [ParameterRange::None; 2],
         run: |job| exact::solve(&job.scene)
     }
     /// The contact kernel, as sweeps and searches use it.
@@ -153,29 +154,34 @@ impl Method {
     ///
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
-    pub fn solve(self, knob: Knob, scene: &Scene, steps_max: usize) -> Result<Answer, Refusal> {
-        Job::new(self, knob, scene, f64::INFINITY, steps_max).run()
+    pub fn solve(
+        self,
+        parameter: Parameter,
+        scene: &Scene,
+        steps_max: usize,
+    ) -> Result<ContactSolution, Refusal> {
+        Job::new(self, parameter, scene, f64::INFINITY, steps_max).run()
     }
 
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
-    pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
+    pub fn parameters(self, end_s: f64, ladder: Ladder) -> Vec<Parameter> {
         match self.ranges()[ladder as usize] {
-            Range::None => vec![Knob::None],
-            Range::Steps(most, per_decade) => steps(end_s, most, per_decade),
-            Range::Tolerances(tightest, every) => tolerances(tightest, every),
+            ParameterRange::None => vec![Parameter::None],
+            ParameterRange::Steps(most, per_decade) => steps(end_s, most, per_decade),
+            ParameterRange::Tolerances(tightest, every) => tolerances(tightest, every),
         }
     }
 }
 
 /// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps: fewer make no sense.
-fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Knob> {
+fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Parameter> {
     let mut list = Vec::new();
     for power in (-60..20).rev() {
         for mantissa in [3.0, 1.0] {
             let dt_s = format!("{mantissa}e{power}").parse().unwrap_or(f64::NAN);
             let count = end_s / dt_s;
             if (10.0..=steps_max).contains(&count) && (per_decade == 2 || mantissa < 2.0) {
-                list.push(Knob::Step(dt_s));
+                list.push(Parameter::Step(dt_s));
             }
         }
     }
@@ -183,75 +189,83 @@ fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Knob> {
 }
 
 /// Tolerances from 1e-3 down, every power of ten or every second.
-fn tolerances(tightest: i32, every: i32) -> Vec<Knob> {
+fn tolerances(tightest: i32, every: i32) -> Vec<Parameter> {
     let powers = (3..=tightest).filter(|power| (power - 3) % every == 0);
-    powers.map(|power| Knob::Tolerance(format!("1e-{power}").parse().unwrap_or(f64::NAN))).collect()
+    powers
+        .map(|power| Parameter::Tolerance(format!("1e-{power}").parse().unwrap_or(f64::NAN)))
+        .collect()
 }
 
 /// One computation, ready to be repeated.
 pub struct Job {
     method: Method,
-    knob: Knob,
+    parameter: Parameter,
     scene: Arc<Scene>,
     steps_max: usize,
 }
 
 impl Job {
     /// Prepare a computation of the contact phase of a valid scene; `end_s` is about when the contact ends.
-    pub fn new(method: Method, knob: Knob, scene: &Scene, end_s: f64, steps_max: usize) -> Self {
+    pub fn new(
+        method: Method,
+        parameter: Parameter,
+        scene: &Scene,
+        end_s: f64,
+        steps_max: usize,
+    ) -> Self {
         let mut own = scene.clone();
         own.interface.law = InterfaceLaw::Fused;
         // Without a damper energy says what follows the contact; with one it would be integrated.
         let horizon_s = Some(BEYOND_CONTACT * end_s).filter(|horizon_s| horizon_s.is_finite());
         own.run.horizon_s = horizon_s.filter(|_| !scene.mechanism.damper.is_absent());
-        if let Knob::Tolerance(tolerance) = knob {
+        if let Parameter::Tolerance(tolerance) = parameter {
             own.run.tolerance = tolerance;
         }
-        Self { method, knob, scene: Arc::new(own), steps_max }
+        Self { method, parameter, scene: Arc::new(own), steps_max }
     }
 
     /// Do it.
     ///
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
-    pub fn run(&self) -> Result<Answer, Refusal> {
+    pub fn run(&self) -> Result<ContactSolution, Refusal> {
         (self.method.run())(self)
     }
 
     fn value(&self) -> f64 {
-        self.knob.value().unwrap_or(f64::NAN)
+        self.parameter.value().unwrap_or(f64::NAN)
     }
 
-    fn phase(&self, method: &contact_phase::Method) -> Result<Answer, Refusal> {
+    fn phase(&self, method: &contact_phase::Method) -> Result<ContactSolution, Refusal> {
         Phase::of(&self.scene).solve(method, self.steps_max)
     }
 
-    fn rk4(&self, crossing: Crossing) -> Result<Answer, Refusal> {
+    fn rk4(&self, crossing: Crossing) -> Result<ContactSolution, Refusal> {
         let phase = Phase::of(&self.scene);
         let step = phase.scaled_time(self.value());
         phase.solve(&Rk4 { step, crossing }, self.steps_max)
     }
 }
 
-fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
+fn auto(scene: &Arc<Scene>) -> Result<ContactSolution, Refusal> {
     let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
     answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
 }
 
-fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
+fn forced(method: Forced, scene: &Arc<Scene>) -> Result<ContactSolution, Refusal> {
     let run = simulate_by(method, scene).map_err(|_invalid| Refusal::EndedEarly)?;
     answer_of(&run.ok_or(Refusal::TooStiff)?)
 }
 
-fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
+fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<ContactSolution, Refusal> {
     let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
     let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
-    let free = Answer::free(ending, end.t_s, end.penetration_m);
-    Ok(Answer { steps: end.steps, evaluations: end.steps, ..free })
+    let free = ContactSolution::free(ending, end.t_s, end.penetration_m);
+    Ok(ContactSolution { steps: end.steps, evaluations: end.steps, ..free })
 }
 
 /// The contact phase of a run, if it came to its end.
-pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
+pub(in crate::study) fn answer_of(run: &Run) -> Result<ContactSolution, Refusal> {
     let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
     {
         (Some(arrest), _, _) => (Ending::Arrest, arrest.t_s, arrest.penetration_m),
@@ -259,7 +273,7 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
         (None, _, _) => return Err(Refusal::EndedEarly),
     };
     let cost = run.cost;
-    Ok(Answer {
+    Ok(ContactSolution {
         ending,
         t_s,
         depth_m,
@@ -277,15 +291,15 @@ mod tests {
     fn knobs_go_from_coarse_to_fine() {
         for method in Method::ALL {
             for ladder in [Ladder::Full, Ladder::Quick] {
-                let knobs = method.knobs(1.1e-4, ladder);
-                assert!(!knobs.is_empty(), "{method:?}");
-                assert!(knobs.windows(2).all(|pair| pair[0].value() > pair[1].value()));
+                let parameters = method.parameters(1.1e-4, ladder);
+                assert!(!parameters.is_empty(), "{method:?}");
+                assert!(parameters.windows(2).all(|pair| pair[0].value() > pair[1].value()));
             }
         }
-        let thesis = Method::ThesisPrinted.knobs(1.1e-4, Ladder::Full);
-        assert!(thesis.contains(&Knob::Step(1e-6)), "the thesis's own step");
+        let thesis = Method::ThesisPrinted.parameters(1.1e-4, Ladder::Full);
+        assert!(thesis.contains(&Parameter::Step(1e-6)), "the thesis's own step");
         assert_eq!(thesis.len(), 5);
-        assert!(!Method::Rk4.knobs(1e3, Ladder::Quick).is_empty());
+        assert!(!Method::Rk4.parameters(1e3, Ladder::Quick).is_empty());
     }
 
     #[test]

@@ -6,10 +6,10 @@
 use std::sync::Arc;
 
 use crate::model::contact_phase::stored::Stored;
-use crate::model::contact_phase::{Answer, Ending, Phase, fine};
+use crate::model::contact_phase::{ContactSolution, Ending, Phase, fine};
 use crate::model::scene::Scene;
 use crate::numerics::larger;
-use crate::study::accuracy::method::{Knob, Method};
+use crate::study::accuracy::method::{Method, Parameter};
 
 const STEPS_MAX: usize = 400_000;
 const TIGHT: f64 = 1e-14;
@@ -18,7 +18,7 @@ const TIGHT_IMPLICIT: f64 = 1e-13;
 
 /// Where a reference comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
+pub enum ReferenceSource {
     /// Stored digits of this row.
     Stored(&'static str),
     /// Closed form.
@@ -33,7 +33,7 @@ pub enum Basis {
     Engine,
 }
 
-impl Basis {
+impl ReferenceSource {
     /// A short text.
     pub fn words(self) -> String {
         match self {
@@ -75,9 +75,9 @@ enum Code {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// Where it comes from.
-    pub basis: Basis,
+    pub basis: ReferenceSource,
     /// The answer.
-    pub answer: Answer,
+    pub answer: ContactSolution,
     /// How far it may be off, relative: what it was stored with, or its difference to an independent one. `None` when there
     /// is nothing to tell it from.
     pub uncertainty: Option<f64>,
@@ -85,7 +85,7 @@ pub struct Reference {
 
 impl Reference {
     /// Relative errors of depth and time. A perforation's depth is a matter of definition, so its error counts as zero.
-    pub fn errors(&self, answer: &Answer) -> (f64, f64) {
+    pub fn errors(&self, answer: &ContactSolution) -> (f64, f64) {
         let depth = match self.answer.ending {
             Ending::Arrest => (answer.depth_m / self.answer.depth_m - 1.0).abs(),
             Ending::Perforation => 0.0,
@@ -105,7 +105,7 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<Reference> {
     let is_same = |row: &Stored| row.scene().is_ok_and(|own| Phase::of(&own) == phase);
     let row = Stored::rows().find(is_same)?;
     let uncertainty = Some(larger(10f64.powi(-row.trusted), f64::EPSILON));
-    Some(Reference { basis: Basis::Stored(row.name), answer: row.answer(), uncertainty })
+    Some(Reference { basis: ReferenceSource::Stored(row.name), answer: row.answer(), uncertainty })
 }
 
 /// All references of a scene, the most trustworthy first.
@@ -115,25 +115,26 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
     if let Ok(answer) = fine::solve(scene) {
         let own = fine::uncertainty(scene, &answer).ok();
         list.push(Reference {
-            basis: Basis::DoubleDouble,
+            basis: ReferenceSource::DoubleDouble,
             answer: answer.answer(),
             uncertainty: own.map(|own| larger(own, f64::EPSILON)),
         });
     }
     let computed = [
-        (Basis::ClosedForm, Method::ClosedForm, Knob::None),
-        (Basis::Dop853, Method::Dop853, Knob::Tolerance(TIGHT)),
-        (Basis::Engine, Method::Auto, Knob::Tolerance(TIGHT)),
+        (ReferenceSource::ClosedForm, Method::ClosedForm, Parameter::None),
+        (ReferenceSource::Dop853, Method::Dop853, Parameter::Tolerance(TIGHT)),
+        (ReferenceSource::Engine, Method::Auto, Parameter::Tolerance(TIGHT)),
     ];
-    for (basis, method, knob) in computed {
-        if let Ok(answer) = method.solve(knob, scene, STEPS_MAX) {
+    for (basis, method, parameter) in computed {
+        if let Ok(answer) = method.solve(parameter, scene, STEPS_MAX) {
             list.push(Reference { basis, answer, uncertainty: None });
         }
     }
     if list.iter().all(|found| found.basis.shares_code_with(Method::Auto))
-        && let Ok(answer) = Method::Radau.solve(Knob::Tolerance(TIGHT_IMPLICIT), scene, STEPS_MAX)
+        && let Ok(answer) =
+            Method::Radau.solve(Parameter::Tolerance(TIGHT_IMPLICIT), scene, STEPS_MAX)
     {
-        list.insert(0, Reference { basis: Basis::Radau, answer, uncertainty: None });
+        list.insert(0, Reference { basis: ReferenceSource::Radau, answer, uncertainty: None });
     }
     for index in 0..list.len() {
         let own = list[index];

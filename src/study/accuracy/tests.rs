@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::reference::Basis;
+use super::reference::ReferenceSource;
 use super::*;
 use crate::model::contact_phase::stored::Stored;
 use crate::study::changed_free_plate;
@@ -23,7 +23,8 @@ fn ticking() -> impl FnMut() -> f64 {
 
 /// A comparison to its end, by that clock.
 fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
-    let effort = Effort { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
+    let effort =
+        ComparisonOptions { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
     compare(scene, effort, &mut ticking(), &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
@@ -62,7 +63,7 @@ fn tight_knobs_of_every_accurate_method_reach_the_reference() {
         let methods = compared(pairs, Ladder::Full);
         for letter in letters.chars() {
             let method = &methods[&letter];
-            assert!(matches!(method.reference.unwrap().basis, Basis::Stored(_)));
+            assert!(matches!(method.reference.unwrap().basis, ReferenceSource::Stored(_)));
             let least = method.least_error().unwrap();
             assert!(least < 1e-10, "{pairs}: {letter} {least:e}");
             let first = method.measured().next().unwrap().1.error();
@@ -75,7 +76,7 @@ fn tight_knobs_of_every_accurate_method_reach_the_reference() {
 fn a_stiff_scene_keeps_the_rows_of_those_who_fail_on_it() {
     let methods = compared("k=1e6 n=0.1", Ladder::Quick);
     let explicit = &methods[&'D'];
-    assert_eq!(explicit.points.len(), Method::Dop853.knobs(1e-4, Ladder::Quick).len());
+    assert_eq!(explicit.points.len(), Method::Dop853.parameters(1e-4, Ladder::Quick).len());
     assert!(explicit.points.iter().any(|point| point.result.is_err()));
     // No explicit method is known to reach 1e-4 in less than 21 ms here.
     assert!(explicit.cheapest(1e-4).is_none());
@@ -87,9 +88,9 @@ fn a_stiff_scene_keeps_the_rows_of_those_who_fail_on_it() {
 #[test]
 fn a_stop_within_the_contact_and_a_stiff_damper_have_judges_too() {
     for (pairs, basis) in [
-        ("k=1e5 x_stop=0.001", Basis::Dop853),
-        ("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9", Basis::Dop853),
-        ("b=1e8 gamma=1e-4", Basis::Radau),
+        ("k=1e5 x_stop=0.001", ReferenceSource::Dop853),
+        ("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9", ReferenceSource::Dop853),
+        ("b=1e8 gamma=1e-4", ReferenceSource::Radau),
     ] {
         let methods = compared(pairs, Ladder::Quick);
         let auto = &methods[&'A'];
@@ -120,7 +121,8 @@ fn every_error_has_a_judge_of_other_code_and_none_lies_below_what_it_can_tell() 
 fn a_stopped_comparison_keeps_what_it_has() {
     let mut watch = until(1);
     let context = &mut Context::new(1, &mut watch);
-    let report = compare(&scene("k=1e5"), Effort::QUICK, &mut ticking(), context).unwrap();
+    let report =
+        compare(&scene("k=1e5"), ComparisonOptions::QUICK, &mut ticking(), context).unwrap();
     assert!(!report.is_complete);
     assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }
@@ -130,10 +132,11 @@ fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
         let timing = Timing { min_s: *min_s, median_s: *min_s, mad_s: None, repeats: 1 };
         let (ending, t_s, depth_m) = (Ending::Arrest, 1.0, 1.0);
-        let answer = Answer { ending, t_s, depth_m, steps: 1, rejected: 0, evaluations: 1 };
+        let answer =
+            ContactSolution { ending, t_s, depth_m, steps: 1, rejected: 0, evaluations: 1 };
         let (depth_error, time_error) = (*depth_error, 0.0);
         let found = Measured { answer, depth_error, time_error, floor: 1e-16, timing };
-        Point { knob: Knob::Tolerance(*tolerance), result: Ok(found) }
+        Point { parameter: Parameter::Tolerance(*tolerance), result: Ok(found) }
     };
     let points = points.iter().map(point).collect();
     MethodReport { method: Method::Dop853, reference: None, points }
@@ -142,14 +145,14 @@ fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
 #[test]
 fn a_lucky_hit_is_not_the_answer() {
     let report = made_up(&[(1e-3, 1e-9, 1.0), (1e-4, 1e-5, 2.0), (1e-5, 1e-7, 3.0)]);
-    assert_eq!(report.cheapest(1e-6).unwrap().knob, Knob::Tolerance(1e-5));
+    assert_eq!(report.cheapest(1e-6).unwrap().parameter, Parameter::Tolerance(1e-5));
     assert_eq!(report.cheapest(1e-8), None);
 }
 
 #[test]
 fn of_points_that_cost_the_same_the_coarsest_answers() {
     let report = made_up(&[(1e-3, 0.0, 1.02), (1e-4, 0.0, 1.0), (1e-5, 0.0, 1.04)]);
-    assert_eq!(report.cheapest(1e-6).unwrap().knob, Knob::Tolerance(1e-3));
+    assert_eq!(report.cheapest(1e-6).unwrap().parameter, Parameter::Tolerance(1e-3));
     // Steps that do not differ show no order.
     assert_eq!(report.observed_order(), None);
 }
@@ -158,7 +161,7 @@ fn of_points_that_cost_the_same_the_coarsest_answers() {
 fn every_row_of_the_stored_digits_is_found_by_its_scene() {
     for row in Stored::rows() {
         let found = references(&scene(&row.changes))[0];
-        assert_eq!((found.basis, found.answer), (Basis::Stored(row.name), row.answer()));
+        assert_eq!((found.basis, found.answer), (ReferenceSource::Stored(row.name), row.answer()));
         let uncertainty = if row.name == "S13" { 1e-14 } else { f64::EPSILON };
         assert!((found.uncertainty.unwrap() / uncertainty - 1.0).abs() < 1e-12, "{}", row.name);
     }

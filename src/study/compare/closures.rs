@@ -5,7 +5,7 @@
 use crate::model::scene::{Closure, Scene};
 use crate::model::units::{NO_NUMBER, fixed_significant, significant};
 use crate::study::compare::sized::{Absence, sized};
-use crate::study::compare::{Hardware, Verdict};
+use crate::study::compare::{Hardware, Profitability};
 use crate::study::limit::by_closure;
 
 /// Mass efficiencies by the two closures; `None` where there is none.
@@ -36,17 +36,23 @@ impl ByClosure {
 
     /// Whether both agree on another verdict than that of this mass efficiency.
     pub(super) fn contradict(self, mass_efficiency: f64) -> bool {
-        self.verdict().pays().is_some_and(|pays| Some(pays) != Verdict::of(mass_efficiency).pays())
+        self.verdict()
+            .pays()
+            .is_some_and(|pays| Some(pays) != Profitability::of(mass_efficiency).pays())
     }
 
     /// The verdict on which both agree.
-    pub fn verdict(self) -> Verdict {
-        let both =
-            self.double_yield.zip(self.cavity).map(|(a, b)| (Verdict::of(a), Verdict::of(b)));
+    pub fn verdict(self) -> Profitability {
+        let both = self
+            .double_yield
+            .zip(self.cavity)
+            .map(|(a, b)| (Profitability::of(a), Profitability::of(b)));
         match both {
             Some((a, b)) if a == b => a,
-            Some((a, b)) if a != Verdict::Pays && b != Verdict::Pays => Verdict::DoesNotPay,
-            _ => Verdict::Unknown,
+            Some((a, b)) if a != Profitability::Pays && b != Profitability::Pays => {
+                Profitability::DoesNotPay
+            }
+            _ => Profitability::Unknown,
         }
     }
 

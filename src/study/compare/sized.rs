@@ -13,7 +13,7 @@ use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
 use crate::study::compare::solid::{Thickness, thickness_of_limit};
 use crate::study::compare::{elements, face_m2, is_held};
 use crate::study::limit::Criterion;
-use crate::study::limit::verdict::{Change, Gap, ONE_POINT, Verdict, decide, digits_apart};
+use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide, digits_apart};
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
@@ -227,7 +227,7 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
 }
 
 struct Shot {
-    verdict: Verdict,
+    verdict: ShotOutcome,
     demands: Vec<Demand>,
 }
 
@@ -236,7 +236,7 @@ fn shoot(scene: Scene) -> Option<Shot> {
     let tolerance = kernel::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = kernel::contact(&scene, Wanted::Displacement, tolerance) {
         let demand = Demand::of(&scene, kernel::max_displacement_m(&scene, &end));
-        let verdict = if end.arrested { Verdict::Stopped } else { Verdict::Perforated };
+        let verdict = if end.arrested { ShotOutcome::Stopped } else { ShotOutcome::Perforated };
         return Some(Shot { verdict, demands: vec![demand] });
     }
     let elements = elements(&scene);
@@ -263,14 +263,14 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     let mut stops = search.try_out(thick)?;
     for _ in 0..WIDENED_MAX {
         match stops.verdict {
-            Verdict::Stopped => break,
-            Verdict::Perforated => thin = thick,
-            Verdict::Undecided => {}
+            ShotOutcome::Stopped => break,
+            ShotOutcome::Perforated => thin = thick,
+            ShotOutcome::Undecided => {}
         }
         thick *= 2.0;
         stops = search.try_out(thick)?;
     }
-    if stops.verdict != Verdict::Stopped {
+    if stops.verdict != ShotOutcome::Stopped {
         return Err(Absence::NoThickness);
     }
     // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
@@ -278,11 +278,11 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     loop {
         let shot = search.try_out(thin)?;
         match shot.verdict {
-            Verdict::Perforated => break,
-            Verdict::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
-            Verdict::Stopped => (thick, stops) = (thin, shot),
-            Verdict::Undecided if thin <= thinnest => return Err(search.undecided(None, thick)),
-            Verdict::Undecided => {}
+            ShotOutcome::Perforated => break,
+            ShotOutcome::Stopped if thin <= thinnest => return Err(Absence::EveryThickness),
+            ShotOutcome::Stopped => (thick, stops) = (thin, shot),
+            ShotOutcome::Undecided if thin <= thinnest => return Err(search.undecided(None, thick)),
+            ShotOutcome::Undecided => {}
         }
         thin = larger(0.5 * thin, thinnest);
     }
@@ -316,9 +316,9 @@ impl Search<'_> {
             let shot = self.try_out(next)?;
             step = near.and(step).map(|step| 32.0 * step);
             match shot.verdict {
-                Verdict::Perforated => thin = next,
-                Verdict::Stopped => (thick, stops, step) = (next, shot, None),
-                Verdict::Undecided => return self.beside(thin, next, thick),
+                ShotOutcome::Perforated => thin = next,
+                ShotOutcome::Stopped => (thick, stops, step) = (next, shot, None),
+                ShotOutcome::Undecided => return self.beside(thin, next, thick),
             }
         }
         Ok((thick, stops))
@@ -328,9 +328,9 @@ impl Search<'_> {
     fn beside(&self, thin: f64, undecided: f64, thick: f64) -> Result<(f64, Shot), Absence> {
         let width = larger(self.width, ONE_POINT);
         let gap = Gap {
-            from: (thin, Verdict::Perforated),
+            from: (thin, ShotOutcome::Perforated),
             undecided,
-            to: (Some(thick), Verdict::Stopped),
+            to: (Some(thick), ShotOutcome::Stopped),
             width,
         };
         match gap.change(|factor| Some(self.try_out(factor).ok()?.verdict)) {

@@ -5,7 +5,7 @@ use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{fixed_significant, significant, velocity};
 use crate::study::compare::sized::THINNEST_M;
 use crate::study::compare::solid::{Thickness, thickness_of_limit};
-use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
+use crate::study::compare::{Candidate, Entry, Profitability, Report, Sized};
 
 /// Whether the mechanism pays, and by how much.
 pub fn verdict(report: &Report) -> String {
@@ -17,14 +17,17 @@ pub fn verdict(report: &Report) -> String {
     let efficiency = own.mass_efficiency().map(|it| fixed_significant(it, 4));
     let by_closure = own.by_closure().map(|it| (it.range(), ", by both closures"));
     match (verdict, efficiency.map(|it| (it, "")).or(by_closure)) {
-        (Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference, Some((it, by))) => {
+        (
+            Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference,
+            Some((it, by)),
+        ) => {
             format!(
                 "mass efficiency {it} at {design}: {}{by}{}",
                 verdict.words(),
                 condition(report)
             )
         }
-        (Verdict::Unknown, _) => {
+        (Profitability::Unknown, _) => {
             // What is open, the caution says.
             let why = own.sized.as_ref().err().filter(|it| !it.is_open());
             let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
@@ -36,7 +39,7 @@ pub fn verdict(report: &Report) -> String {
 
 /// The condition on parts whose mass is not counted, as the end of the verdict; empty where there is none.
 fn condition(report: &Report) -> String {
-    if report.uncounted.is_empty() || report.verdict() != Verdict::Pays {
+    if report.uncounted.is_empty() || report.verdict() != Profitability::Pays {
         return String::new();
     }
     let parts = report.uncounted.join(" and ");
@@ -116,7 +119,7 @@ fn outside_validity(report: &Report) -> Vec<String> {
 }
 
 /// The two armours that just stop the shot.
-fn sized(own: &Entry, verdict: Verdict) -> Option<String> {
+fn sized(own: &Entry, verdict: Profitability) -> Option<String> {
     let sized: &Sized = match &own.sized {
         Ok(sized) => sized,
         // The caution says why.
@@ -126,8 +129,13 @@ fn sized(own: &Entry, verdict: Verdict) -> Option<String> {
     let density = sized.scene.target.density_kg_m3;
     let solid_m = sized.solid_areal_kg_m2 / density;
     let efficiency = match verdict {
-        Verdict::Pays | Verdict::DoesNotPay | Verdict::MakesNoDifference => String::new(),
-        Verdict::Perforated | Verdict::NothingStops | Verdict::Fails(_) | Verdict::Unknown => {
+        Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference => {
+            String::new()
+        }
+        Profitability::Perforated
+        | Profitability::NothingStops
+        | Profitability::Fails(_)
+        | Profitability::Unknown => {
             format!(", mass efficiency {}", fixed_significant(sized.mass_efficiency(), 4))
         }
     };

@@ -73,7 +73,7 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     assert!(close(limit, 20.0 * 2f64.sqrt(), 1e-4), "{limit}");
     // Half of it does not even hold the design shot.
     let half = report("k=1e3 v_i=20", Hardware { spring_kg: Some(0.5 * one), ..hardware });
-    assert_eq!(half.verdict(), Verdict::Fails(Failure::Energy));
+    assert_eq!(half.verdict(), Profitability::Fails(Failure::Energy));
     assert!(half.of(Candidate::Scene).unwrap().sized.is_err());
 }
 
@@ -86,7 +86,7 @@ fn stroke_that_is_not_there_ends_the_armour() {
     let short = Hardware { stroke_m: Some(0.5 * stroke), ..Hardware::default() };
     let found = report("k=1e4 v_i=20", short);
     let own = found.of(Candidate::Scene).unwrap();
-    assert_eq!(found.verdict(), Verdict::Fails(Failure::Stroke));
+    assert_eq!(found.verdict(), Profitability::Fails(Failure::Stroke));
     assert!(close(own.limit_m_s.unwrap(), 10.0, 1e-2), "{:?}", own.limit_m_s);
 }
 
@@ -114,13 +114,13 @@ fn a_thickness_between_two_says_which_and_gives_no_verdict() {
     );
     let mut report = plain("k=1e5");
     report.entries[0].sized = Err(absence);
-    assert_eq!((report.verdict(), report.caution()), (Verdict::Unknown, Some(text)));
+    assert_eq!((report.verdict(), report.caution()), (Profitability::Unknown, Some(text)));
 }
 
 #[test]
 fn a_merely_free_plate_never_meets_the_criterion() {
     let free = plain("k=0 b=0 v_i=10");
-    assert_eq!(free.verdict(), Verdict::NothingStops);
+    assert_eq!(free.verdict(), Profitability::NothingStops);
     assert!(!free.verdict().words().starts_with("met"));
     assert!(summary::reasons(&free).iter().any(|line| line.contains("nothing stops")));
 }
@@ -343,7 +343,7 @@ fn a_verdict_is_not_that_of_the_change_of_closure() {
         let closed = ClosedForm::new(41.63, v, 18200.0).mass_efficiency;
         assert!(close(by_closure.cavity.unwrap(), closed, 1e-5), "{by_closure:?} {closed}");
         assert_eq!([by_closure.double_yield, by_closure.cavity], by_either(&pairs).map(Some));
-        assert_eq!((found.verdict(), own.mass_efficiency()), (Verdict::Pays, None));
+        assert_eq!((found.verdict(), own.mass_efficiency()), (Profitability::Pays, None));
         assert!(summary::verdict(&found).contains(": the mechanism pays, by both closures"));
         assert!(found.caution().unwrap().contains("the change of closure at h = D"));
         // No solid plate has a limit within the jump.
@@ -375,7 +375,7 @@ fn closures_that_disagree_leave_the_verdict_open() {
     let [double_yield, cavity] = by_either(pairs);
     assert!(double_yield > 1.0 && cavity < 1.0, "{double_yield} {cavity}");
     let found = by_thickness(pairs);
-    assert_eq!((found.verdict(), found.verdict().pays()), (Verdict::Unknown, None));
+    assert_eq!((found.verdict(), found.verdict().pays()), (Profitability::Unknown, None));
     assert!(summary::verdict(&found).starts_with("undecided"), "{}", summary::verdict(&found));
 }
 
@@ -386,7 +386,7 @@ fn armour_and_solid_plate_of_different_closures_are_compared_by_either() {
     let own = by_thickness(pairs);
     let own = own.of(Candidate::Scene).unwrap().by_closure().unwrap();
     assert_eq!([own.double_yield, own.cavity], by_either(pairs).map(Some));
-    assert_eq!(own.verdict(), Verdict::Pays);
+    assert_eq!(own.verdict(), Profitability::Pays);
     let [double_yield, cavity] = by_either("gamma=3 v_i=290");
     let found = by_thickness("gamma=3 v_i=290");
     let efficiency = found.of(Candidate::Scene).unwrap().mass_efficiency().unwrap();

@@ -8,7 +8,7 @@ use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::numerics::statistics::moments;
 use crate::study::context::Context;
-use crate::study::fit::{Logistic, Shot};
+use crate::study::fit::{Logistic, MeasuredShot};
 use crate::study::limit;
 
 /// Maximum number of secant steps, and the relative error of limit or depth at which they end.
@@ -54,7 +54,7 @@ pub struct Calibration {
 pub fn calibrate(
     scene: &Scene,
     logistic: &Logistic,
-    shots: &[Shot],
+    shots: &[MeasuredShot],
     context: &mut Context<'_>,
 ) -> Result<Calibration, VariableError> {
     let own_limit_m_s = limit::alone(&Arc::new(scene.clone()), context)?.velocity_m_s();
@@ -81,7 +81,11 @@ pub fn calibrate(
     })
 }
 
-fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Option<FromDepths> {
+fn from_depths(
+    scene: &Scene,
+    shots: &[MeasuredShot],
+    context: &mut Context<'_>,
+) -> Option<FromDepths> {
     let own_pa = *strength_pa(&mut scene.target.clone());
     let stopped = shots.iter().filter(|shot| !shot.perforated);
     let measured: Vec<(f64, f64)> =
@@ -200,7 +204,7 @@ mod tests {
         scene.target.yield_pa = found.from_limit_pa.unwrap();
         let limit = limit::alone(&Arc::new(scene), &mut Context::new(1, &mut to_its_end)).unwrap();
         assert!((limit.velocity_m_s().unwrap() / 250.0 - 1.0).abs() < 1e-8);
-        let shot = Shot {
+        let shot = MeasuredShot {
             velocity_m_s: 100.0,
             perforated: false,
             residual_m_s: None,

@@ -3,8 +3,8 @@
 use super::*;
 use crate::numerics::random::Random;
 
-fn shot(velocity_m_s: f64, perforated: bool) -> Shot {
-    Shot { velocity_m_s, perforated, residual_m_s: None, penetration_m: None }
+fn shot(velocity_m_s: f64, perforated: bool) -> MeasuredShot {
+    MeasuredShot { velocity_m_s, perforated, residual_m_s: None, penetration_m: None }
 }
 
 /// The example of hours of study and exams passed that textbooks and encyclopaedias have: intercept -4.0777, slope 1.5046 an hour; the ends
@@ -55,7 +55,7 @@ fn separated_shots_take_firths_penalty() {
 #[test]
 fn shots_drawn_from_a_known_curve() {
     let mut random = Random::new(7);
-    let mut draw = |count: usize| -> Vec<Shot> {
+    let mut draw = |count: usize| -> Vec<MeasuredShot> {
         (0..count)
             .map(|_| {
                 let velocity = 230.0 + 40.0 * random.unit();
@@ -81,11 +81,11 @@ fn shots_drawn_from_a_known_curve() {
 
 #[test]
 fn residual_velocities_give_the_law_they_were_made_with() {
-    let mut shots: Vec<Shot> = [200.0, 215.0, 225.0].map(|v| shot(v, false)).to_vec();
+    let mut shots: Vec<MeasuredShot> = [200.0, 215.0, 225.0].map(|v| shot(v, false)).to_vec();
     for i in 1..=8 {
         let v = 232.3 + 15.0 * f64::from(i);
         let residual_m_s = Some(0.9 * (v * v - 232.3 * 232.3).sqrt());
-        shots.push(Shot { residual_m_s, ..shot(v, true) });
+        shots.push(MeasuredShot { residual_m_s, ..shot(v, true) });
     }
     let report = fit(shots).unwrap();
     let law = report.lambert_jonas.unwrap();
@@ -96,7 +96,7 @@ fn residual_velocities_give_the_law_they_were_made_with() {
 
 #[test]
 fn shots_that_bracket_no_limit_are_refused_with_the_cure() {
-    let told = |shots: &[Shot]| fit(shots.to_vec()).unwrap_err();
+    let told = |shots: &[MeasuredShot]| fit(shots.to_vec()).unwrap_err();
     assert!(told(&[shot(1.0, true), shot(2.0, false)]).contains("2 shots are too few"));
     let slow = [1.0, 2.0, 3.0].map(|v| shot(v, false));
     assert!(told(&slow).contains("above 3 m/s"), "{}", told(&slow));

@@ -6,7 +6,7 @@ use crate::model::scene::Scene;
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
-use crate::study::limit::search::{Range, Scan};
+use crate::study::limit::search::{Scan, ShotRunner};
 use crate::study::limit::{Criterion, Limit};
 use crate::study::monte_carlo::{Draw, usual_tolerances};
 
@@ -101,7 +101,7 @@ pub(super) fn sample(
         }
         let watch = &mut |_, _: Option<&()>| stop.flow();
         let context = &mut Context::new(1, watch);
-        let mut range = Range { scene: &Arc::new(own), criterion, context };
+        let mut range = ShotRunner { scene: &Arc::new(own), criterion, context };
         let mut limit = range.limit(near);
         if matches!(limit, Limit::Always | Limit::Never) {
             limit = range.limit(Scan { width: WIDTH, ..Scan::WHOLE });

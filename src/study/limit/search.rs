@@ -9,10 +9,10 @@ use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::Load;
 use crate::study::context::Context;
-use crate::study::limit::verdict::{Change, Gap, ONE_POINT, Verdict, decide};
+use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
-    ABOVE, AtLimit, BELOW, Basis, CURVE, Closures, Criterion, JUST_BELOW, Limit, RANGE_M_S, SCAN,
-    Shot, closed_form,
+    ABOVE, AtLimit, BELOW, CURVE, Closures, Criterion, JUST_BELOW, Limit, LimitMethod, RANGE_M_S,
+    SCAN, Shot, closed_form,
 };
 use crate::study::sweep::kernel::{self, Wanted};
 
@@ -40,13 +40,13 @@ impl Scan {
 }
 
 /// What every shot at a scene needs. Shots count as pieces of work.
-pub(super) struct Range<'s, 'c, 'w> {
+pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) criterion: Criterion,
     pub(super) context: &'c mut Context<'w>,
 }
 
-impl Range<'_, '_, '_> {
+impl ShotRunner<'_, '_, '_> {
     /// Whether to go on with the next piece of work.
     pub(super) fn goes_on(&mut self) -> bool {
         let goes_on = self.context.goes_on();
@@ -55,7 +55,7 @@ impl Range<'_, '_, '_> {
     }
 
     /// A shot at this velocity, followed until it is decided; `None` when stopped.
-    fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, Verdict)> {
+    fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, ShotOutcome)> {
         if !self.goes_on() {
             return None;
         }
@@ -64,12 +64,13 @@ impl Range<'_, '_, '_> {
     }
 
     /// Whether a shot goes through; `None` when stopped.
-    fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
+    fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
         if let Some(end) = kernel::contact(&aimed, Wanted::Passage, aimed.run.tolerance) {
             let out = self.criterion == Criterion::Protrusion
                 && end.penetration_m > aimed.effective_thickness_m();
-            let verdict = if out || !end.arrested { Verdict::Perforated } else { Verdict::Stopped };
+            let verdict =
+                if out || !end.arrested { ShotOutcome::Perforated } else { ShotOutcome::Stopped };
             return self.goes_on().then_some(verdict);
         }
         Some(self.shoot(impact_m_s)?.1)
@@ -104,7 +105,7 @@ impl Range<'_, '_, '_> {
             return if velocity_m_s < RANGE_M_S.0 {
                 Limit::Always
             } else if velocity_m_s <= RANGE_M_S.1 {
-                Limit::found(velocity_m_s, Basis::ClosedForm)
+                Limit::found(velocity_m_s, LimitMethod::ClosedForm)
             } else {
                 Limit::Never
             };
@@ -116,7 +117,7 @@ impl Range<'_, '_, '_> {
     pub(super) fn whole_limit(&mut self) -> Limit {
         let mut limit = self.limit(Scan::WHOLE);
         for _ in 0..LOWER_MAX {
-            let Limit::Found { basis: Basis::Outcome, .. } = limit else { break };
+            let Limit::Found { basis: LimitMethod::Outcome, .. } = limit else { break };
             let Some(beside) = self.beside(limit) else { return Limit::Unknown };
             if beside == limit {
                 break;
@@ -136,11 +137,11 @@ impl Range<'_, '_, '_> {
         for part in BESIDE.iter().rev() {
             let velocity_m_s = limit_m_s * (1.0 - part);
             match self.verdict(velocity_m_s)? {
-                Verdict::Stopped => stopped_m_s = Some(velocity_m_s),
+                ShotOutcome::Stopped => stopped_m_s = Some(velocity_m_s),
                 // What is as near as the limit is known was looked at when it was found.
-                Verdict::Undecided if *part <= ONE_POINT => {}
-                Verdict::Undecided => limit = limit.above_undecided(velocity_m_s),
-                Verdict::Perforated => {
+                ShotOutcome::Undecided if *part <= ONE_POINT => {}
+                ShotOutcome::Undecided => limit = limit.above_undecided(velocity_m_s),
+                ShotOutcome::Perforated => {
                     let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
                     return self.closed_in(lower_m_s, velocity_m_s, WIDTH, Some(limit_m_s));
                 }
@@ -150,7 +151,7 @@ impl Range<'_, '_, '_> {
         for part in BESIDE {
             let velocity_m_s = limit_m_s * (1.0 + part);
             if again_m_s.is_none_or(|again_m_s| velocity_m_s < again_m_s)
-                && self.verdict(velocity_m_s)? == Verdict::Stopped
+                && self.verdict(velocity_m_s)? == ShotOutcome::Stopped
             {
                 again_m_s = Some(velocity_m_s);
             }
@@ -167,14 +168,14 @@ impl Range<'_, '_, '_> {
         let Limit::Found { velocity_m_s, undecided_at_m_s: Some(undecided), .. } = limit else {
             return None;
         };
-        let from = (RANGE_M_S.0, Verdict::Stopped);
-        let to = (Some(velocity_m_s * (1.0 - ONE_POINT)), Verdict::Stopped);
+        let from = (RANGE_M_S.0, ShotOutcome::Stopped);
+        let to = (Some(velocity_m_s * (1.0 - ONE_POINT)), ShotOutcome::Stopped);
         let gap = Gap { from, undecided, to, width: ONE_POINT };
         // To name them, ordinary runs are enough.
         let mut look = |velocity_m_s: f64| {
             let own = aimed(self.scene, velocity_m_s);
             let run = simulate(&own, &Settings::BARE, &mut self.context.observer()).ok()?;
-            self.goes_on().then(|| Verdict::of(&run, self.criterion))
+            self.goes_on().then(|| ShotOutcome::of(&run, self.criterion))
         };
         match gap.change(&mut look)? {
             Change::Between { from, to } => Some((from, to?)),
@@ -194,13 +195,13 @@ impl Range<'_, '_, '_> {
         while through - stopped > width * stopped {
             let middle = 0.5 * (stopped + through);
             match self.verdict(middle)? {
-                Verdict::Perforated => through = middle,
-                Verdict::Stopped => stopped = middle,
-                Verdict::Undecided => return self.between(stopped, middle, Some(through)),
+                ShotOutcome::Perforated => through = middle,
+                ShotOutcome::Stopped => stopped = middle,
+                ShotOutcome::Undecided => return self.between(stopped, middle, Some(through)),
             }
         }
         let velocity_m_s = 0.5 * (stopped + through);
-        let (basis, undecided_at_m_s) = (Basis::Outcome, None);
+        let (basis, undecided_at_m_s) = (LimitMethod::Outcome, None);
         Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s, undecided_at_m_s })
     }
 
@@ -212,14 +213,14 @@ impl Range<'_, '_, '_> {
         through_m_s: Option<f64>,
     ) -> Option<Limit> {
         let gap = Gap {
-            from: (stopped_m_s, Verdict::Stopped),
+            from: (stopped_m_s, ShotOutcome::Stopped),
             undecided: undecided_m_s,
-            to: (through_m_s, Verdict::Perforated),
+            to: (through_m_s, ShotOutcome::Perforated),
             width: ONE_POINT,
         };
         Some(match gap.change(|velocity_m_s| self.verdict(velocity_m_s))? {
             Change::At { from, to, is_past_gap } => {
-                let limit = Limit::found(0.5 * (from + to), Basis::Outcome);
+                let limit = Limit::found(0.5 * (from + to), LimitMethod::Outcome);
                 if is_past_gap { limit.above_undecided(undecided_m_s) } else { limit }
             }
             Change::Between { from, to } => {
@@ -234,21 +235,22 @@ impl Range<'_, '_, '_> {
         let ratio = (high_m_s / low).powf(1.0 / (points - 1) as f64);
         let velocities: Vec<f64> =
             (0..points).map(|point| low * ratio.powf(point as f64)).collect();
-        let mut scan: Vec<(f64, Verdict)> = Vec::new();
+        let mut scan: Vec<(f64, ShotOutcome)> = Vec::new();
         for (point, &velocity) in velocities.iter().enumerate() {
             let found = self.verdict(velocity)?;
-            if found == Verdict::Undecided && scan.iter().all(|it| it.1 == Verdict::Stopped) {
+            if found == ShotOutcome::Undecided && scan.iter().all(|it| it.1 == ShotOutcome::Stopped)
+            {
                 let stopped_m_s = scan.last().map_or(low, |it| it.0);
                 // The least from which on all perforate, looked for from above: undecided shots take long.
                 let (mut through_m_s, mut undecided_m_s) = (None, velocity);
                 for &above in velocities[point + 1..].iter().rev() {
                     match self.verdict(above)? {
-                        Verdict::Perforated => through_m_s = Some(above),
-                        Verdict::Undecided => {
+                        ShotOutcome::Perforated => through_m_s = Some(above),
+                        ShotOutcome::Undecided => {
                             undecided_m_s = above;
                             break;
                         }
-                        Verdict::Stopped => {
+                        ShotOutcome::Stopped => {
                             let Some(through) = through_m_s else { break };
                             let limit = self.closed_in(above, through, width, None)?;
                             return Some(limit.above_undecided(velocity));
@@ -259,13 +261,13 @@ impl Range<'_, '_, '_> {
             }
             scan.push((velocity, found));
         }
-        let first = scan.iter().position(|point| point.1 == Verdict::Perforated);
+        let first = scan.iter().position(|point| point.1 == ShotOutcome::Perforated);
         let Some(first) = first else { return Some(Limit::Never) };
         if first == 0 {
             // What is stopped only above a range in which everything perforates has no limit velocity either.
             return Some(Limit::Always);
         }
-        let later = scan[first..].iter().find(|point| point.1 == Verdict::Stopped);
+        let later = scan[first..].iter().find(|point| point.1 == ShotOutcome::Stopped);
         let stopped_at_m_s = later.map(|point| point.0);
         self.closed_in(scan[first - 1].0, scan[first].0, width, stopped_at_m_s)
     }
@@ -305,10 +307,10 @@ fn shoot(
     criterion: Criterion,
     impact_m_s: f64,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> (Shot, Verdict) {
+) -> (Shot, ShotOutcome) {
     // The scene has been found valid, and so is any velocity above zero.
     decide(&aimed(scene, impact_m_s), criterion, observer).map_or(
-        (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
+        (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, ShotOutcome::Undecided),
         |(run, verdict)| {
             let (outcome, residual_m_s) = (run.shot_outcome(), run.shot_residual_m_s());
             (Shot { impact_m_s, outcome, residual_m_s }, verdict)

@@ -2,7 +2,7 @@
 
 use super::monte_carlo::ModelError;
 use super::search::Scan;
-use super::verdict::Verdict;
+use super::verdict::ShotOutcome;
 use std::ops::ControlFlow;
 
 use super::*;
@@ -10,7 +10,7 @@ use crate::model::scene::InterfaceLaw;
 use crate::study::context::{Progress, to_its_end, until};
 use crate::study::{changed_free_plate, plain_run};
 
-const PLAIN: Effort = Effort { criterion: Criterion::Passage, sampling: None };
+const PLAIN: LimitOptions = LimitOptions { criterion: Criterion::Passage, sampling: None };
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
@@ -25,7 +25,7 @@ fn by_outcome(pairs: &str) -> f64 {
     let scene = scene(pairs);
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
-    let mut range = Range { scene: &scene, criterion: Criterion::Passage, context };
+    let mut range = ShotRunner { scene: &scene, criterion: Criterion::Passage, context };
     range.search(Scan::WHOLE).unwrap().velocity_m_s().unwrap()
 }
 
@@ -44,7 +44,7 @@ fn a_stiff_spring_is_a_rigid_mount_and_a_weak_one_a_free_plate() {
     let weak = found("k=1").limit.velocity_m_s().unwrap();
     assert!((weak / 347.708_052 - 1.0).abs() < 1e-5, "{weak}");
     let Limit::Found { basis, .. } = found("k=1").limit else { panic!("no limit") };
-    assert_eq!(basis, Basis::Outcome);
+    assert_eq!(basis, LimitMethod::Outcome);
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
 #[test]
 fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     let rigid = scene("mount=rigid");
-    let effort = Effort { criterion: Criterion::Protrusion, ..PLAIN };
+    let effort = LimitOptions { criterion: Criterion::Protrusion, ..PLAIN };
     let report = find(&rigid, effort, &mut Context::new(1, &mut to_its_end)).unwrap();
     let geometry = Geometry::of(&rigid);
     let volume = geometry.swept_m3(geometry.travel_m(rigid.target.thickness_m));
@@ -99,11 +99,11 @@ fn undecided_shots_are_not_counted_as_stopped() {
     let verdict = |pairs: &str| {
         let run = plain_run(&scene(pairs)).unwrap();
         assert_eq!(run.outcome, Outcome::Moving, "{pairs}");
-        Verdict::of(&run, Criterion::Passage)
+        ShotOutcome::of(&run, Criterion::Passage)
     };
-    assert_eq!(verdict("k=1e5 v_i=300 run.horizon_s=1e-5"), Verdict::Undecided);
+    assert_eq!(verdict("k=1e5 v_i=300 run.horizon_s=1e-5"), ShotOutcome::Undecided);
     let rattles = "k=5e6 gamma=3 interface=plastic v_i=20 run.horizon_s=0.003";
-    assert_eq!(verdict(rattles), Verdict::Stopped);
+    assert_eq!(verdict(rattles), ShotOutcome::Stopped);
 }
 
 /// Shots at 107.5 to 111.59 m/s are arrested, at 111.6 m/s perforates; those of 105.45 to 107 m/s rattle on in their hole.
@@ -145,7 +145,7 @@ fn a_stopped_search_keeps_what_it_has() {
 fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
     let sampling =
         Sampling { deviation: 0.03, samples: 300, seed: 1, model: ModelError::default() };
-    let effort = Effort { sampling: Some(sampling), ..PLAIN };
+    let effort = LimitOptions { sampling: Some(sampling), ..PLAIN };
     let rigid = scene("mount=rigid v_i=232.295378");
     let run = || find(&rigid, effort, &mut Context::new(1, &mut to_its_end)).unwrap();
     let (first, second) = (run(), run());

@@ -19,14 +19,14 @@ const UNDECIDED_WIDE: usize = 3;
 
 /// Whether a shot goes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::study) enum Verdict {
+pub(in crate::study) enum ShotOutcome {
     Perforated,
     Stopped,
     /// Its run ended before that was decided.
     Undecided,
 }
 
-impl Verdict {
+impl ShotOutcome {
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
     /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
     pub(in crate::study) fn of(run: &Run, criterion: Criterion) -> Self {
@@ -65,22 +65,22 @@ pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
     criterion: Criterion,
     observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Option<(Run, Verdict)> {
+) -> Option<(Run, ShotOutcome)> {
     let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
-    if run.stack.is_none() && Verdict::of(&run, criterion) == Verdict::Undecided {
+    if run.stack.is_none() && ShotOutcome::of(&run, criterion) == ShotOutcome::Undecided {
         run = follow(scene, observer).ok()?;
     }
-    let verdict = Verdict::of(&run, criterion);
+    let verdict = ShotOutcome::of(&run, criterion);
     Some((run, verdict))
 }
 
 /// A value at which no run is decided, between two with known verdicts.
 pub(in crate::study) struct Gap {
     /// The side from which an answer is looked for.
-    pub(in crate::study) from: (f64, Verdict),
+    pub(in crate::study) from: (f64, ShotOutcome),
     pub(in crate::study) undecided: f64,
     /// The other side; `None`: nothing is known there.
-    pub(in crate::study) to: (Option<f64>, Verdict),
+    pub(in crate::study) to: (Option<f64>, ShotOutcome),
     /// Relative width up to which it is one point.
     pub(in crate::study) width: f64,
 }
@@ -111,26 +111,26 @@ impl Gap {
     /// or only past all that is. `None` when stopped.
     pub(in crate::study) fn change(
         &self,
-        mut look: impl FnMut(f64) -> Option<Verdict>,
+        mut look: impl FnMut(f64) -> Option<ShotOutcome>,
     ) -> Option<Change> {
         let mut undecided_max = UNDECIDED_MAX;
         for (known, verdict) in [(Some(self.from.0), self.from.1), self.to] {
             let side = |known: f64| self.width * (known - self.undecided).signum();
             let near = known.map(|known| self.undecided * (1.0 + side(known)));
             // Decided this near on both sides it may be one point, which takes more shots to close in.
-            if near.map_or(Some(Verdict::Undecided), &mut look)? != verdict {
+            if near.map_or(Some(ShotOutcome::Undecided), &mut look)? != verdict {
                 undecided_max = UNDECIDED_WIDE;
                 break;
             }
         }
-        let mut edge = |(mut known, verdict): (f64, Verdict)| {
-            let (mut beyond, mut undecided) = ((self.undecided, Verdict::Undecided), 0);
+        let mut edge = |(mut known, verdict): (f64, ShotOutcome)| {
+            let (mut beyond, mut undecided) = ((self.undecided, ShotOutcome::Undecided), 0);
             while (beyond.0 - known).abs() > WIDTH * smaller(known, beyond.0)
                 && undecided < undecided_max
             {
                 let middle = 0.5 * (known + beyond.0);
                 let found = look(middle)?;
-                undecided += usize::from(found == Verdict::Undecided);
+                undecided += usize::from(found == ShotOutcome::Undecided);
                 if found == verdict { known = middle } else { beyond = (middle, found) }
             }
             Some((known, beyond))
@@ -155,10 +155,10 @@ impl Gap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Verdict::{Perforated, Stopped, Undecided};
+    use ShotOutcome::{Perforated, Stopped, Undecided};
 
     /// The edges between 1 (stopped) and 2 (perforated) of shots that are undecided at 1.5, and how many were undecided.
-    fn change(verdict: impl Fn(f64) -> Verdict) -> (Change, usize) {
+    fn change(verdict: impl Fn(f64) -> ShotOutcome) -> (Change, usize) {
         let (from, to) = ((1.0, Stopped), (Some(2.0), Perforated));
         let mut undecided = 0;
         let look = |value: f64| {
@@ -169,7 +169,7 @@ mod tests {
         (found.unwrap(), undecided)
     }
 
-    fn outside(low: f64, high: f64) -> impl Fn(f64) -> Verdict {
+    fn outside(low: f64, high: f64) -> impl Fn(f64) -> ShotOutcome {
         move |value| match value {
             _ if value < low => Stopped,
             _ if value > high => Perforated,

@@ -179,7 +179,7 @@ impl Tolerance {
         let text = text.trim();
         let width = match text.strip_suffix('%') {
             Some(percent) => {
-                let share = units::parse(percent, units::Quantity::Number, Bare::Si);
+                let share = units::parse(percent, units::Dimension::Number, Bare::Si);
                 share.map_err(|problem| problem.to_string())? / 100.0 * nominal.abs()
             }
             None => self.value(text)?,

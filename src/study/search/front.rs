@@ -12,10 +12,10 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
-use crate::study::search::nsga::{self, Effort, Individual, Judged};
+use crate::study::search::nsga::{self, EvolutionOptions, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
 use crate::study::sweep::axis::scene_with;
-use crate::study::sweep::{Axis, Failure, Found, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, EvaluatedDesign, Failure, Plan, PointOutcome, SweepError};
 use crate::study::validity;
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
@@ -54,7 +54,7 @@ pub struct Task {
     /// On which interface laws.
     pub laws: Vec<InterfaceLaw>,
     /// How much is done for each.
-    pub effort: Effort,
+    pub effort: EvolutionOptions,
 }
 
 impl Task {
@@ -230,7 +230,7 @@ impl Search<'_> {
             let found = self.evaluate_all(points, &state)?.into_iter();
             Some(found.map(|found| (self.judge(&found.values), found)).collect())
         };
-        let mut observe = |generation: usize, people: &[Individual<Found>]| {
+        let mut observe = |generation: usize, people: &[Individual<EvaluatedDesign>]| {
             let mut state = state.borrow_mut();
             state.front.generations = generation;
             state.front.designs = self.designs(nsga::front(people));
@@ -271,7 +271,7 @@ impl Search<'_> {
         &self,
         points: &[Vec<f64>],
         state: &RefCell<State<'_, '_>>,
-    ) -> Option<Vec<Found>> {
+    ) -> Option<Vec<EvaluatedDesign>> {
         let mut state = state.borrow_mut();
         let State { front, context } = &mut *state;
         if !front.is_complete {
@@ -290,7 +290,7 @@ impl Search<'_> {
     }
 
     /// Counts a design that has no value of an objective.
-    fn note_lack(&self, found: &Found, lacks: &mut Vec<Lack>) {
+    fn note_lack(&self, found: &EvaluatedDesign, lacks: &mut Vec<Lack>) {
         let mut measures = self.task.objectives.iter().map(|it| it.measure);
         let Some(measure) = measures.find(|it| self.value(&found.values, it).is_none()) else {
             return;
@@ -309,7 +309,7 @@ impl Search<'_> {
         shares: &[f64],
         held: &[f64],
         state: &RefCell<State<'_, '_>>,
-    ) -> Option<Trial<Found>> {
+    ) -> Option<Trial<EvaluatedDesign>> {
         let found = self.evaluate_all(&[shares.to_vec()], state)?.into_iter().next()?;
         let judged = self.judge(&found.values);
         let rest = judged.objectives.iter().zip(held).skip(1);
@@ -343,12 +343,12 @@ impl Search<'_> {
         axes.iter().map(share).collect()
     }
 
-    fn designs(&self, best: Vec<Individual<Found>>) -> Vec<Design> {
+    fn designs(&self, best: Vec<Individual<EvaluatedDesign>>) -> Vec<Design> {
         sorted_by(best.into_iter().map(|one| self.design(one)).collect(), first)
     }
 
-    fn design(&self, one: Individual<Found>) -> Design {
-        let Found { outcome, values } = one.found;
+    fn design(&self, one: Individual<EvaluatedDesign>) -> Design {
+        let EvaluatedDesign { outcome, values } = one.found;
         Design { values: self.place(&one.shares), measures: values, outcome }
     }
 
@@ -404,7 +404,7 @@ impl Search<'_> {
         }
         let mut attempt = |shares: &[f64]| self.attempt(shares, &judged.objectives, state);
         let others = judged.objectives.len() - 1 + self.task.constraints.len();
-        let found = Found { outcome, values: candidate.measures.clone() };
+        let found = EvaluatedDesign { outcome, values: candidate.measures.clone() };
         let start = Individual { shares, judged: judged.clone(), found };
         let better = polish(start, others, CHALLENGED, &mut attempt);
         if !better.judged.dominates(&judged) {
@@ -438,7 +438,7 @@ impl Search<'_> {
     }
 
     /// The measures of any scene, by a space of one point; `None` when stopped.
-    fn evaluate(&self, scene: &Scene, context: &mut Context<'_, Front>) -> Option<Found> {
+    fn evaluate(&self, scene: &Scene, context: &mut Context<'_, Front>) -> Option<EvaluatedDesign> {
         let axis = self.space.axes().first()?;
         let names: Vec<&str> = self.space.outputs().iter().map(|column| column.name).collect();
         let space = Plan::for_designs(scene, vec![axis.clone()], &names).ok()?.limited(STEPS_MAX);

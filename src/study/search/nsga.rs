@@ -55,7 +55,7 @@ pub struct Individual<T> {
 
 /// How much is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct EvolutionOptions {
     /// Points of a generation, >= 4 and even.
     pub population: usize,
     /// Generations after the first.
@@ -64,7 +64,7 @@ pub struct Effort {
     pub seed: u64,
 }
 
-impl Effort {
+impl EvolutionOptions {
     /// Evaluations in all.
     pub fn evaluations(self) -> usize {
         self.population * (self.generations + 1)
@@ -82,7 +82,7 @@ pub type Observer<'a, T> = &'a mut dyn FnMut(usize, &[Individual<T>]);
 pub fn evolve<T>(
     inputs: usize,
     starts: &[Vec<f64>],
-    effort: Effort,
+    effort: EvolutionOptions,
     function: Function<'_, T>,
     observe: Observer<'_, T>,
 ) -> Vec<Individual<T>> {

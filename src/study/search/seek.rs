@@ -61,7 +61,7 @@ impl Kind {
 
 /// A value of the variable, and what comes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct SamplePoint {
     /// The variable's value, in its stored unit.
     pub at: f64,
     /// The measure there.
@@ -70,21 +70,21 @@ pub struct Place {
 
 /// A line of the answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct SeekResult {
     /// Its kind.
     pub kind: Kind,
     /// Where, and what is reached; the measure is NaN in a gap.
-    pub place: Place,
+    pub place: SamplePoint,
     /// The other end of a plateau, a jump or a gap.
-    pub until: Option<Place>,
+    pub until: Option<SamplePoint>,
     /// The outcome of the design.
     pub outcome: Option<PointOutcome>,
     /// Points of the scan in a gap.
     pub points: usize,
 }
 
-impl Line {
-    fn new(kind: Kind, place: Place) -> Self {
+impl SeekResult {
+    fn new(kind: Kind, place: SamplePoint) -> Self {
         Self { kind, place, until: None, outcome: None, points: 0 }
     }
 }
@@ -101,11 +101,11 @@ pub struct Report {
     /// Its wanted value.
     pub target: f64,
     /// Solutions in order of the variable, then jumps, the nearest miss, and gaps.
-    pub lines: Vec<Line>,
+    pub lines: Vec<SeekResult>,
     /// What is to be said against each solution: neither the scene nor the ends of the range are the answer.
     pub checked: Vec<Checked>,
     /// The least and the greatest value met with.
-    pub range: Option<(Place, Place)>,
+    pub range: Option<(SamplePoint, SamplePoint)>,
     /// The scan, for drawing: the variable's value and the measure's.
     pub scan: Vec<(f64, Option<f64>)>,
     /// Runs made.
@@ -116,12 +116,12 @@ pub struct Report {
 
 impl Report {
     /// The solutions, in the order in which they were checked.
-    pub fn solutions(&self) -> impl Iterator<Item = &Line> {
+    pub fn solutions(&self) -> impl Iterator<Item = &SeekResult> {
         self.lines.iter().filter(|line| line.kind.is_solution())
     }
 
     /// The lines of one kind.
-    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &Line> {
+    pub fn of(&self, kind: Kind) -> impl Iterator<Item = &SeekResult> {
         self.lines.iter().filter(move |line| line.kind == kind)
     }
 }
@@ -156,7 +156,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     let mut root_scan = RootScan::new(goal.target, &mut function);
     let ended = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
-    let place = |point: Place| Place { at: axis.at_share(point.at), ..point };
+    let place = |point: SamplePoint| SamplePoint { at: axis.at_share(point.at), ..point };
     let outcome_at = |share: f64| {
         let mut same = outcomes.iter().filter(|(other, _)| other.to_bits() == share.to_bits());
         same.next().map(|(_, outcome)| *outcome)
@@ -167,12 +167,12 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     for Crossing { kind, from, to } in found.into_iter().chain(jumps) {
         let until = matches!(kind, Kind::Plateau | Kind::Jump).then(|| place(to));
         let outcome = outcome_at(from.at).filter(|_| kind != Kind::Jump);
-        lines.push(Line { until, outcome, ..Line::new(kind, place(from)) });
+        lines.push(SeekResult { until, outcome, ..SeekResult::new(kind, place(from)) });
     }
     if !lines.iter().any(|line| line.kind.is_solution()) {
-        let miss = |seen: &Place| (seen.value - goal.target).abs();
+        let miss = |seen: &SamplePoint| (seen.value - goal.target).abs();
         let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
-        lines.extend(nearest.map(|seen| Line::new(Kind::Nearest, place(*seen))));
+        lines.extend(nearest.map(|seen| SeekResult::new(Kind::Nearest, place(*seen))));
     }
     let solutions = lines.iter().filter(|line| line.kind.is_solution());
     let designs = solutions.map(|line| space.scene_of(&[line.place.at]));
@@ -200,25 +200,25 @@ fn gaps(
     scan: &[(f64, Option<f64>)],
     axis: &Axis,
     outcome_at: impl Fn(f64) -> Option<PointOutcome>,
-) -> Vec<Line> {
-    let mut gaps: Vec<Line> = Vec::new();
+) -> Vec<SeekResult> {
+    let mut gaps: Vec<SeekResult> = Vec::new();
     let outcome = |point: &(f64, Option<f64>)| outcome_at(point.0).filter(|_| point.1.is_none());
     for points in scan.chunk_by(|a, b| outcome(a) == outcome(b)) {
         let ([first, ..], [.., last]) = (points, points) else { continue };
-        let place = |share: f64| Place { at: axis.at_share(share), value: f64::NAN };
-        gaps.extend(outcome(first).map(|outcome| Line {
+        let place = |share: f64| SamplePoint { at: axis.at_share(share), value: f64::NAN };
+        gaps.extend(outcome(first).map(|outcome| SeekResult {
             until: Some(place(last.0)),
             outcome: Some(outcome),
             points: points.len(),
-            ..Line::new(Kind::Gap, place(first.0))
+            ..SeekResult::new(Kind::Gap, place(first.0))
         }));
     }
     gaps
 }
 
 /// The points with the least and the greatest value.
-fn range(seen: &[Place]) -> Option<(Place, Place)> {
-    let by = |a: &&Place, b: &&Place| a.value.total_cmp(&b.value);
+fn range(seen: &[SamplePoint]) -> Option<(SamplePoint, SamplePoint)> {
+    let by = |a: &&SamplePoint, b: &&SamplePoint| a.value.total_cmp(&b.value);
     Some((*seen.iter().min_by(by)?, *seen.iter().max_by(by)?))
 }
 

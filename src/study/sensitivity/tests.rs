@@ -5,7 +5,7 @@ use crate::study::context::{to_its_end, until};
 use crate::study::plain_run;
 use crate::study::testing::{axes, rigid, scene};
 
-const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1 };
+const EFFORT: SamplingOptions = SamplingOptions { rows: 256, trajectories: 20, seed: 1 };
 
 fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
     study(scene, axes, output, EFFORT, &mut Context::new(2, &mut to_its_end))

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use crate::model::appendix::Scheme;
 use crate::model::contact_phase::section::Faces;
-use crate::model::contact_phase::{Answer, Ending};
+use crate::model::contact_phase::{ContactSolution, Ending};
 use crate::model::scene::{Listing, Reading, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
@@ -268,7 +268,7 @@ fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
 #[derive(Clone, Copy)]
 struct Target {
     peaks: Peaks,
-    contact: Answer,
+    contact: ContactSolution,
 }
 
 impl Target {

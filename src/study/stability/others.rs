@@ -1,8 +1,8 @@
 //! Whether other methods can compute a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use crate::model::contact_phase::{Answer, Refusal};
+use crate::model::contact_phase::{ContactSolution, Refusal};
 use crate::model::scene::Scene;
-use crate::study::accuracy::method::{Knob, Method};
+use crate::study::accuracy::method::{Method, Parameter};
 
 /// Tolerance requested from the adaptive methods.
 pub const TOLERANCE: f64 = 1e-9;
@@ -29,27 +29,27 @@ enumeration! {
         /// The method.
         method: Method,
         /// Its parameter.
-        knob: Knob,
+        knob: Parameter,
     }
     /// DOP853 with events located, at [`TOLERANCE`].
     Explicit {
         key: "explicit", error_key: "explicit_error", heading: "expl",
-        method: Method::Dop853, knob: Knob::Tolerance(TOLERANCE)
+        method: Method::Dop853, knob: Parameter::Tolerance(TOLERANCE)
     }
     /// Radau IIA with events located, at [`TOLERANCE`].
     Implicit {
         key: "implicit", error_key: "implicit_error", heading: "impl",
-        method: Method::Radau, knob: Knob::Tolerance(TOLERANCE)
+        method: Method::Radau, knob: Parameter::Tolerance(TOLERANCE)
     }
     /// Appendix A as printed, dt = 1e-6 s.
     ThesisCoarse {
         key: "thesis_1e-6", error_key: "thesis_1e-6_error", heading: "th-6",
-        method: Method::ThesisPrinted, knob: Knob::Step(1e-6)
+        method: Method::ThesisPrinted, knob: Parameter::Step(1e-6)
     }
     /// Appendix A as printed, dt = 1e-7 s.
     ThesisFine {
         key: "thesis_1e-7", error_key: "thesis_1e-7_error", heading: "th-7",
-        method: Method::ThesisPrinted, knob: Knob::Step(1e-7)
+        method: Method::ThesisPrinted, knob: Parameter::Step(1e-7)
     }
 }
 
@@ -127,10 +127,10 @@ impl Verdict {
 }
 
 /// How a method fares on the contact of a scene that should end like `reference`.
-pub fn judge(other: Other, scene: &Scene, reference: Option<Answer>) -> Verdict {
+pub fn judge(other: Other, scene: &Scene, reference: Option<ContactSolution>) -> Verdict {
     let (accurate, steps_max) = match other.knob() {
-        Knob::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
-        Knob::None | Knob::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
+        Parameter::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
+        Parameter::None | Parameter::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),
     };
     let error = reference.ok_or(Fault::NoReference).and_then(|reference| {
         let contact = other.method().solve(other.knob(), scene, steps_max).map_err(fault)?;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::study::context::{Progress, Stop};
+use crate::study::context::{CancelFlag, Progress};
 
 /// A time at which the battery leaves the other methods out.
 const LATE_S: f64 = 60.0;
@@ -11,8 +11,8 @@ const LATE_S: f64 = 60.0;
 #[test]
 fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
     // Other methods are looked at elsewhere: here their time is up at once.
-    let stop = Stop::default();
-    let clock = Clock { now_s: &|| 0.0, until_s: -1.0, stop: &stop };
+    let stop = CancelFlag::default();
+    let clock = TimeBudget { now_s: &|| 0.0, until_s: -1.0, stop: &stop };
     let mut by_the_engine = Vec::new();
     for case in cases::CASES.iter() {
         let row = examine(case, clock).unwrap();

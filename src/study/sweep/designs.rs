@@ -18,7 +18,7 @@ const PIECE_OF_RUNS: u64 = 1;
 
 /// The results of one design.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct EvaluatedDesign {
     /// Its outcome.
     pub outcome: PointOutcome,
     /// Its measures, in the order requested; `None` where one does not exist, or where a number would mislead (the depth of a
@@ -33,7 +33,7 @@ impl Plan {
         &self,
         designs: &[Vec<f64>],
         context: &mut Context<'_, P>,
-    ) -> Vec<Found> {
+    ) -> Vec<EvaluatedDesign> {
         if context.is_stopped() {
             return Vec::new();
         }
@@ -50,12 +50,12 @@ impl Plan {
         context.map(work, worker, |context, _| context.goes_on())
     }
 
-    fn found(&self, rows: &Rows) -> Vec<Found> {
+    fn found(&self, rows: &Rows) -> Vec<EvaluatedDesign> {
         let of_row = |row: usize| {
             let outcome = rows.outcome(row);
             let outputs = self.outputs.iter().enumerate();
             let value = outputs.map(|(at, it)| rows.value(row, at).filter(|_| tells(it, outcome)));
-            Found { outcome, values: value.collect() }
+            EvaluatedDesign { outcome, values: value.collect() }
         };
         (0..rows.len()).map(of_row).collect()
     }
@@ -95,7 +95,7 @@ mod tests {
     use crate::study::sweep::Failure;
     use crate::study::testing::axes;
 
-    fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
+    fn whole(space: &Plan, designs: &[Vec<f64>], threads: usize) -> Vec<EvaluatedDesign> {
         space.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
     }
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
-use crate::study::context::Stop;
+use crate::study::context::CancelFlag;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
@@ -150,7 +150,7 @@ impl Rows {
 /// Computes points; one for each thread.
 pub struct Evaluator<'p> {
     plan: &'p Plan,
-    stop: &'p Stop,
+    stop: &'p CancelFlag,
     scene: Arc<Scene>,
     kernel: Option<Kernel<'p>>,
     settings: Settings,
@@ -158,7 +158,7 @@ pub struct Evaluator<'p> {
 
 impl<'p> Evaluator<'p> {
     /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
-    pub fn new(plan: &'p Plan, stop: &'p Stop) -> Self {
+    pub fn new(plan: &'p Plan, stop: &'p CancelFlag) -> Self {
         let estimate = plan.outputs().iter().any(|output| output.name == "error_estimate");
         Self {
             plan,

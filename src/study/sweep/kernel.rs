@@ -24,7 +24,7 @@ pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 
 /// The result at a point.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::study) struct Answer {
+pub(in crate::study) struct KernelResult {
     pub(in crate::study) end: ContactEnd,
     /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
     pub(in crate::study) baseline_m: Option<f64>,
@@ -33,7 +33,7 @@ pub(in crate::study) struct Answer {
     pub(in crate::study) start_m: f64,
 }
 
-impl Answer {
+impl KernelResult {
     /// The greatest displacement of a plate that stops the shot: another shot does not size its springs.
     pub(in crate::study) fn stopped_displacement_m(&self) -> Option<f64> {
         self.max_displacement_m.filter(|_| self.end.arrested)
@@ -65,7 +65,7 @@ pub(super) struct Kernel<'p> {
     /// The contacts of the piece that have to be integrated, and their places.
     contacts: Vec<Contact>,
     places: Vec<usize>,
-    answers: Vec<Option<(PointOutcome, Answer)>>,
+    answers: Vec<Option<(PointOutcome, KernelResult)>>,
 }
 
 impl<'p> Kernel<'p> {
@@ -102,7 +102,7 @@ impl<'p> Kernel<'p> {
     }
 
     /// The answer at a place of the piece computed last, if there is one.
-    pub(super) fn found(&self, place: usize) -> Option<&(PointOutcome, Answer)> {
+    pub(super) fn found(&self, place: usize) -> Option<&(PointOutcome, KernelResult)> {
         self.answers.get(place)?.as_ref()
     }
 
@@ -138,7 +138,7 @@ impl<'p> Kernel<'p> {
         !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
     }
 
-    fn finish(&self, scene: &Scene, end: ContactEnd) -> (PointOutcome, Answer) {
+    fn finish(&self, scene: &Scene, end: ContactEnd) -> (PointOutcome, KernelResult) {
         let baseline_m = match self.baseline {
             Baseline::Fixed(depth_m) => depth_m,
             Baseline::ByPoint => baseline_m(scene, &Geometry::of(scene)),
@@ -148,7 +148,7 @@ impl<'p> Kernel<'p> {
         let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
         (
             PointOutcome::Ended(outcome),
-            Answer { end, baseline_m, max_displacement_m, start_m: scene.start_m() },
+            KernelResult { end, baseline_m, max_displacement_m, start_m: scene.start_m() },
         )
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::run::Outcome;
-use crate::study::context::{Context, Stop, to_its_end, until};
+use crate::study::context::{CancelFlag, Context, to_its_end, until};
 use crate::study::parallel::{self, Work};
 use crate::study::plain_run;
 use crate::study::testing::scene;
@@ -18,7 +18,7 @@ fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
 }
 
 fn rows(plan: &Plan) -> Rows {
-    let stop = Stop::default();
+    let stop = CancelFlag::default();
     Evaluator::new(plan, &stop).rows(0..plan.points())
 }
 
@@ -173,7 +173,7 @@ fn by_threads(
     (threads, at_once): (usize, u64),
     shard: Shard,
 ) -> Vec<(PointOutcome, u64)> {
-    let stop = Stop::default();
+    let stop = CancelFlag::default();
     let points = shard.of(plan.points());
     let (first, mut all) = (points.start, Vec::new());
     let worker = || {
@@ -274,7 +274,7 @@ fn a_hypercube_is_kept_as_a_row_of_points() {
     let axes = vec![axis("gamma", 0.8, 7.0, 5), axis("k", 0.0, 7.5e6, 5)];
     let design = Design { sampling: Sampling::LatinHypercube, points: 37, seed: 3 };
     let plan = Arc::new(Plan::new(&Scene::default(), axes, design, &USUAL_OUTPUTS).unwrap());
-    let stop = Stop::default();
+    let stop = CancelFlag::default();
     let empty = Grid::new(Arc::clone(&plan)).unwrap();
     assert_eq!((empty.counts(), empty.is_full()), ((37, 1), false));
     let filled = empty.fill(4, &mut Context::new(2, &mut to_its_end));

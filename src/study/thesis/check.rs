@@ -10,15 +10,19 @@ use crate::study::thesis::expression::{Evaluated, Reader};
 use crate::study::thesis::runs::{Algorithm, Runs};
 use crate::study::thesis::text::{ends, filled};
 use crate::study::thesis::value::Value;
-use crate::study::thesis::{Basis, Found, Verdict};
+use crate::study::thesis::{ClaimResult, ClaimVerdict, Evidence};
 
-pub(super) fn check(claim: &Claim, scenes: &BTreeMap<String, Scene>, runs: &Runs<'_>) -> Found {
+pub(super) fn check(
+    claim: &Claim,
+    scenes: &BTreeMap<String, Scene>,
+    runs: &Runs<'_>,
+) -> ClaimResult {
     let evaluation = Evaluation { claim, scenes, runs, known: RefCell::default() };
-    evaluation.found().unwrap_or_else(|problem| Found {
+    evaluation.found().unwrap_or_else(|problem| ClaimResult {
         sound: format!("this claim is written wrongly: {problem}"),
         printed: String::new(),
-        verdict: Verdict::Unchecked,
-        basis: Basis::None,
+        verdict: ClaimVerdict::Unchecked,
+        basis: Evidence::None,
     })
 }
 
@@ -32,7 +36,7 @@ pub(super) struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    fn found(&self) -> Evaluated<Found> {
+    fn found(&self) -> Evaluated<ClaimResult> {
         let claim = self.claim;
         let verdict = if claim.read.is_some() { claim.expected } else { self.verdict()? };
         let (sound, printed) = if claim.trend.is_some() {
@@ -43,11 +47,11 @@ impl Evaluation<'_> {
             (self.filled(computed, Algorithm::Sound)?, self.filled(printed, Algorithm::Printed)?)
         };
         let basis = match verdict {
-            _ if claim.read.is_some() => Basis::Read,
-            Verdict::Unchecked if sound.is_empty() => Basis::None,
-            _ => Basis::Computed,
+            _ if claim.read.is_some() => Evidence::Read,
+            ClaimVerdict::Unchecked if sound.is_empty() => Evidence::None,
+            _ => Evidence::Computed,
         };
-        Ok(Found { sound, printed, verdict, basis })
+        Ok(ClaimResult { sound, printed, verdict, basis })
     }
 
     fn filled(&self, text: Option<&str>, method: Algorithm) -> Evaluated<String> {
@@ -55,14 +59,14 @@ impl Evaluation<'_> {
     }
 
     /// The verdict of the first condition that is true; without conditions there is none.
-    fn verdict(&self) -> Evaluated<Verdict> {
+    fn verdict(&self) -> Evaluated<ClaimVerdict> {
         for (verdict, condition) in self.claim.conditions() {
             if self.value(condition, Algorithm::Sound)?.holds()? {
                 return Ok(verdict);
             }
         }
         let is_checked = self.claim.conditions().next().is_some();
-        Ok(if is_checked { Verdict::TrendFails } else { Verdict::Unchecked })
+        Ok(if is_checked { ClaimVerdict::TrendFails } else { ClaimVerdict::Unchecked })
     }
 
     /// The ends of the claim's curve by both methods, with what its scene has of its own, and where the verdicts differ.
@@ -128,7 +132,7 @@ mod tests {
     use crate::study::thesis::runs::SharedRuns;
 
     /// The result for a claim with these values and checks.
-    fn found(checks: &[(&str, &str)]) -> Found {
+    fn found(checks: &[(&str, &str)]) -> ClaimResult {
         let mut text =
             "[scenes]\nrigid = { mount = \"rigid\" }\n[[claim]]\nid = \"a\"\nplace = \"1\"\nsays = \"b\"\ncause = \"c\"\n\
                         verdict = \"misprint\"\n"
@@ -175,19 +179,22 @@ mod tests {
     #[test]
     fn the_first_condition_that_is_true_gives_the_verdict() {
         let verdict = |checks: &[(&str, &str)]| found(checks).verdict;
-        assert_eq!(verdict(&[("reproduced", "1 > 2"), ("misprint", "2 > 1")]), Verdict::Misprint);
+        assert_eq!(
+            verdict(&[("reproduced", "1 > 2"), ("misprint", "2 > 1")]),
+            ClaimVerdict::Misprint
+        );
         assert_eq!(
             verdict(&[("corrected", "2 > 1"), ("reproduced", "2 > 1")]),
-            Verdict::Reproduced
+            ClaimVerdict::Reproduced
         );
-        assert_eq!(verdict(&[("holds", "[1, 3] > 2")]), Verdict::TrendFails);
-        assert_eq!(verdict(&[("holds", "0 / 0 > 2")]), Verdict::TrendFails);
+        assert_eq!(verdict(&[("holds", "[1, 3] > 2")]), ClaimVerdict::TrendFails);
+        assert_eq!(verdict(&[("holds", "0 / 0 > 2")]), ClaimVerdict::TrendFails);
         let read = found(&[("read", "as it says")]);
-        assert_eq!((read.verdict, read.basis), (Verdict::Misprint, Basis::Read));
-        assert_eq!(found(&[]).basis, Basis::None);
+        assert_eq!((read.verdict, read.basis), (ClaimVerdict::Misprint, Evidence::Read));
+        assert_eq!(found(&[]).basis, Evidence::None);
         let wrong = found(&[("computed", "{1 + 'a'}")]);
         assert!(wrong.sound.starts_with("this claim is written wrongly"), "{}", wrong.sound);
-        assert_eq!(wrong.verdict, Verdict::Unchecked);
+        assert_eq!(wrong.verdict, ClaimVerdict::Unchecked);
     }
 
     #[test]

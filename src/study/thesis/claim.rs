@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, de::Error};
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables::{self, Value};
-use crate::study::thesis::{Opens, Verdict};
+use crate::study::thesis::{ClaimVerdict, Opens};
 
 /// The name of a trend's curve in its conditions.
 pub(super) const CURVE: &str = "curve";
@@ -26,7 +26,7 @@ pub struct Claim {
     pub cause: &'static str,
     /// The verdict that is expected.
     #[serde(rename = "verdict", deserialize_with = "verdict")]
-    pub expected: Verdict,
+    pub expected: ClaimVerdict,
     preset: Option<&'static str>,
     scene: Option<&'static str>,
     #[serde(default)]
@@ -42,9 +42,9 @@ pub struct Claim {
     holds: Option<&'static str>,
 }
 
-fn verdict<'de, D: Deserializer<'de>>(word: D) -> Result<Verdict, D::Error> {
+fn verdict<'de, D: Deserializer<'de>>(word: D) -> Result<ClaimVerdict, D::Error> {
     let word = <&str>::deserialize(word)?;
-    let found = Verdict::ALL.into_iter().find(|it| it.words() == word);
+    let found = ClaimVerdict::ALL.into_iter().find(|it| it.words() == word);
     found.ok_or_else(|| D::Error::custom(format!("`{word}` is no verdict")))
 }
 
@@ -56,12 +56,12 @@ impl Claim {
     }
 
     /// The rules of the verdict, in order.
-    pub(super) fn conditions(&self) -> impl Iterator<Item = (Verdict, &'static str)> {
+    pub(super) fn conditions(&self) -> impl Iterator<Item = (ClaimVerdict, &'static str)> {
         let all = [
-            (Verdict::Reproduced, self.reproduced),
-            (Verdict::TrendHolds, self.holds),
-            (Verdict::Corrected, self.corrected),
-            (Verdict::Misprint, self.misprint),
+            (ClaimVerdict::Reproduced, self.reproduced),
+            (ClaimVerdict::TrendHolds, self.holds),
+            (ClaimVerdict::Corrected, self.corrected),
+            (ClaimVerdict::Misprint, self.misprint),
         ];
         all.into_iter().filter_map(|(verdict, text)| Some((verdict, text?)))
     }

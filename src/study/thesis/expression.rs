@@ -6,7 +6,7 @@ use crate::model::units::Bare;
 use crate::model::variables::{self, Variable};
 use crate::study::thesis::check::{Evaluation, changes};
 use crate::study::thesis::functions::FUNCTIONS;
-use crate::study::thesis::quantities::Quantity;
+use crate::study::thesis::quantities::ClaimQuantity;
 use crate::study::thesis::runs::Algorithm;
 use crate::study::thesis::value::{Curve, Value, join};
 
@@ -206,7 +206,7 @@ impl<'a> Reader<'a> {
             self.expect(")")?;
             return Ok(inner);
         }
-        if let Some(quantity) = Quantity::find(name) {
+        if let Some(quantity) = ClaimQuantity::find(name) {
             return self.query(name, quantity);
         }
         let Some(function) = FUNCTIONS.iter().find(|it| it.name == name) else {
@@ -223,7 +223,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A quantity of one or more scenes, with variables changed.
-    fn query(&mut self, own_name: &str, quantity: Quantity) -> Evaluated {
+    fn query(&mut self, own_name: &str, quantity: ClaimQuantity) -> Evaluated {
         let (mut scenes, mut settings) = (Vec::new(), Vec::new());
         self.until(")", |own| {
             let name = own.word();
@@ -269,7 +269,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The values of a quantity for the settings that are not yet made, a value for each combination.
-    fn along(&self, case: &Case, settings: &[Setting], quantity: Quantity) -> Evaluated {
+    fn along(&self, case: &Case, settings: &[Setting], quantity: ClaimQuantity) -> Evaluated {
         let Some((setting, rest)) = settings.split_first() else {
             return Ok(quantity.of(self.evaluation.runs, self.method, &case.scene, case.x_m));
         };

@@ -16,7 +16,7 @@ use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
 
 #[derive(Clone, Copy)]
-pub(super) enum Quantity {
+pub(super) enum ClaimQuantity {
     /// One of the program's outputs.
     Output(&'static quantities::Quantity),
     /// One of this study.
@@ -115,7 +115,7 @@ quantities! {
     Several "listing_overshoot" "m/s" |_, _, scene| listing_overshoot(scene);
 }
 
-impl Quantity {
+impl ClaimQuantity {
     pub(super) fn find(name: &str) -> Option<Self> {
         let own = OWN.iter().find(|it| it.name == name).map(Self::Own);
         own.or_else(|| quantities::find(name).map(Self::Output))

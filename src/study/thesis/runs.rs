@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Mount, Plate, Scene};
 use crate::model::simulate::{self, Settings};
-use crate::study::context::Stop;
+use crate::study::context::CancelFlag;
 use crate::study::with_numbers;
 
 /// Longer than any contact here, s.
@@ -26,12 +26,12 @@ pub(super) enum Algorithm {
 pub(super) struct SharedRuns {
     known: Mutex<HashMap<String, Arc<Run>>>,
     /// Once it is set every run ends at its next step, and what is found from then on is not kept.
-    stop: Stop,
+    stop: CancelFlag,
 }
 
 impl SharedRuns {
     /// Shared runs that this flag stops.
-    pub(super) fn stopped_by(stop: Stop) -> Self {
+    pub(super) fn stopped_by(stop: CancelFlag) -> Self {
         Self { stop, ..Self::default() }
     }
 }

@@ -10,7 +10,7 @@ use crate::tui::pages::search::setup::Bound;
 use crate::tui::pages::search::state::Page;
 use crate::tui::pages::{limit, search};
 use crate::tui::prelude::*;
-use crate::tui::widgets::form::Line;
+use crate::tui::widgets::form::FormRow;
 
 /// A row that is gone through has no more values than these.
 const VALUES_MOST: usize = 12;
@@ -37,7 +37,7 @@ impl Row {
         explore.chain(limit).chain(search.map(|(page, row)| Self::Search(page, row))).collect()
     }
 
-    fn line(self, app: &App, bounds: &[Bound]) -> Line {
+    fn line(self, app: &App, bounds: &[Bound]) -> FormRow {
         match self {
             Self::Explore(row) => app.setup_line(row, &sweep_of(&app.scene)),
             Self::Limit(row) => app.pages.limit.setup.line(row),
@@ -54,7 +54,7 @@ impl Row {
     }
 
     /// Its name; one that shows a quantity has no other name than its value.
-    fn key(self, line: &Line) -> String {
+    fn key(self, line: &FormRow) -> String {
         let page = match self {
             Self::Explore(_) => "Explore",
             Self::Limit(_) => "Limit",
@@ -87,7 +87,7 @@ impl Row {
 }
 
 /// What sets a row, typed; the value of one that is gone through.
-fn text(line: &Line) -> String {
+fn text(line: &FormRow) -> String {
     match &line.text {
         Some(text) if line.value == "held" => format!("{text} off"),
         Some(text) => text.clone(),

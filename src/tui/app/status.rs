@@ -6,7 +6,7 @@ use crate::model::scene::Mount;
 use crate::model::units::significant;
 use crate::model::variables::Kind;
 use crate::report::run::page;
-use crate::report::series::Quantity;
+use crate::report::series::Channel;
 use crate::study::quantities;
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
@@ -158,15 +158,15 @@ impl App {
         let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
         let selected = self.charts.quantities[self.charts.selected];
         let full = [
-            Quantity::Penetration,
-            Quantity::ContactForce,
-            Quantity::ProjectileVelocity,
-            Quantity::PlateVelocity,
-            Quantity::PlateDisplacement,
+            Channel::Penetration,
+            Channel::ContactForce,
+            Channel::ProjectileVelocity,
+            Channel::PlateVelocity,
+            Channel::PlateDisplacement,
         ];
         let views = self.visible_runs();
         for view in views.iter().rev() {
-            let quantities: &[Quantity] =
+            let quantities: &[Channel] =
                 if view.letter.is_none() { &full } else { std::slice::from_ref(&selected) };
             let values: Vec<String> = quantities
                 .iter()
@@ -327,9 +327,9 @@ pub fn short_name(view: &RunView<'_>) -> String {
 }
 
 /// The value at a time with unit, `-` outside the run.
-pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
+pub fn value_at(run: &Run, quantity: Channel, t_s: f64) -> String {
     let value = quantity.at(run, t_s);
-    if quantity == Quantity::Penetration && value.is_some_and(|depth| depth < 0.0) {
+    if quantity == Channel::Penetration && value.is_some_and(|depth| depth < 0.0) {
         return "out".to_owned();
     }
     value.map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))

@@ -1,7 +1,7 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
 
 use crate::model::variables::{VARIABLES, Variable, is_offered};
-use crate::report::series::Quantity as Curve;
+use crate::report::series::Channel as Curve;
 use crate::study::quantities::{QUANTITIES, Quantity};
 use crate::tui::app::find::{rank, rank_variable, ranked};
 use crate::tui::dialogs::{Picker, presets};

@@ -19,7 +19,7 @@ use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::explore::plan::{PictureSweep, at_rest};
-use crate::tui::pages::explore::state::{Found, Picture, no_sweep, quadratic, sweep_of};
+use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, quadratic, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
@@ -167,7 +167,7 @@ impl Page for ExploreTab {
         let Some(sweep) = running.study.of::<PictureSweep>() else { return };
         let show = |app: &mut App, grid, took| {
             let scene = Arc::clone(&running.scene);
-            app.pages.explore.show(sweep.picture, Found { scene, grid, took });
+            app.pages.explore.show(sweep.picture, SweepResult { scene, grid, took });
         };
         match (news, news.found::<Grid>()) {
             (ReportBody::Failed(_), _) => {

@@ -19,7 +19,7 @@ use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::search::setup::{Bound, Setup, brief, read_bound};
-use crate::tui::pages::search::state::{Answer, Request, Row, completeness};
+use crate::tui::pages::search::state::{Request, Row, StudyResult, completeness};
 use crate::tui::update::act::{along, move_by};
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
@@ -135,14 +135,14 @@ impl Page for SearchTab {
             return note(Some(problem.clone()));
         }
         note(match &*tab.shown()?.answer {
-            Answer::Seek(report) => {
+            StudyResult::Seek(report) => {
                 let solution = report.solutions().nth(tab.chosen()?)?;
                 let at = report.axis.show(solution.place.at, 5);
                 let value = report.measure.show(solution.place.value, 4);
                 let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
                 Some(format!("{} {at}: {value}{loads}", report.axis.symbol()))
             }
-            Answer::Front(_, task) => {
+            StudyResult::Front(_, task) => {
                 let design = *tab.designs().get(tab.selected())?;
                 let values = task.axes.iter().zip(&design.values);
                 let values = values
@@ -156,8 +156,8 @@ impl Page for SearchTab {
                 let results = results.collect::<Vec<String>>().join(", ");
                 Some(format!("#{at}/{count} {}: {results}", values.join(" ")))
             }
-            Answer::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
-            Answer::MonteCarlo(_) => None,
+            StudyResult::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
+            StudyResult::MonteCarlo(_) => None,
         })
     }
 
@@ -208,13 +208,14 @@ impl Page for SearchTab {
             }
         } else if let Some(answer) = news.found() {
             let (scene, request) = (Arc::clone(&running.scene), request.clone());
-            let found = state::Found { scene, request, answer };
+            let found = state::SearchResult { scene, request, answer };
             let before = tab.found[page].replace(found);
-            let is_same = |old: state::Found| {
+            let is_same = |old: state::SearchResult| {
                 old.scene == running.scene && running.study.of() == Some(&old.request)
             };
             tab.zoomed[page].take_if(|_| !before.is_some_and(is_same));
-            let is_complete = tab.found[page].as_ref().is_some_and(state::Found::is_complete);
+            let is_complete =
+                tab.found[page].as_ref().is_some_and(state::SearchResult::is_complete);
             if news.is_last() && is_complete && waits {
                 self.enter(app);
             }

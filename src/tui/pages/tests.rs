@@ -8,7 +8,7 @@ use super::explore::plan::PictureSweep;
 use super::explore::state::Picture;
 use super::limit::state::LimitSearch;
 use super::numerics::accuracy::Measurements;
-use super::search::state::{Answer, Request};
+use super::search::state::{Request, StudyResult};
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
@@ -103,14 +103,14 @@ fn a_search_that_makes_no_sense_is_refused_in_words() {
     };
     let refused = made(Scene::default(), goal("depth")).unwrap_err();
     assert!(refused.contains("output depth"), "{refused}");
-    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap().get::<Answer>();
+    let found = made(Scene::default(), goal("percent_of_baseline")).unwrap().get::<StudyResult>();
     assert!(
-        matches!(&*found.unwrap(), Answer::Seek(report) if report.solutions().next().is_none())
+        matches!(&*found.unwrap(), StudyResult::Seek(report) if report.solutions().next().is_none())
     );
     let none = Request::Sensitivity {
         axes: Vec::new(),
         output: "stroke_m".to_owned(),
-        effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1 },
+        effort: sensitivity::SamplingOptions { rows: 16, trajectories: 2, seed: 1 },
     };
     assert!(made(Scene::default(), none).is_err());
 }
@@ -119,16 +119,17 @@ fn a_search_that_makes_no_sense_is_refused_in_words() {
 fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept() {
     let mut scene = Scene::default();
     scene.projectile.mass_kg = -1.0;
-    let refused = made(scene, Measurements(accuracy::Effort::QUICK)).unwrap_err();
+    let refused = made(scene, Measurements(accuracy::ComparisonOptions::QUICK)).unwrap_err();
     assert!(refused.contains("m_p"), "{refused}");
-    let kept = cancelled(Measurements(accuracy::Effort::FULL)).get::<Accuracy>();
+    let kept = cancelled(Measurements(accuracy::ComparisonOptions::FULL)).get::<Accuracy>();
     assert!(!kept.expect("measurements").is_complete);
 }
 
 /// A rigid mount has its limit in closed form (model page, section 2).
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let passage = |sampling| LimitSearch(limit::Effort { criterion: Criterion::Passage, sampling });
+    let passage =
+        |sampling| LimitSearch(limit::LimitOptions { criterion: Criterion::Passage, sampling });
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
     let found = made(scene, passage(None)).unwrap().get::<limit::Report>().expect("a limit");

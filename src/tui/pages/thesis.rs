@@ -6,7 +6,7 @@ use crate::report::thesis;
 use crate::study::principles;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::sweep::Sampling;
-use crate::study::thesis::{Opens, Row, Verdict, claims, reproduce, tally};
+use crate::study::thesis::{ClaimVerdict, Opens, Row, claims, reproduce, tally};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::history::Stepping;
@@ -132,8 +132,8 @@ impl Page for ThesisTab {
         parts.extend(checking.map(Progress::part));
         if tab.report.found.is_some() {
             let (rows, counts) = (tab.rows(), tally(tab.rows()));
-            let listed = |show: fn(Verdict, usize) -> String| {
-                let parts = Verdict::ALL.iter().zip(counts);
+            let listed = |show: fn(ClaimVerdict, usize) -> String| {
+                let parts = ClaimVerdict::ALL.iter().zip(counts);
                 let parts = parts.map(|(verdict, count)| show(*verdict, count));
                 parts.collect::<Vec<_>>().join(", ")
             };
@@ -303,7 +303,7 @@ impl Study for Claims {
 #[derive(Clone, Debug)]
 pub struct Thesis {
     pub report: Kept<RowsSoFar<Row>>,
-    pub filter: Option<Verdict>,
+    pub filter: Option<ClaimVerdict>,
     /// The claims shown match this.
     pub find: String,
     pub by_verdict: bool,
@@ -336,8 +336,8 @@ impl Thesis {
 
     /// The next verdict to filter by; after the last one, all rows.
     pub fn next_filter(&mut self) {
-        let all: Vec<Option<Verdict>> =
-            std::iter::once(None).chain(Verdict::ALL.into_iter().map(Some)).collect();
+        let all: Vec<Option<ClaimVerdict>> =
+            std::iter::once(None).chain(ClaimVerdict::ALL.into_iter().map(Some)).collect();
         (self.filter, self.selected) = (around(&all, self.filter, 1), 0);
     }
 }
@@ -352,7 +352,8 @@ impl App {
             rank(&tab.find, &[claim.id, claim.place], claim.says)
         });
         if tab.by_verdict {
-            let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);
+            let order =
+                |row: &&Row| ClaimVerdict::ALL.iter().position(|it| *it == row.found.verdict);
             rows.sort_by_key(order);
         }
         rows

@@ -12,7 +12,7 @@ use crate::tui::pages;
 use crate::tui::pages::run::runs::{Pin, Shown};
 use crate::tui::prelude::*;
 use crate::worker::study::{Lane, Study};
-use crate::worker::{Progress, Report, ReportBody, SceneRun, Slot, Task};
+use crate::worker::{JobProgress, Report, ReportBody, SceneRun, Slot, Task};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
@@ -96,7 +96,8 @@ fn study_report(app: &mut App, at: usize, body: &ReportBody) {
         app.jobs.studies.remove(at)
     } else {
         let running = &mut app.jobs.studies[at];
-        if let ReportBody::Progress { progress: Progress::Points(done, total), elapsed } = *body {
+        if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body
+        {
             (running.points, running.elapsed) = (Some((done, total)), elapsed);
         }
         running.clone()
@@ -135,7 +136,7 @@ pub(crate) fn report(app: &mut App, report: Report) {
 
 fn run_report(app: &mut App, id: u64, body: ReportBody) {
     match body {
-        ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
+        ReportBody::Progress { progress: JobProgress::Time(t_s), elapsed } => {
             // The first report says that the run takes a while.
             let begins = t_s == 0.0;
             if let Some(job) = &mut app.jobs.current {

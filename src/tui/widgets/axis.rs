@@ -12,7 +12,7 @@ use crate::tui::dialogs::wrap;
 use crate::tui::pages::run::editor::shown_number;
 use crate::tui::pages::run::steps::{self, Input};
 use crate::tui::update::zoom::Span;
-use crate::tui::widgets::form::{Line, VALUE_WIDTH};
+use crate::tui::widgets::form::{FormRow, VALUE_WIDTH};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
@@ -27,20 +27,20 @@ pub enum Part {
 }
 
 impl Part {
-    pub(crate) fn line(self, axis: &SweepAxis) -> Line {
+    pub(crate) fn line(self, axis: &SweepAxis) -> FormRow {
         let variable = variables::find(&axis.name).ok();
-        let end = |label: &str, value: f64| Line {
+        let end = |label: &str, value: f64| FormRow {
             text: Some(units::shortest(value)),
             unit: variable.map_or("", |found| found.unit()),
             takes_unit: true,
-            ..Line::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
+            ..FormRow::word(label, shown_number(value, usize::from(VALUE_WIDTH)))
         };
         let line = match self {
-            Self::Name => Line::typed("variable", &axis.name),
+            Self::Name => FormRow::typed("variable", &axis.name),
             Self::From => end("from", axis.from),
             Self::To => end("to", axis.to),
-            Self::Points => Line::typed("points", axis.count.to_string()),
-            Self::Spacing => Line::word("spacing", if axis.log { "log" } else { "linear" }),
+            Self::Points => FormRow::typed("points", axis.count.to_string()),
+            Self::Spacing => FormRow::word("spacing", if axis.log { "log" } else { "linear" }),
         };
         line.means(variable.map_or_else(|| axis.name.clone(), meaning))
     }

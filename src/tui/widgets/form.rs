@@ -22,7 +22,7 @@ const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
 /// A row of a form: its label, its value, what its field opens with, and what it means.
 #[derive(Clone)]
-pub(crate) struct Line {
+pub(crate) struct FormRow {
     pub label: String,
     /// At the right; empty where the label is the value.
     pub value: String,
@@ -39,7 +39,7 @@ pub(crate) struct Line {
     pub role: Role,
 }
 
-impl Line {
+impl FormRow {
     pub(crate) fn heading(label: &str) -> Self {
         Self { role: Role::Title, ..Self::word(label, "") }
     }
@@ -142,7 +142,7 @@ pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static st
 /// The setup of a study.
 pub(crate) struct Form {
     /// Its rows, headings included.
-    lines: Vec<Line>,
+    lines: Vec<FormRow>,
     selected: usize,
 }
 
@@ -151,23 +151,23 @@ impl Form {
     pub(crate) fn new<R: Copy + PartialEq>(
         rows: &[R],
         selected: R,
-        line: impl Fn(R) -> Line,
+        line: impl Fn(R) -> FormRow,
     ) -> Self {
         let at = rows.iter().position(|row| *row == selected).unwrap_or(0);
         Self { lines: rows.iter().map(|row| line(*row)).collect(), selected: at }
     }
 
     /// The rows that can be selected.
-    fn choices(&self) -> impl Iterator<Item = &Line> {
+    fn choices(&self) -> impl Iterator<Item = &FormRow> {
         self.lines.iter().filter(|line| !line.is_heading())
     }
 
-    pub(crate) fn line(&self) -> Option<&Line> {
+    pub(crate) fn line(&self) -> Option<&FormRow> {
         self.lines.get(self.selected)
     }
 
     /// A row of those that can be selected.
-    pub(crate) fn row(&self, row: usize) -> Option<&Line> {
+    pub(crate) fn row(&self, row: usize) -> Option<&FormRow> {
         self.choices().nth(row)
     }
 

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
-use cmra::model::contact_phase::{Answer, Ending, Refusal};
+use cmra::model::contact_phase::{ContactSolution, Ending, Refusal};
 use cmra::model::scene::Scene;
-use cmra::study::accuracy::method::{Knob, Ladder, Method};
-use cmra::study::accuracy::reference::{Basis, Reference};
+use cmra::study::accuracy::method::{Ladder, Method, Parameter};
+use cmra::study::accuracy::reference::{Reference, ReferenceSource};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::chart::ViewRange;
@@ -37,17 +37,17 @@ fn character(method: Method) -> (f64, f64, f64) {
     }
 }
 
-fn point(method: Method, knob: Knob) -> Point {
+fn point(method: Method, parameter: Parameter) -> Point {
     let (order, lead, cost_s) = character(method);
-    let steps = match knob {
-        Knob::None => 1.0,
-        Knob::Step(dt_s) => END.0 / dt_s,
-        Knob::Tolerance(tolerance) => 4.0 + (lead / tolerance).powf(1.0 / order),
+    let steps = match parameter {
+        Parameter::None => 1.0,
+        Parameter::Step(dt_s) => END.0 / dt_s,
+        Parameter::Tolerance(tolerance) => 4.0 + (lead / tolerance).powf(1.0 / order),
     };
-    let error = match knob {
-        Knob::None => 0.0,
-        Knob::Step(_) => lead * (10.0 / steps).powf(order),
-        Knob::Tolerance(tolerance) => 0.3 * tolerance,
+    let error = match parameter {
+        Parameter::None => 0.0,
+        Parameter::Step(_) => lead * (10.0 / steps).powf(order),
+        Parameter::Tolerance(tolerance) => 0.3 * tolerance,
     };
     let refused = match method {
         Method::ClosedForm => Some(Refusal::NoClosedForm),
@@ -57,7 +57,7 @@ fn point(method: Method, knob: Knob) -> Point {
     let min_s = steps * cost_s;
     let whole: usize = format!("{steps:.0}").parse().expect("a whole number");
     let measured = Measured {
-        answer: Answer {
+        answer: ContactSolution {
             ending: Ending::Arrest,
             t_s: END.0,
             depth_m: END.1,
@@ -70,19 +70,19 @@ fn point(method: Method, knob: Knob) -> Point {
         floor: 1e-15,
         timing: Timing { min_s, median_s: 1.02 * min_s, mad_s: Some(0.01 * min_s), repeats: 992 },
     };
-    Point { knob, result: refused.map_or(Ok(measured), Err) }
+    Point { parameter, result: refused.map_or(Ok(measured), Err) }
 }
 
 /// Made-up measurements of the first few methods.
 fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     let reference = Reference {
-        basis: Basis::Stored("S2"),
-        answer: Answer::free(Ending::Arrest, END.0, END.1),
+        basis: ReferenceSource::Stored("S2"),
+        answer: ContactSolution::free(Ending::Arrest, END.0, END.1),
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {
-        let knobs = method.knobs(END.0, Ladder::Full);
-        let points = knobs.into_iter().map(|knob| point(method, knob)).collect();
+        let parameters = method.parameters(END.0, Ladder::Full);
+        let points = parameters.into_iter().map(|parameter| point(method, parameter)).collect();
         MethodReport { method, reference: Some(reference), points }
     };
     Report {

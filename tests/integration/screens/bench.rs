@@ -20,7 +20,7 @@ use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, Progress, Report, ReportBody, SceneRun, Task};
+use cmra::worker::{Finding, JobProgress, Report, ReportBody, SceneRun, Task};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -138,7 +138,7 @@ impl Bench {
 
     /// Report that a task has done a given number of points.
     pub(crate) fn progress(&mut self, id: u64, done: usize, total: usize) {
-        let (progress, elapsed) = (Progress::Points(done, total), Duration::from_millis(600));
+        let (progress, elapsed) = (JobProgress::Points(done, total), Duration::from_millis(600));
         self.reply(id, ReportBody::Progress { progress, elapsed });
     }
 

@@ -12,7 +12,7 @@ use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::run::Rows;
-use cmra::report::series::Quantity;
+use cmra::report::series::Channel;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::chart::{Scale, ViewRange};
 use cmra::tui::dialogs::{Dialog, List};
@@ -21,7 +21,7 @@ use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask,
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
-use cmra::worker::{Progress, ReportBody};
+use cmra::worker::{JobProgress, ReportBody};
 use crossterm::event::KeyEvent;
 
 fn bench() -> Bench {
@@ -684,7 +684,7 @@ fn the_second_axis_goes_through_the_other_quantities_and_off() {
     let first = bench.app.charts.quantities[0];
     let mut seen = HashSet::new();
     // What is drawn over the displacement has no time axis to share.
-    let over_time = Quantity::ALL.iter().filter(|one| one.is_over_time()).count();
+    let over_time = Channel::ALL.iter().filter(|one| one.is_over_time()).count();
     for _ in 1..over_time {
         bench.keys("w");
         let second = bench.app.charts.second[0].expect("a quantity");
@@ -714,7 +714,7 @@ fn leaving_asks_only_while_a_run_has_been_going_on_for_long() {
     assert!(quits(&quick));
     let elapsed = std::time::Duration::from_millis(20);
     // Its first report sets the clock; a job that ends in time is forgotten.
-    bench.reply(job.id, ReportBody::Progress { progress: Progress::Time(0.0), elapsed });
+    bench.reply(job.id, ReportBody::Progress { progress: JobProgress::Time(0.0), elapsed });
     let due = bench.effects.iter().find_map(|effect| match effect {
         Effect::After(delay, message @ Message::LongJob(id)) if *id == job.id => {
             Some((*delay, message.clone()))
@@ -740,7 +740,7 @@ fn a_long_run_reports_its_progress() {
     bench.press("jjl");
     let job = bench.jobs().remove(0);
     let elapsed = std::time::Duration::from_millis(2500);
-    bench.reply(job.id, ReportBody::Progress { progress: Progress::Time(1e-3), elapsed });
+    bench.reply(job.id, ReportBody::Progress { progress: JobProgress::Time(1e-3), elapsed });
     let serial = bench.app.jobs.serial;
     bench.send(Message::RunDue(serial));
     let screen = bench.screen();
@@ -803,10 +803,10 @@ fn view_reaches_stiffness_and_stress_with_the_yield_line_over_the_whole_way() {
     bench.app.scene = Arc::new(preset.scene);
     bench.keys("r<Tab>");
     let mut titles = HashSet::new();
-    for _ in 0..Quantity::ALL.len() {
+    for _ in 0..Channel::ALL.len() {
         bench.keys("v");
         titles.insert(bench.app.charts.quantities[0].title());
-        if bench.app.charts.quantities[0] == Quantity::Stress {
+        if bench.app.charts.quantities[0] == Channel::Stress {
             break;
         }
     }
@@ -831,9 +831,9 @@ fn a_rigid_stop_has_no_stiffness() {
     let mut scene = Scene::default();
     scene.mechanism.spring.coefficient = 0.0;
     scene.mechanism.stop.position_m = Some(1e-3);
-    assert_eq!(Quantity::Stiffness.absence(&scene), Some("no spring"));
+    assert_eq!(Channel::Stiffness.absence(&scene), Some("no spring"));
     scene.mechanism.stop.kind = StopKind::Elastic;
-    assert_eq!(Quantity::Stiffness.absence(&scene), None);
+    assert_eq!(Channel::Stiffness.absence(&scene), None);
 }
 
 /// Zoomed in between two points of a series, a chart and its picture show the part of the curve there.
@@ -845,9 +845,9 @@ fn a_chart_between_two_points_shows_its_curve() {
     let (before, after) = (series[50].t_s, series[51].t_s);
     let (from, to) = (0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after);
     bench.app.charts.zoom_s = Some(ViewRange::new(from, to));
-    let curves = bench.app.curves(Quantity::Penetration);
+    let curves = bench.app.curves(Channel::Penetration);
     let middle = f64::midpoint(from, to);
-    let value = Quantity::Penetration.at(curves[0].view.run, middle).unwrap();
+    let value = Channel::Penetration.at(curves[0].view.run, middle).unwrap();
     let (low, high) = bench.app.value_range(&curves, Scale::Linear);
     assert!(low < value && value < high && high - low < 0.1 * value, "{low} {value} {high}");
     drop(curves);
@@ -857,7 +857,7 @@ fn a_chart_between_two_points_shows_its_curve() {
 }
 
 /// Go to the charts, and with `v` to a quantity in the first of them.
-fn show(bench: &mut Bench, quantity: Quantity) {
+fn show(bench: &mut Bench, quantity: Channel) {
     bench.keys("<Tab>");
     while bench.app.charts.quantities[0] != quantity {
         bench.keys("v");
@@ -867,10 +867,10 @@ fn show(bench: &mut Bench, quantity: Quantity) {
 #[test]
 fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
     let mut bench = bench();
-    show(&mut bench, Quantity::MountForce);
+    show(&mut bench, Channel::MountForce);
     let run = bench.app.shown.as_ref().unwrap().run.clone();
     let farthest = run.max_plate_displacement_m.unwrap();
-    let curves = bench.app.curves(Quantity::MountForce);
+    let curves = bench.app.curves(Channel::MountForce);
     let drawn = curves[0].points.iter().map(|point| point.0).fold(0.0, f64::max);
     assert!((drawn - farthest).abs() < 1e-3 * farthest, "{drawn} {farthest}");
 }
@@ -889,7 +889,7 @@ fn the_run_tab_says_what_came_of_the_shot() {
 #[test]
 fn a_chart_of_what_the_scene_has_not_says_so() {
     let mut bench = bench();
-    show(&mut bench, Quantity::DamperForce);
+    show(&mut bench, Channel::DamperForce);
     assert!(bench.screen().contains("no damper"), "{}", bench.screen());
 }
 

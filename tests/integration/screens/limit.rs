@@ -10,7 +10,7 @@ use cmra::model::scene::Scene;
 use cmra::study::context::Context;
 use cmra::study::limit::fit::ResidualLaw;
 use cmra::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
-use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
+use cmra::study::limit::{Limit, LimitMethod, LimitOptions, Report, Shot};
 use cmra::tui::message::ExportOutcome;
 use cmra::tui::pages::limit::state::LimitSearch;
 use cmra::tui::theme::GlyphSet;
@@ -21,7 +21,7 @@ use insta::assert_snapshot;
 const V_BL: f64 = 232.3;
 
 /// A plate that takes a little more than its own share beyond the limit.
-fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
+fn found(scene: &Arc<Scene>, effort: LimitOptions) -> Report {
     let below = (0..6).map(|i| 0.5 + f64::from(i) / 12.0);
     let above = (1..=24).map(|i| 1.0 + 1.5 * (f64::from(i) / 24.0).powi(2));
     let law = |v: f64| 0.92 * (v.powf(2.2) - V_BL.powf(2.2)).powf(1.0 / 2.2);
@@ -46,7 +46,7 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
     Report {
         scene: Arc::clone(scene),
         criterion: cmra::study::limit::Criterion::Passage,
-        limit: Limit::found(V_BL, Basis::Outcome),
+        limit: Limit::found(V_BL, LimitMethod::Outcome),
         undecided_m_s: None,
         at_limit: None,
         closures: None,
@@ -58,14 +58,14 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
     }
 }
 
-fn plain() -> Effort {
-    Effort { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
+fn plain() -> LimitOptions {
+    LimitOptions { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
 }
 
 /// V50 for inputs that vary by 2 %, and a model with this error.
 fn sampled(model: ModelError) -> LimitSearch {
     let sampling = Sampling { deviation: 0.02, samples: 200, seed: 1, model };
-    LimitSearch(Effort { sampling: Some(sampling), ..plain() })
+    LimitSearch(LimitOptions { sampling: Some(sampling), ..plain() })
 }
 
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
@@ -137,7 +137,7 @@ fn missing_results_are_explained() {
     end(&mut bench, |report| {
         report.limit = Limit::Found {
             velocity_m_s: V_BL,
-            basis: Basis::Outcome,
+            basis: LimitMethod::Outcome,
             stopped_at_m_s: Some(400.0),
             undecided_at_m_s: None,
         };

@@ -18,7 +18,7 @@ use cmra::tui::pages::Tab;
 use cmra::tui::pages::limit::comparison::{Comparison, EqualMass};
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::Page;
-use cmra::tui::pages::search::state::{Answer, Request};
+use cmra::tui::pages::search::state::{Request, StudyResult};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
 use insta::assert_snapshot;
@@ -59,24 +59,24 @@ fn front(scene: &Scene, task: &Task) -> Front {
     }
 }
 
-fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
+fn made(scene: &Arc<Scene>, request: &Request) -> StudyResult {
     let mut watch = to_its_end;
     let context = &mut Context::new(1, &mut watch);
     match request {
         Request::Seek(goal, law) => {
             let mut scene = (**scene).clone();
             scene.interface.law = *law;
-            Answer::Seek(seek::seek(&scene, goal, context).unwrap())
+            StudyResult::Seek(seek::seek(&scene, goal, context).unwrap())
         }
-        Request::Front(task) => Answer::Front(Box::new(front(scene, task)), task.clone()),
+        Request::Front(task) => StudyResult::Front(Box::new(front(scene, task)), task.clone()),
         Request::Sensitivity { axes, output, effort } => {
-            let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
+            let effort = sensitivity::SamplingOptions { rows: 256, trajectories: 20, ..*effort };
             let report = sensitivity::study(scene, axes.clone(), output, effort, context);
-            Answer::Sensitivity(report.unwrap())
+            StudyResult::Sensitivity(report.unwrap())
         }
         Request::MonteCarlo(task) => {
             let task = monte_carlo::Task { samples: 500, ..task.clone() };
-            Answer::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
+            StudyResult::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
         }
     }
 }
@@ -218,10 +218,12 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     bench.keys("4");
     let study = bench.studies().remove(0);
     let request = study.asked.of::<Request>().expect("a search");
-    let Answer::Front(mut front, task) = made(&study.scene, request) else { panic!("no front") };
+    let StudyResult::Front(mut front, task) = made(&study.scene, request) else {
+        panic!("no front")
+    };
     (front.is_complete, front.generations) = (false, 7);
     front.candidates.clear();
-    let part = Finding::new(Answer::Front(front, task));
+    let part = Finding::new(StudyResult::Front(front, task));
     bench.part(study.id, (480, 2460), part.clone());
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");

@@ -18,7 +18,7 @@ use cmra::tui::pages::explore::plan::PictureSweep;
 use cmra::tui::pages::explore::state::{Part, Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::{Finding, Progress, ReportBody};
+use cmra::worker::{Finding, JobProgress, ReportBody};
 use insta::assert_snapshot;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -229,7 +229,7 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
     bench.keys("2");
     let job = jobs(&mut bench).remove(0);
-    let (progress, elapsed) = (Progress::Points(10, 441), Duration::from_secs(5));
+    let (progress, elapsed) = (JobProgress::Points(10, 441), Duration::from_secs(5));
     bench.reply(job.id, ReportBody::Progress { progress, elapsed });
     assert!(bench.message().contains("will take about 4 min more"), "{}", bench.message());
     bench.keys("<Esc>");

@@ -3,7 +3,7 @@
 use super::bench::{Bench, ended};
 use super::kept::writes_a_part;
 use cmra::study::sweep::Axis;
-use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
+use cmra::study::thesis::{ClaimVerdict, Opens, Row, check, claims};
 use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::thesis::Claims;
@@ -37,7 +37,7 @@ fn all_counted(columns: u16, rows: u16) -> String {
     let one = check(&claims()[0]);
     // The counts that the report of all claims ends with.
     let counts = [25, 29, 22, 83, 23, 17];
-    let rows = Verdict::ALL.into_iter().zip(counts).flat_map(|(verdict, count)| {
+    let rows = ClaimVerdict::ALL.into_iter().zip(counts).flat_map(|(verdict, count)| {
         let mut row = one.clone();
         row.found.verdict = verdict;
         std::iter::repeat_n(row, count)
@@ -159,7 +159,7 @@ fn the_filter_goes_through_all_verdicts() {
     let mut bench = bench(80, 24);
     let all = bench.app.claims().len();
     let mut seen = 0;
-    for verdict in Verdict::ALL {
+    for verdict in ClaimVerdict::ALL {
         bench.keys("v");
         assert_eq!(bench.app.pages.thesis.filter, Some(verdict));
         let shown = bench.app.claims();

@@ -9,7 +9,7 @@ use crate::model::simulate::{Settings, simulate};
 use crate::study::context::{to_its_end, until};
 use crate::study::testing::axes;
 
-const EFFORT: Effort = Effort { population: 40, generations: 30, seed: 1 };
+const EFFORT: EvolutionOptions = EvolutionOptions { population: 40, generations: 30, seed: 1 };
 
 fn task(list: &[(&str, f64, f64)], minimise: &[&str]) -> Task {
     Task {
@@ -58,7 +58,7 @@ fn the_designs_of_the_thesis_stand_on_it_or_off_it() {
     let bounds = [("gamma", 0.8, 7.0), ("d", 0.0, 0.5), ("k", 1e3, 7.5e6), ("n", 0.1, 3.0)];
     let mut asked = task(&bounds, &USUAL);
     asked.laws = vec![InterfaceLaw::Fused, InterfaceLaw::Plastic];
-    asked.effort = Effort { population: 40, generations: 8, seed: 3 };
+    asked.effort = EvolutionOptions { population: 40, generations: 8, seed: 3 };
     let found = solve(&Scene::default(), &asked);
     assert_eq!(found.iter().map(|front| front.law).collect::<Vec<_>>(), asked.laws);
     let front = &found[0];
@@ -104,7 +104,7 @@ fn constraints_are_kept() {
 #[test]
 fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
     let list = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6)];
-    let effort = Effort { population: 20, generations: 20, seed: 1 };
+    let effort = EvolutionOptions { population: 20, generations: 20, seed: 1 };
     let task = Task { effort, ..task(&list, &["final_penetration_m", "stroke_m"]) };
     let (mut parts, mut stop) = (0, until::<Front>(200));
     let watch = &mut |progress, front: Option<&Front>| {
@@ -137,7 +137,7 @@ fn valid_greatest_mass_under_a_constraint() {
 fn feasible_designs_break_no_interface() {
     let bounds = [("gamma", 0.8, 7.0), ("k", 1e3, 7.5e6), ("d", 0.0, 0.5)];
     let mut asked = task(&bounds, &["final_penetration_m", "stroke_m"]);
-    asked.effort = Effort { population: 20, generations: 6, seed: 1 };
+    asked.effort = EvolutionOptions { population: 20, generations: 6, seed: 1 };
     let breaches = |asked: &Task| {
         let front = &solve(&Scene::default(), asked)[0];
         assert!(front.designs.len() > 5);

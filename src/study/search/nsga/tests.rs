@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 
 use super::*;
 
-const EFFORT: Effort = Effort { population: 100, generations: 250, seed: 1 };
+const EFFORT: EvolutionOptions = EvolutionOptions { population: 100, generations: 250, seed: 1 };
 /// Where hypervolume is measured from.
 const CORNER: (f64, f64) = (1.1, 1.1);
 
 fn solve(
     inputs: usize,
-    effort: Effort,
+    effort: EvolutionOptions,
     f: impl Fn(&[f64]) -> (Vec<f64>, f64),
 ) -> Vec<Individual<()>> {
     let judge = |x: &Vec<f64>| {
@@ -122,15 +122,17 @@ fn valid_front_of_a_constrained_problem() {
 
 #[test]
 fn a_seed_gives_its_digits_and_another_others() {
-    let effort = Effort { population: 20, generations: 10, seed: 7 };
-    let with = |seed| solve(3, Effort { seed, ..effort }, |x| zdt(x, |x, g| 1.0 - (x / g).sqrt()));
+    let effort = EvolutionOptions { population: 20, generations: 10, seed: 7 };
+    let with = |seed| {
+        solve(3, EvolutionOptions { seed, ..effort }, |x| zdt(x, |x, g| 1.0 - (x / g).sqrt()))
+    };
     assert_eq!(with(7), with(7));
     assert_ne!(with(7), with(8));
 }
 
 #[test]
 fn points_without_a_value_lose_and_a_stop_keeps_the_last_generation() {
-    let holes = solve(2, Effort { generations: 40, ..EFFORT }, |x| {
+    let holes = solve(2, EvolutionOptions { generations: 40, ..EFFORT }, |x| {
         let violation = if x[0] > 0.5 { f64::INFINITY } else { 0.0 };
         (vec![x[1] - x[0]], violation)
     });

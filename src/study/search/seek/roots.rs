@@ -6,7 +6,7 @@
 
 use crate::numerics::minimum;
 use crate::numerics::statistics::sorted_by;
-use crate::study::search::seek::{Kind, Place};
+use crate::study::search::seek::{Kind, SamplePoint};
 
 /// Bisections of an edge: to 1e-13 of the scan's spacing.
 const EDGE_STEPS: usize = 42;
@@ -32,9 +32,9 @@ pub struct Crossing {
     /// Its kind: solution, touch, plateau or jump.
     pub kind: Kind,
     /// Where; the nearer end for a root.
-    pub from: Place,
+    pub from: SamplePoint,
     /// The other end.
-    pub to: Place,
+    pub to: SamplePoint,
 }
 
 /// A search under way.
@@ -44,7 +44,7 @@ pub struct RootScan<'f> {
     /// The results, in order.
     pub crossings: Vec<Crossing>,
     /// Every place that has a value.
-    pub seen: Vec<Place>,
+    pub seen: Vec<SamplePoint>,
     /// The scan.
     pub scan: Vec<(f64, Option<f64>)>,
     spread: f64,
@@ -84,14 +84,16 @@ impl<'f> RootScan<'f> {
     fn values(&mut self, shares: &[f64]) -> Result<Vec<Option<f64>>, Stopped> {
         let values = (self.function)(shares).ok_or(Stopped)?;
         let known = shares.iter().zip(&values);
-        self.seen.extend(known.filter_map(|(at, value)| Some(Place { at: *at, value: (*value)? })));
+        self.seen.extend(
+            known.filter_map(|(at, value)| Some(SamplePoint { at: *at, value: (*value)? })),
+        );
         Ok(values)
     }
 
     /// The value; `None` if there is none.
-    fn look(&mut self, at: f64) -> Result<Option<Place>, Stopped> {
+    fn look(&mut self, at: f64) -> Result<Option<SamplePoint>, Stopped> {
         let value = self.values(&[at])?.first().copied().flatten();
-        Ok(value.map(|value| Place { at, value }))
+        Ok(value.map(|value| SamplePoint { at, value }))
     }
 
     fn near(&self) -> f64 {
@@ -100,12 +102,12 @@ impl<'f> RootScan<'f> {
     }
 
     /// Stretches of the scan that have values throughout, each lengthened to its edges.
-    fn stretches(&mut self) -> Result<Vec<Vec<Place>>, Stopped> {
+    fn stretches(&mut self) -> Result<Vec<Vec<SamplePoint>>, Stopped> {
         let scan = self.scan.clone();
         let (mut stretches, mut stretch) = (Vec::new(), Vec::new());
         for (index, (at, value)) in scan.iter().enumerate() {
             let Some(value) = *value else { continue };
-            let known = Place { at: *at, value };
+            let known = SamplePoint { at: *at, value };
             let gap = |index: Option<usize>| {
                 let beside = index.and_then(|index| scan.get(index));
                 beside.filter(|beside| beside.1.is_none()).map(|beside| beside.0)
@@ -125,7 +127,7 @@ impl<'f> RootScan<'f> {
 
     /// The farthest place towards `gap` that still has a value, where that is farther than the known one. After [`EDGES_MAX`] of them
     /// none is looked for: a function that is full of holes has more than it is worth to close in.
-    fn edge(&mut self, known: Place, gap: f64) -> Result<Option<Place>, Stopped> {
+    fn edge(&mut self, known: SamplePoint, gap: f64) -> Result<Option<SamplePoint>, Stopped> {
         if self.edges == EDGES_MAX {
             return Ok(None);
         }
@@ -142,10 +144,10 @@ impl<'f> RootScan<'f> {
     }
 
     /// Every crossing along points that all have values.
-    fn along(&mut self, points: &[Place]) -> Result<(), Stopped> {
-        let off = |point: &Place| point.value - self.target;
+    fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
+        let off = |point: &SamplePoint| point.value - self.target;
         let same = SAME * self.target.abs();
-        let hits = |point: &Place| (point.value - self.target).abs() <= same;
+        let hits = |point: &SamplePoint| (point.value - self.target).abs() <= same;
         let mut found = Vec::new();
         for (at, point) in points.iter().enumerate().filter(|(_, point)| hits(point)) {
             let joins = at > 0 && hits(&points[at - 1]);
@@ -155,13 +157,13 @@ impl<'f> RootScan<'f> {
             }
         }
         self.crossings.extend(found);
-        let crosses = |pair: &[Place]| off(&pair[0]) * off(&pair[1]) < 0.0;
-        let brackets: Vec<(Place, Place)> = points
+        let crosses = |pair: &[SamplePoint]| off(&pair[0]) * off(&pair[1]) < 0.0;
+        let brackets: Vec<(SamplePoint, SamplePoint)> = points
             .windows(2)
             .filter(|pair| crosses(pair) && !hits(&pair[0]) && !hits(&pair[1]))
             .map(|pair| (pair[0], pair[1]))
             .collect();
-        let valleys: Vec<(Place, Place)> = points
+        let valleys: Vec<(SamplePoint, SamplePoint)> = points
             .windows(3)
             .filter(|three| {
                 let (a, b, c) = (off(&three[0]), off(&three[1]), off(&three[2]));
@@ -180,7 +182,7 @@ impl<'f> RootScan<'f> {
     }
 
     /// A stretch on one side of the goal with a nearest place inside: it may cross the goal twice, or touch it.
-    fn valley(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
+    fn valley(&mut self, a: SamplePoint, b: SamplePoint) -> Result<(), Stopped> {
         let target = self.target;
         let side = (a.value - target).signum();
         let is_beyond = move |value: f64| (value - target) * side < 0.0;
@@ -216,9 +218,9 @@ impl<'f> RootScan<'f> {
     }
 
     /// Close a bracket; where the function has no value inside, both sides up to the hole.
-    fn close(&mut self, a: Place, b: Place) -> Result<(), Stopped> {
+    fn close(&mut self, a: SamplePoint, b: SamplePoint) -> Result<(), Stopped> {
         let (mut a, mut b) = (a, b);
-        let off = |point: Place, target: f64| point.value - target;
+        let off = |point: SamplePoint, target: f64| point.value - target;
         let (mut weight_a, mut weight_b) = (1.0, 1.0);
         for round in 0..ROUNDS {
             if (b.at - a.at).abs() <= WIDTH {
@@ -252,7 +254,7 @@ impl<'f> RootScan<'f> {
     }
 
     /// A bracket with a place without a value inside: each side may still cross before the hole.
-    fn around(&mut self, a: Place, b: Place, hole: f64) -> Result<(), Stopped> {
+    fn around(&mut self, a: SamplePoint, b: SamplePoint, hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
             let edge = self.edge(known, hole)?;
             if let Some(edge) =

@@ -10,7 +10,9 @@ use crate::tui::app::status::shortened;
 use crate::tui::chart::heatmap::{dot, role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::PictureSweep;
-use crate::tui::pages::explore::state::{Found, Picture, nearest, no_value, place, quadratic};
+use crate::tui::pages::explore::state::{
+    Picture, SweepResult, nearest, no_value, place, quadratic,
+};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::{put, wrapped};
@@ -51,7 +53,7 @@ fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
-fn curves(app: &App, found: &Found, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
+fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mut Canvas<'_>) {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
     let old = app.sweep_is_old(Picture::Line) && app.jobs.running::<PictureSweep>().is_none();

@@ -15,7 +15,7 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
 use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
-use crate::tui::widgets::form::{Form, Line, VALUE_WIDTH, quantity_after};
+use crate::tui::widgets::form::{Form, FormRow, VALUE_WIDTH, quantity_after};
 
 pub use crate::tui::widgets::axis::Part;
 
@@ -90,48 +90,48 @@ impl App {
     }
 
     /// A row of the setup, with the sweep of the scene.
-    pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> Line {
+    pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> FormRow {
         let picture = self.picture();
         // A default for the second axis is not shown as chosen.
         let has_one = picture == Picture::Line && !has_family(&self.scene);
         match row {
-            SetupRow::Heading(text) => Line::heading(text),
-            SetupRow::Axis(1, Part::Name) if has_one => Line::typed("variable", "none").means(
+            SetupRow::Heading(text) => FormRow::heading(text),
+            SetupRow::Axis(1, Part::Name) if has_one => FormRow::typed("variable", "none").means(
                 "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
             ),
             SetupRow::Axis(at, part) => part.line(&sweep.axes[at]),
             SetupRow::Picture => {
                 let word = if picture == Picture::Line { "curves" } else { "map" };
-                Line::word("shown as", word).means(
+                FormRow::word("shown as", word).means(
                     "curves: one for each value of the variable across, if any; map: colours over both",
                 )
             }
             SetupRow::Design => {
-                Line::word("design", self.pages.explore.sampling(picture).label()).means(
+                FormRow::word("design", self.pages.explore.sampling(picture).label()).means(
                     "every combination; or a Latin hypercube or Sobol's sequence of so many points",
                 )
             }
-            SetupRow::Curves => Line::typed("curves", self.pages.explore.plan.curves.to_string())
+            SetupRow::Curves => FormRow::typed("curves", self.pages.explore.plan.curves.to_string())
                 .means("how many curves, their values spread over the range"),
             SetupRow::Output => {
-                Line::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
+                FormRow::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
             }
             SetupRow::Held(index) => self.held_line(index),
         }
     }
 
-    fn held_line(&self, index: usize) -> Line {
+    fn held_line(&self, index: usize) -> FormRow {
         let variable = &VARIABLES[index];
         let is_number = matches!(variable.value(&self.scene), Value::Number(_));
         let shown = shown_value(variable, &self.scene, usize::from(VALUE_WIDTH));
         let is_used = variables::is_used(variable, &self.scene);
-        Line {
+        FormRow {
             unit: if is_number { variable.unit() } else { "" },
             text: Some(variable.show(&self.scene)),
             takes_unit: true,
             is_changed: variable.value(&self.scene) != variable.value(&self.base.scene),
             role: if is_used { Role::Text } else { Role::Dim },
-            ..Line::word(variable.symbol, shown)
+            ..FormRow::word(variable.symbol, shown)
         }
         .means(format!("{} (held); {}", meaning(variable), variable.allowed()))
     }

@@ -36,7 +36,7 @@ pub enum Picture {
 }
 
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct SweepResult {
     /// The scene that was swept.
     pub scene: Arc<Scene>,
     /// The grid, filled as far as it is.
@@ -63,7 +63,7 @@ impl Default for SamplingPlan {
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
     /// The results for each chart or map.
-    pub found: [Option<Found>; 2],
+    pub found: [Option<SweepResult>; 2],
     /// The number of the last sweep that was said to take more than a minute.
     pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
@@ -84,7 +84,7 @@ pub struct Sweeping {
 }
 
 impl Sweeping {
-    pub fn found(&self, picture: Picture) -> Option<&Found> {
+    pub fn found(&self, picture: Picture) -> Option<&SweepResult> {
         self.found[picture as usize].as_ref()
     }
 
@@ -99,7 +99,7 @@ impl Sweeping {
     }
 
     /// Show what was found; over other variables the cursor begins again, over other values of them it stays at its own.
-    pub fn show(&mut self, picture: Picture, found: Found) {
+    pub fn show(&mut self, picture: Picture, found: SweepResult) {
         let before = self.found(picture).map(|found| &*found.grid);
         if before.is_none_or(|grid| grid.plan().axes() != found.grid.plan().axes()) {
             let at = self.cursor[picture as usize].zip(before);

@@ -4,7 +4,7 @@ use cmra_studies::enumeration;
 
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::tui::pages::run::steps::Input;
-use crate::tui::widgets::form::{Line, percent};
+use crate::tui::widgets::form::{FormRow, percent};
 
 /// Number of samples, and the seed of their random numbers.
 const SAMPLES: usize = 200;
@@ -56,8 +56,8 @@ impl Default for Setup {
 }
 
 impl Setup {
-    pub(crate) fn line(self, row: Row) -> Line {
-        Line::percent(row.label(), self.0[row as usize]).means(row.meaning())
+    pub(crate) fn line(self, row: Row) -> FormRow {
+        FormRow::percent(row.label(), self.0[row as usize]).means(row.meaning())
     }
 
     pub(crate) fn change(&mut self, row: Row, input: Input<'_>) -> Result<(), String> {

@@ -8,7 +8,7 @@ use crate::report::Remark;
 use crate::report::limit::{remarks, residual};
 use crate::study::compare::map::Map;
 use crate::study::limit::monte_carlo::ModelError;
-use crate::study::limit::{self, Criterion, Effort, Limit, Report, Shot};
+use crate::study::limit::{self, Criterion, Limit, LimitOptions, Report, Shot};
 use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
@@ -28,7 +28,7 @@ pub const FACTS: u16 = 40;
 pub const LABEL: u16 = 15;
 
 #[derive(Debug, PartialEq)]
-pub struct LimitSearch(pub Effort);
+pub struct LimitSearch(pub LimitOptions);
 
 impl Study for LimitSearch {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
@@ -91,9 +91,9 @@ impl Ballistic {
         }
     }
 
-    pub fn effort(&self) -> Effort {
+    pub fn effort(&self) -> LimitOptions {
         let sampling = self.sampled.then(|| self.setup.sampling());
-        Effort { criterion: Criterion::Passage, sampling }
+        LimitOptions { criterion: Criterion::Passage, sampling }
     }
 
     /// Whether V50 is wanted of a limit that was found without it, or with another setup.

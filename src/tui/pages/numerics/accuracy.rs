@@ -7,8 +7,8 @@ use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
 use crate::report::accuracy::{TARGETS, by, curve, percent, seconds};
-use crate::study::accuracy::method::{Knob, Method};
-use crate::study::accuracy::{self, Effort, Measured, MethodReport, Report};
+use crate::study::accuracy::method::{Method, Parameter};
+use crate::study::accuracy::{self, ComparisonOptions, Measured, MethodReport, Report};
 use crate::tui::chart::{Curve, Mapping};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::along;
@@ -20,7 +20,7 @@ const FLOOR_NEAR: f64 = 1e-4;
 
 /// Measures error and run time of every method.
 #[derive(Debug)]
-pub struct Measurements(pub Effort);
+pub struct Measurements(pub ComparisonOptions);
 
 impl Study for Measurements {
     fn lane(&self) -> Lane {
@@ -97,10 +97,10 @@ impl Accuracy {
     pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
         let report = self.of(method)?;
         let good = report.measured().filter(|(_, it)| it.error() <= error);
-        good.filter_map(|(knob, _)| match knob {
-            Knob::Tolerance(tolerance) => Some(tolerance),
-            Knob::None => Some(Scene::default().run.tolerance),
-            Knob::Step(_) => None,
+        good.filter_map(|(parameter, _)| match parameter {
+            Parameter::Tolerance(tolerance) => Some(tolerance),
+            Parameter::None => Some(Scene::default().run.tolerance),
+            Parameter::Step(_) => None,
         })
         .max_by(f64::total_cmp)
     }
@@ -188,7 +188,7 @@ impl Accuracy {
             .collect()
     }
 
-    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Knob, &Measured)> {
+    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
         let report = self.of(method)?;
         let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
         affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
@@ -196,7 +196,7 @@ impl Accuracy {
 
     /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
     /// short; without a crosshair its most accurate point.
-    pub fn example(&self) -> Option<(Knob, &Measured)> {
+    pub fn example(&self) -> Option<(Parameter, &Measured)> {
         let method = self.method();
         let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
         self.best_within(method, time_s).or_else(|| {
@@ -310,10 +310,10 @@ impl App {
             add(Role::Text, "not measured yet".to_owned());
             return lines;
         };
-        if let Some((knob, it)) = tab.example() {
+        if let Some((parameter, it)) = tab.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
-            let knob = knob.to_string();
-            let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
+            let parameter = parameter.to_string();
+            let lead = if parameter.is_empty() { String::new() } else { format!("{parameter}: ") };
             add(Role::Text, format!("{lead}error {:.1e}{floor}", it.error()));
         }
         let mut reasons: Vec<(&str, usize)> = Vec::new();
@@ -439,7 +439,7 @@ fn look(app: &mut App, action: Action) {
 }
 
 fn measure(app: &mut App) {
-    jobs::study(app, Tab::Numerics, Measurements(Effort::FULL));
+    jobs::study(app, Tab::Numerics, Measurements(ComparisonOptions::FULL));
 }
 
 fn show_or_hide(app: &mut App) {

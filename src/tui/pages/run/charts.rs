@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use crate::model::run::Run;
 use crate::numerics::{larger, smaller};
-use crate::report::series::{Quantity, thinned};
+use crate::report::series::{Channel, thinned};
 use crate::tui::chart::Mapping;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::panes;
@@ -25,9 +25,9 @@ pub enum Window {
 #[derive(Clone, Debug)]
 pub struct Charts {
     /// Their quantities, from top to bottom.
-    pub quantities: [Quantity; 3],
+    pub quantities: [Channel; 3],
     /// Their quantities on a second axis at the right, if any.
-    pub second: [Option<Quantity>; 3],
+    pub second: [Option<Channel>; 3],
     /// The chart the keys act on.
     pub selected: usize,
     /// The crosshair, s since first contact.
@@ -47,11 +47,7 @@ pub struct Charts {
 impl Default for Charts {
     fn default() -> Self {
         Self {
-            quantities: [
-                Quantity::Penetration,
-                Quantity::PlateDisplacement,
-                Quantity::ContactForce,
-            ],
+            quantities: [Channel::Penetration, Channel::PlateDisplacement, Channel::ContactForce],
             second: [None; 3],
             selected: 0,
             cursor_s: None,
@@ -106,7 +102,7 @@ impl App {
         }
     }
 
-    pub fn curves(&self, quantity: Quantity) -> Vec<Curve<'_>> {
+    pub fn curves(&self, quantity: Channel) -> Vec<Curve<'_>> {
         let reference = self
             .reference_pin()
             .filter(|_| self.charts.difference)
@@ -118,7 +114,7 @@ impl App {
     fn curve<'a>(
         &self,
         view: RunView<'a>,
-        quantity: Quantity,
+        quantity: Channel,
         reference: Option<&Run>,
     ) -> Curve<'a> {
         let over_time = quantity.is_over_time();
@@ -154,18 +150,18 @@ impl App {
     }
 
     /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
-    pub fn second_curve(&self, chart: usize) -> Option<(Quantity, Curve<'_>)> {
+    pub fn second_curve(&self, chart: usize) -> Option<(Channel, Curve<'_>)> {
         let quantity = self.charts.second[chart]?;
         Some((quantity, self.curves(quantity).pop()?))
     }
 
     /// Put the next quantity on the second axis of the selected chart, at last none; gives what is there now.
-    pub fn next_second(&mut self) -> Option<Quantity> {
+    pub fn next_second(&mut self) -> Option<Channel> {
         let chart = self.charts.selected;
         let first = self.charts.quantities[chart];
         let next = self.charts.second[chart].unwrap_or(first).next();
         // What is drawn over the displacement has no time axis to share, and stands last.
-        let next = if next.is_over_time() { next } else { Quantity::ALL[0] };
+        let next = if next.is_over_time() { next } else { Channel::ALL[0] };
         self.charts.second[chart] = (next != first).then_some(next);
         self.charts.second[chart]
     }
@@ -322,7 +318,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 }
 
 /// Draw a quantity: the chart that has it is selected, else the selected one shows it.
-pub(crate) fn show(app: &mut App, quantity: Quantity) {
+pub(crate) fn show(app: &mut App, quantity: Channel) {
     let charts = &mut app.charts;
     if let Some(there) = charts.quantities.iter().position(|one| *one == quantity) {
         charts.selected = there;

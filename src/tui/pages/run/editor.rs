@@ -21,7 +21,7 @@ pub struct Editor {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Row {
+pub enum EditorRow {
     Heading(Group),
     /// A variable, by index into the table.
     Variable(usize),
@@ -29,22 +29,22 @@ pub enum Row {
 
 impl Editor {
     /// The rows with a heading over each group; under a filter those that match, best first, without headings.
-    pub fn rows(&self, scene: &Scene) -> Vec<Row> {
+    pub fn rows(&self, scene: &Scene) -> Vec<EditorRow> {
         if !self.filter.is_empty() {
             let offered = VARIABLES.iter().enumerate().filter(|(_, it)| is_offered(it, scene));
             let found = ranked(offered, |(_, variable)| rank_variable(&self.filter, variable));
-            return found.into_iter().map(|(index, _)| Row::Variable(index)).collect();
+            return found.into_iter().map(|(index, _)| EditorRow::Variable(index)).collect();
         }
         let mut rows = Vec::new();
         for group in Group::ALL {
             let start = rows.len();
             for (index, variable) in VARIABLES.iter().enumerate() {
                 if variable.group == group && is_offered(variable, scene) {
-                    rows.push(Row::Variable(index));
+                    rows.push(EditorRow::Variable(index));
                 }
             }
             if rows.len() > start {
-                rows.insert(start, Row::Heading(group));
+                rows.insert(start, EditorRow::Heading(group));
             }
         }
         rows
@@ -55,8 +55,8 @@ impl Editor {
         self.rows(scene)
             .into_iter()
             .filter_map(|row| match row {
-                Row::Variable(index) => Some(index),
-                Row::Heading(_) => None,
+                EditorRow::Variable(index) => Some(index),
+                EditorRow::Heading(_) => None,
             })
             .collect()
     }
@@ -73,7 +73,8 @@ impl Editor {
     /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
     pub fn first_row(&self, scene: &Scene, height: usize) -> usize {
         let rows = self.rows(scene);
-        let here = rows.iter().position(|row| *row == Row::Variable(self.selected)).unwrap_or(0);
+        let here =
+            rows.iter().position(|row| *row == EditorRow::Variable(self.selected)).unwrap_or(0);
         let most = rows.len().saturating_sub(height);
         here.saturating_sub(height * 2 / 3).min(most)
     }
@@ -144,17 +145,18 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let list = Rect { height: inner.height - 1, ..inner };
     canvas.pane(area, run::VARIABLES);
     canvas.rows(list, (first, rows.len()), |row| {
-        let above = rows[..row].iter().filter(|row| matches!(row, Row::Variable(_)));
-        matches!(rows[row], Row::Variable(_)).then(|| Target::Row(run::VARIABLES, above.count()))
+        let above = rows[..row].iter().filter(|row| matches!(row, EditorRow::Variable(_)));
+        matches!(rows[row], EditorRow::Variable(_))
+            .then(|| Target::Row(run::VARIABLES, above.count()))
     });
     let breaches = app.breaches();
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
     for (line, row) in list.rows().zip(rows.iter().skip(first)) {
         match row {
-            Row::Heading(group) => {
+            EditorRow::Heading(group) => {
                 canvas.put(line, (0, 0), group.title(), Role::Title);
             }
-            Row::Variable(index) => {
+            EditorRow::Variable(index) => {
                 let is_outside = outside.contains(&VARIABLES[*index].symbol);
                 variable(app, *index, is_outside, line, canvas);
             }
@@ -168,9 +170,11 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 }
 
 /// Which of the variables are in sight, where not all are.
-fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
+fn counter(app: &App, rows: &[EditorRow], first: usize, height: usize) -> String {
     let all = VARIABLES.iter().filter(|variable| is_offered(variable, &app.scene)).count();
-    let number = |rows: &[Row]| rows.iter().filter(|row| matches!(row, Row::Variable(_))).count();
+    let number = |rows: &[EditorRow]| {
+        rows.iter().filter(|row| matches!(row, EditorRow::Variable(_))).count()
+    };
     let end = (first + height).min(rows.len());
     if rows.len() <= height && number(rows) == all {
         return String::new();

@@ -4,7 +4,7 @@ use crate::model::run::Run;
 use crate::model::scene::Mount;
 use crate::numerics::{larger, smaller};
 use crate::report::run::page;
-use crate::report::series::Quantity;
+use crate::report::series::Channel;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::runs::engineering;
@@ -25,8 +25,8 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let run = &shown.run;
     let t_s = app.charts.cursor_s.unwrap_or_else(|| run.contact_end_s());
     let title = format!("Mechanism at {}", engineering(t_s, "s"));
-    let at = |quantity: Quantity| quantity.at(run, t_s).unwrap_or(0.0);
-    let (depth_m, plate_m) = (at(Quantity::Penetration), at(Quantity::PlateDisplacement));
+    let at = |quantity: Channel| quantity.at(run, t_s).unwrap_or(0.0);
+    let (depth_m, plate_m) = (at(Channel::Penetration), at(Channel::PlateDisplacement));
     let right = format!("p {}  x {}", engineering(depth_m, "m"), engineering(plate_m, "m"));
     let inner = PaneFrame::new(title).right(right).draw(area, canvas);
     let mount = inner.width.saturating_sub(2);
@@ -66,7 +66,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// Where a displacement stands between the least and the greatest of those in view.
 fn share(app: &App, run: &Run, plate_m: f64) -> f64 {
     let (_, to_s) = app.time_range_s();
-    let end_m = Quantity::PlateDisplacement.at(run, to_s);
+    let end_m = Channel::PlateDisplacement.at(run, to_s);
     let end_m = end_m.or_else(|| run.series.last().map(|last| last.plate_displacement_m));
     let cocked_m = -run.scene.plate.cocking_m;
     let known = [Some(cocked_m), end_m, Some(plate_m)];

@@ -1,7 +1,7 @@
 //! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
 
 use crate::model::scene::Scene;
-use crate::model::units::{Quantity, significant};
+use crate::model::units::{Dimension, significant};
 use crate::model::variables::{Number, Step, Variable};
 use crate::tui::pages::run::editor::shown_number;
 
@@ -70,9 +70,9 @@ pub fn decade(number: &Number, value: f64) -> i32 {
 fn decade_at_zero(number: &Number) -> i32 {
     match (number.thesis_range, number.quantity) {
         (Some((_, high)), _) => whole((0.02 * high).log10().floor()),
-        (None, Quantity::Angle | Quantity::Velocity | Quantity::Density) => 0,
-        (None, Quantity::Length | Quantity::Mass | Quantity::Time) => -3,
-        (None, Quantity::Pressure) => 6,
+        (None, Dimension::Angle | Dimension::Velocity | Dimension::Density) => 0,
+        (None, Dimension::Length | Dimension::Mass | Dimension::Time) => -3,
+        (None, Dimension::Pressure) => 6,
         (None, _) => -1,
     }
 }
@@ -94,7 +94,7 @@ pub fn first_value(variable: &Variable, number: &Number, scene: &Scene) -> f64 {
     let now = match variable.key {
         "plate.mass_kg" => scene.plate_mass_kg(),
         "plate.face_m" => scene.plate_face_m(),
-        _ if matches!(number.quantity, Quantity::Length | Quantity::Time) => return 0.01,
+        _ if matches!(number.quantity, Dimension::Length | Dimension::Time) => return 0.01,
         _ => return 1.0,
     };
     significant(now, 3).parse().unwrap_or(now)

@@ -29,7 +29,7 @@ impl Request {
             }
             Self::Front(task) => front_command(task, &over(&task.axes)),
             Self::Sensitivity { axes, output, effort } => {
-                let sensitivity::Effort { rows, trajectories, seed } = effort;
+                let sensitivity::SamplingOptions { rows, trajectories, seed } = effort;
                 let over = over(axes);
                 format!(
                     "sensitivity{over} --output {output} --samples {rows} --trajectories {trajectories} --seed {seed}"
@@ -68,7 +68,7 @@ fn front_command(task: &Task, over: &str) -> String {
     }
     let feasible = if feasible.is_empty() { " --no-feasibility" } else { "" };
     let laws: Vec<&str> = task.laws.iter().map(|law| law.word()).collect();
-    let nsga::Effort { population, generations, seed } = task.effort;
+    let nsga::EvolutionOptions { population, generations, seed } = task.effort;
     let _ = write!(
         command,
         "{feasible} --laws {} --population {population} --generations {generations} --seed {seed}",

@@ -8,7 +8,7 @@ use crate::study::sweep::PointOutcome;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Unit};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, Page, Request, Searching};
+use crate::tui::pages::search::state::{Page, Request, Searching, StudyResult};
 use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::widgets::text::first_row;
 
@@ -31,10 +31,10 @@ pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<
     let (top, rest) = split_bottom(results, below);
     let focused = below == 0 && app.has_focus(RESULTS);
     match &*found.answer {
-        Answer::Seek(report) => sought(app, report, top, focused, canvas),
-        Answer::Front(..) => front(app, top, focused, canvas),
-        Answer::MonteCarlo(_) => histogram(app, top, focused, canvas),
-        Answer::Sensitivity(_) => {}
+        StudyResult::Seek(report) => sought(app, report, top, focused, canvas),
+        StudyResult::Front(..) => front(app, top, focused, canvas),
+        StudyResult::MonteCarlo(_) => histogram(app, top, focused, canvas),
+        StudyResult::Sensitivity(_) => {}
     }
     if below == 0 {
         turn(app, top, canvas);
@@ -159,12 +159,12 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
 /// The axis across of the chart shown, all of it, and where the selected point is on it.
 pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
     match &*tab.shown()?.answer {
-        Answer::Seek(report) => {
+        StudyResult::Seek(report) => {
             let about = tab.chosen().and_then(|at| report.solutions().nth(at));
             let about = about.map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
         }
-        Answer::Front(front, task) => {
+        StudyResult::Front(front, task) => {
             let at = tab.across(task).0;
             let value = |design: &Design| design.measures.get(at).copied().flatten();
             let measure = task.measures()[at];
@@ -172,13 +172,13 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
             Some((x, tab.chosen().and_then(|at| value(&front.designs[at]))))
         }
-        Answer::MonteCarlo(_) => {
+        StudyResult::MonteCarlo(_) => {
             let monte_carlo::Summary { measure, sorted, .. } = tab.sampled()?;
             let values = sorted.iter().copied();
             let x = Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values);
             Some((x?, None))
         }
-        Answer::Sensitivity(_) => None,
+        StudyResult::Sensitivity(_) => None,
     }
 }
 

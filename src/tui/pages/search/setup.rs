@@ -13,7 +13,7 @@ use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Page, Request};
 use crate::tui::widgets::axis::{Part, meaning, numeric, over};
-use crate::tui::widgets::form::{Form, Line, quantity_meaning};
+use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
@@ -196,32 +196,32 @@ impl App {
     }
 
     /// A row of the setup, with these variables to vary.
-    pub(crate) fn search_line(&self, row: Row, bounds: &[Bound]) -> Line {
+    pub(crate) fn search_line(&self, row: Row, bounds: &[Bound]) -> FormRow {
         let setup = &self.pages.search.setup;
         match row {
-            Row::Heading(heading) => Line::heading(heading),
+            Row::Heading(heading) => FormRow::heading(heading),
             Row::Axis(Part::Points) => Part::Points
                 .line(&setup.seek)
                 .means("points of the scan: solutions closer together may be missed"),
             Row::Axis(part) => part.line(&setup.seek),
-            Row::Result => Line::quantity(setup.goal.0),
+            Row::Result => FormRow::quantity(setup.goal.0),
             Row::Goal => {
                 let goal = named(setup.goal.0).map(|quantity| quantity.show(setup.goal.1, 6));
-                Line { takes_unit: true, ..Line::typed("is", goal.unwrap_or_default()) }
+                FormRow { takes_unit: true, ..FormRow::typed("is", goal.unwrap_or_default()) }
                     .means(quantity_meaning(setup.goal.0))
             }
-            Row::Law => Line::word("interface", setup.law.word()).means(
+            Row::Law => FormRow::word("interface", setup.law.word()).means(
                 "plastic: its strength is limited; fused: unlimited, as in the thesis and the scene",
             ),
-            Row::Bound(at) => bounds.get(at).map_or_else(|| Line::word("", ""), bound_line),
+            Row::Bound(at) => bounds.get(at).map_or_else(|| FormRow::word("", ""), bound_line),
             Row::Objective(at) => {
-                let objective = Line::switch(OBJECTIVES[at], setup.objectives[at]);
+                let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
                 objective.means(quantity_meaning(USUAL[at]))
             }
             Row::Stroke => {
                 let shown = |value| units::engineering(value, "m", 4);
                 let bound = setup.stroke_m.map_or_else(|| "none".to_owned(), shown);
-                Line { takes_unit: true, ..Line::typed("stroke at most", bound) }
+                FormRow { takes_unit: true, ..FormRow::typed("stroke at most", bound) }
                     .means("designs with a greater stroke are infeasible; none: no bound")
             }
             Row::Bounds => {
@@ -231,22 +231,22 @@ impl App {
                 };
                 let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
                 let (shown, text) = (written(short_words), written(Constraint::text));
-                Line { text: Some(text.clone()), takes_unit: true, ..Line::word("bounds", shown) }
+                FormRow { text: Some(text.clone()), takes_unit: true, ..FormRow::word("bounds", shown) }
                     .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
-            Row::Feasible => Line::switch("feasible", setup.feasible).means(
+            Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
                 "yes: only designs within the limits of interface, yield, travel, stop, face",
             ),
-            Row::Population => Line::typed("designs", setup.effort.0.to_string())
+            Row::Population => FormRow::typed("designs", setup.effort.0.to_string())
                 .means("designs in a generation; also the maximum size of the front"),
-            Row::Generations => Line::typed("generations", setup.effort.1.to_string())
+            Row::Generations => FormRow::typed("generations", setup.effort.1.to_string())
                 .means("generations after the first"),
-            Row::Across => Line::word("across", self.axis_title(setup.axes.0)).means(AXIS),
-            Row::Up => Line::word("up", self.axis_title(setup.axes.1)).means(AXIS),
-            Row::Output => Line::quantity(setup.output),
-            Row::Percent => Line::percent("std dev", setup.percent)
+            Row::Across => FormRow::word("across", self.axis_title(setup.axes.0)).means(AXIS),
+            Row::Up => FormRow::word("up", self.axis_title(setup.axes.1)).means(AXIS),
+            Row::Output => FormRow::quantity(setup.output),
+            Row::Percent => FormRow::percent("std dev", setup.percent)
                 .means("standard deviation of every input, lognormal"),
-            Row::Samples => Line::typed("samples", setup.samples.to_string())
+            Row::Samples => FormRow::typed("samples", setup.samples.to_string())
                 .means("number of samples; the confidence interval narrows with its square root"),
         }
     }
@@ -281,7 +281,7 @@ impl App {
             Page::Sensitivity => Request::Sensitivity {
                 axes: axes(),
                 output: setup.output.to_owned(),
-                effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1 },
+                effort: sensitivity::SamplingOptions { rows: 1024, trajectories: 100, seed: 1 },
             },
             Page::MonteCarlo => Request::MonteCarlo(monte_carlo::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
@@ -321,7 +321,7 @@ impl App {
                 .chain(front::feasibility().filter(|_| setup.feasible))
                 .collect(),
             laws: vec![self.scene.interface.law],
-            effort: nsga::Effort { population, generations, seed: 1 },
+            effort: nsga::EvolutionOptions { population, generations, seed: 1 },
         })
     }
 }
@@ -335,17 +335,17 @@ pub struct Bound {
 }
 
 /// Its row in a form: `0.8..7` or `1e3..7.5e6:log`.
-pub(crate) fn bound_line(bound: &Bound) -> Line {
+pub(crate) fn bound_line(bound: &Bound) -> FormRow {
     let (low, high) = bound.axis.ends();
     let log = if bound.axis.spacing() == Spacing::Log { ":log" } else { "" };
     let range = format!("{}..{}{log}", significant(low, 5), significant(high, 5));
     let shown = if bound.on { range.clone() } else { "held".to_owned() };
     let meaning = meaning(bound.axis.variable());
-    Line {
+    FormRow {
         text: Some(range),
         takes_unit: true,
         role: if bound.on { Role::Text } else { Role::Dim },
-        ..Line::word(bound.axis.symbol(), shown)
+        ..FormRow::word(bound.axis.symbol(), shown)
     }
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }

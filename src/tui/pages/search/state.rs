@@ -52,10 +52,10 @@ impl Page {
 }
 
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct SearchResult {
     pub scene: Arc<Scene>,
     pub request: Request,
-    pub answer: Arc<Answer>,
+    pub answer: Arc<StudyResult>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -64,7 +64,7 @@ pub struct Searching {
     pub row: Row,
     pub setup: Arc<Setup>,
     /// The results, page by page.
-    pub found: [Option<Found>; 4],
+    pub found: [Option<SearchResult>; 4],
     /// Why a page cannot be computed, page by page.
     pub problem: [Option<String>; 4],
     /// The selected design or solution by its place among all, or the first line shown, page by page.
@@ -78,7 +78,7 @@ pub struct Searching {
 }
 
 impl Searching {
-    pub fn shown(&self) -> Option<&Found> {
+    pub fn shown(&self) -> Option<&SearchResult> {
         self.found[self.page as usize].as_ref()
     }
 
@@ -94,7 +94,7 @@ impl Searching {
 
     pub fn front(&self) -> Option<(&Front, &Task)> {
         match &*self.found[Page::Front as usize].as_ref()?.answer {
-            Answer::Front(front, task) => Some((front, task)),
+            StudyResult::Front(front, task) => Some((front, task)),
             _ => None,
         }
     }
@@ -102,7 +102,7 @@ impl Searching {
     /// The measure that the Monte Carlo page draws, with its values.
     pub(super) fn sampled(&self) -> Option<&Summary> {
         let found = self.found[Page::MonteCarlo as usize].as_ref();
-        let Some(Answer::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
+        let Some(StudyResult::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
             return None;
         };
         let name = self.setup.output;
@@ -132,18 +132,18 @@ impl Searching {
     /// The places of the designs or solutions that are listed, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
         match self.shown().map(|found| &*found.answer) {
-            Some(Answer::Seek(report)) => {
+            Some(StudyResult::Seek(report)) => {
                 let texts = report.solutions().map(|it| report::seek::solution(report, it));
                 let cells: Vec<String> = texts.collect();
                 let places = (0..cells.len()).collect();
                 let column = Cells { head: String::new(), is_text: true, cells };
                 self.listing().matching(places, || vec![column])
             }
-            Some(Answer::Front(front, task)) => {
+            Some(StudyResult::Front(front, task)) => {
                 let sorted = self.sorted_places(front, task);
                 self.listing().matching(sorted, || design_cells(self, front, task))
             }
-            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => Vec::new(),
+            Some(StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_)) | None => Vec::new(),
         }
     }
 
@@ -178,13 +178,13 @@ impl Searching {
     /// Whether there is something to draw on the page shown.
     fn draws(&self) -> bool {
         match self.shown().map(|found| &*found.answer) {
-            Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
-            Some(Answer::Front(front, _)) => !front.designs.is_empty(),
-            Some(Answer::MonteCarlo(report)) => {
+            Some(StudyResult::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
+            Some(StudyResult::Front(front, _)) => !front.designs.is_empty(),
+            Some(StudyResult::MonteCarlo(report)) => {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
             }
-            Some(Answer::Sensitivity(_)) | None => false,
+            Some(StudyResult::Sensitivity(_)) | None => false,
         }
     }
 
@@ -299,7 +299,7 @@ impl App {
         }
         let mut scene = (*self.scene).clone();
         match &*found.answer {
-            Answer::Seek(report) => {
+            StudyResult::Seek(report) => {
                 let Some(solution) = tab.chosen().and_then(|at| report.solutions().nth(at)) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
@@ -313,7 +313,7 @@ impl App {
                 }
                 Ok(design)
             }
-            Answer::Front(front, task) => {
+            StudyResult::Front(front, task) => {
                 let designs = tab.designs();
                 let Some(design) = designs.get(tab.selected()) else {
                     return Err("no design to load: relax a constraint or a bound".to_owned());
@@ -325,14 +325,14 @@ impl App {
                 let label = format!("design {} of the front", number.unwrap_or(0) + 1);
                 Ok(LabelledScene { label, ..placed(scene, values) })
             }
-            Answer::Sensitivity(_) | Answer::MonteCarlo(_) => {
+            StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_) => {
                 Err("no design to load here: goal seek and the Pareto front have some".to_owned())
             }
         }
     }
 }
 
-impl Found {
+impl SearchResult {
     /// The scene that was searched: of a goal seek, with its interface law.
     pub fn searched(&self) -> Arc<Scene> {
         let mut scene = Arc::clone(&self.scene);
@@ -348,23 +348,25 @@ impl Found {
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
         let scene = &self.searched();
         match (&*self.answer, &self.request) {
-            (Answer::Seek(it), _) => {
+            (StudyResult::Seek(it), _) => {
                 only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
             }
-            (Answer::Front(front, task), _) => {
+            (StudyResult::Front(front, task), _) => {
                 let fronts = std::slice::from_ref(&**front);
                 let warnings = report::front::warnings(scene, task, fronts);
                 only(report::front::table(name, task, fronts), listed, &warnings)
             }
-            (Answer::Sensitivity(it), _) => {
+            (StudyResult::Sensitivity(it), _) => {
                 let warnings = validity::of_axes(scene, &it.axes);
                 only(report::sensitivity::table(name, it), listed, &warnings)
             }
-            (Answer::MonteCarlo(it), Request::MonteCarlo(task)) => {
+            (StudyResult::MonteCarlo(it), Request::MonteCarlo(task)) => {
                 let warnings = report::monte_carlo::warnings(scene, it, task.samples);
                 only(report::monte_carlo::table(name, it), listed, &warnings)
             }
-            (Answer::MonteCarlo(it), _) => only(report::monte_carlo::table(name, it), listed, &[]),
+            (StudyResult::MonteCarlo(it), _) => {
+                only(report::monte_carlo::table(name, it), listed, &[])
+            }
         }
     }
 
@@ -381,15 +383,15 @@ fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>, warnings: &[String
 }
 
 /// Whether an answer is whole, and how much went into it.
-pub(super) fn completeness(answer: &Answer) -> (bool, Option<String>) {
+pub(super) fn completeness(answer: &StudyResult) -> (bool, Option<String>) {
     match answer {
-        Answer::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
-        Answer::Front(front, _) => {
+        StudyResult::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
+        StudyResult::Front(front, _) => {
             let text = format!("{} designs, {} runs", front.designs.len(), front.runs);
             (front.is_complete, Some(text))
         }
-        Answer::Sensitivity(report) => (report.sobol.is_some(), None),
-        Answer::MonteCarlo(report) => {
+        StudyResult::Sensitivity(report) => (report.sobol.is_some(), None),
+        StudyResult::MonteCarlo(report) => {
             (report.is_complete, Some(format!("{} samples", report.samples)))
         }
     }
@@ -406,7 +408,7 @@ pub enum Request {
         /// The variables and their bounds.
         axes: Vec<Axis>,
         output: String,
-        effort: sensitivity::Effort,
+        effort: sensitivity::SamplingOptions,
     },
     /// How results scatter when inputs do.
     MonteCarlo(monte_carlo::Task),
@@ -424,7 +426,7 @@ impl Request {
 }
 
 #[derive(Clone, Debug)]
-pub enum Answer {
+pub enum StudyResult {
     Seek(seek::Report),
     /// The front, and the task that it answers.
     Front(Box<Front>, Task),
@@ -432,7 +434,7 @@ pub enum Answer {
     MonteCarlo(monte_carlo::Report),
 }
 
-impl Answer {
+impl StudyResult {
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
     pub fn outside_at_ends(&self) -> &[(Check, String)] {
         match self {
@@ -449,23 +451,24 @@ impl Study for Request {
             Self::Seek(goal, law) => {
                 let mut scene = (**scene).clone();
                 scene.interface.law = *law;
-                Answer::Seek(seek::seek(&scene, goal, &mut Context::new(threads, plain))?)
+                StudyResult::Seek(seek::seek(&scene, goal, &mut Context::new(threads, plain))?)
             }
             Self::Front(task) => {
-                let answer = |front: &Front| Answer::Front(Box::new(front.clone()), task.clone());
+                let answer =
+                    |front: &Front| StudyResult::Front(Box::new(front.clone()), task.clone());
                 let watch = &mut reporter.watch(answer);
                 let fronts = front::optimise(scene, task, &mut Context::new(threads, watch))?;
                 let front = fronts.into_iter().next().ok_or("no interface law was given")?;
-                Answer::Front(Box::new(front), task.clone())
+                StudyResult::Front(Box::new(front), task.clone())
             }
             Self::Sensitivity { axes, output, effort } => {
                 let context = &mut Context::new(threads, plain);
                 let report = sensitivity::study(scene, axes.clone(), output, *effort, context)?;
-                Answer::Sensitivity(report)
+                StudyResult::Sensitivity(report)
             }
             Self::MonteCarlo(task) => {
                 let context = &mut Context::new(threads, plain);
-                Answer::MonteCarlo(monte_carlo::sample(scene, task, context)?)
+                StudyResult::MonteCarlo(monte_carlo::sample(scene, task, context)?)
             }
         };
         Ok(Finding::new(answer))

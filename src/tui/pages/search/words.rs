@@ -13,7 +13,7 @@ use crate::tui::app::status::outside;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, Request, Searching};
+use crate::tui::pages::search::state::{Request, Searching, StudyResult};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::broken;
 
@@ -26,17 +26,17 @@ impl App {
     pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
         let Some(found) = self.pages.search.shown() else { return Vec::new() };
         match &*found.answer {
-            Answer::Seek(report) => broken(self.sought_lines(report), width),
-            Answer::Front(front, task) => {
+            StudyResult::Seek(report) => broken(self.sought_lines(report), width),
+            StudyResult::Front(front, task) => {
                 let mut lines = self.designs_table(front, task, width);
                 lines.extend(broken(self.candidates(front, task, width), width));
                 lines
             }
-            Answer::Sensitivity(report) if report.is_empty() => {
+            StudyResult::Sensitivity(report) if report.is_empty() => {
                 broken(self.matters(report, width), width)
             }
-            Answer::Sensitivity(report) => self.matters(report, width),
-            Answer::MonteCarlo(report) => self.samples(report, width),
+            StudyResult::Sensitivity(report) => self.matters(report, width),
+            StudyResult::MonteCarlo(report) => self.samples(report, width),
         }
     }
 }
@@ -178,21 +178,23 @@ impl App {
 }
 
 /// What of the designs of an answer is outside validity; the scene, where the answer is no design.
-pub(super) fn validity_of(app: &App, answer: Option<&Answer>) -> Option<StatusPart> {
+pub(super) fn validity_of(app: &App, answer: Option<&StudyResult>) -> Option<StatusPart> {
     match answer {
-        Some(Answer::Seek(report)) => {
+        Some(StudyResult::Seek(report)) => {
             let fails = report.checked.iter().flat_map(|checked| &checked.fails);
             let place = if report.checked.len() > 1 { " of solutions" } else { " of the solution" };
             outside(fails.copied(), place, "")
         }
-        Some(Answer::Front(front, _)) if front.designs.len() == 1 => {
+        Some(StudyResult::Front(front, _)) if front.designs.len() == 1 => {
             outside(front.outside.iter().map(|(check, _)| *check), " of the design", "")
         }
-        Some(Answer::Front(front, _)) => (!front.outside.is_empty()).then(|| {
+        Some(StudyResult::Front(front, _)) => (!front.outside.is_empty()).then(|| {
             let list = format!("of {} designs: {}", front.designs.len(), counted(&front.outside));
             (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
         }),
-        Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_)) | None => app.validity_part(),
+        Some(StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_)) | None => {
+            app.validity_part()
+        }
     }
 }
 
@@ -235,13 +237,13 @@ pub(super) fn listed_rows(tab: &Searching) -> Option<Vec<usize>> {
         return None;
     }
     Some(match &*tab.shown()?.answer {
-        Answer::Front(..) => tab.order(),
-        Answer::Seek(report) => {
+        StudyResult::Front(..) => tab.order(),
+        StudyResult::Seek(report) => {
             let lines = report.lines.iter().enumerate().filter(|(_, it)| it.kind.is_solution());
             let solutions: Vec<usize> = lines.map(|(at, _)| at).collect();
             tab.order().into_iter().map(|at| solutions[at]).collect()
         }
-        Answer::Sensitivity(report) => {
+        StudyResult::Sensitivity(report) => {
             let (bars, indices) = (tornado(report, 0), indices(report));
             let listed = |rows: &[usize], places: Vec<usize>| {
                 places.into_iter().map(|at| rows[at]).collect::<Vec<usize>>()
@@ -251,7 +253,7 @@ pub(super) fn listed_rows(tab: &Searching) -> Option<Vec<usize>> {
             let order = report.order().into_iter().enumerate();
             order.filter(|(_, axis)| axes.contains(axis)).map(|(at, _)| at).collect()
         }
-        Answer::MonteCarlo(report) => {
+        StudyResult::MonteCarlo(report) => {
             let table = table("", report);
             let mut listed = listing.order(&table, &QUANTILES);
             listed.retain(|at| table.rows[*at].deviation.is_some());

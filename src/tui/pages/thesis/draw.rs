@@ -2,7 +2,7 @@
 
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
-use crate::study::thesis::Verdict;
+use crate::study::thesis::ClaimVerdict;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
@@ -29,12 +29,12 @@ fn split(area: Rect, below: u16) -> (Rect, Rect) {
     split_bottom(area, below.min(area.height / 2))
 }
 
-fn role(verdict: Verdict) -> Role {
+fn role(verdict: ClaimVerdict) -> Role {
     match verdict {
-        Verdict::Reproduced | Verdict::TrendHolds => Role::Text,
-        Verdict::Corrected | Verdict::Misprint => Role::Warning,
-        Verdict::TrendFails => Role::Error,
-        Verdict::Unchecked => Role::Dim,
+        ClaimVerdict::Reproduced | ClaimVerdict::TrendHolds => Role::Text,
+        ClaimVerdict::Corrected | ClaimVerdict::Misprint => Role::Warning,
+        ClaimVerdict::TrendFails => Role::Error,
+        ClaimVerdict::Unchecked => Role::Dim,
     }
 }
 

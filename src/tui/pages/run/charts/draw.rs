@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 use crate::report::figures::run::{event_letter, event_marks};
 use crate::report::law::Law;
 use crate::report::run::page::of_first;
-use crate::report::series::Quantity;
+use crate::report::series::Channel;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::{short_name, value_at};
 use crate::tui::chart::{
@@ -64,7 +64,7 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
 fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     let data: Vec<Vec<Data<'_>>> =
         (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
-    let second: Vec<Option<(Quantity, Data<'_>)>> =
+    let second: Vec<Option<(Channel, Data<'_>)>> =
         (0..areas.len()).map(|index| app.second_curve(index)).collect();
     let both = data.iter().zip(&second).enumerate();
     let mut charts: Vec<Chart<'_>> =
@@ -111,7 +111,7 @@ fn chart<'a>(
     app: &'a App,
     index: usize,
     data: &'a [Data<'a>],
-    second: Option<&'a (Quantity, Data<'a>)>,
+    second: Option<&'a (Channel, Data<'a>)>,
 ) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
     let curves = data.iter().map(|Data { view, points }| {
@@ -174,19 +174,19 @@ fn over_displacement<'a>(
     if scale == Scale::Linear {
         y = y.with_zero();
     }
-    let levels = if quantity == Quantity::Stress { vec![Mark::new(1.0, "yield")] } else { vec![] };
+    let levels = if quantity == Channel::Stress { vec![Mark::new(1.0, "yield")] } else { vec![] };
     Chart {
         marks: law.map_or_else(Vec::new, |law| law.marks()),
         levels,
         crosshair: run
             .zip(app.charts.cursor_s)
-            .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s)),
+            .and_then(|(run, t_s)| Channel::PlateDisplacement.at(run, t_s)),
         ..Chart::new(title(app, quantity), x.padded(0.04), y.padded(0.04), curves)
     }
 }
 
 /// A vertical axis that shows all of some curves.
-fn value_axis(app: &App, data: &[Data<'_>], quantity: Quantity, scale: Scale) -> Axis<'static> {
+fn value_axis(app: &App, data: &[Data<'_>], quantity: Channel, scale: Scale) -> Axis<'static> {
     let (low, high) = app.value_range(data, scale);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
@@ -207,7 +207,7 @@ fn label(view: &RunView<'_>) -> String {
         .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
 }
 
-fn title(app: &App, quantity: Quantity) -> String {
+fn title(app: &App, quantity: Channel) -> String {
     let is_difference = app.charts.difference && quantity.is_over_time();
     if let Some(pin) = app.reference_pin().filter(|_| is_difference) {
         return format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter);
