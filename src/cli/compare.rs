@@ -21,7 +21,7 @@ use crate::report::compare::beside;
 use crate::report::figures::axis_of;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use crate::study::compare::{Candidate, Hardware, Report, compare, summary};
+use crate::study::compare::{Absence, Candidate, Hardware, Report, compare, summary};
 use crate::study::sweep::Axis;
 use crate::study::validity;
 
@@ -249,6 +249,11 @@ fn line_of_one(page: &mut String, map: &Map) {
             map.line_of_one(row).iter().map(|at| significant(at * across.unit.factor, 4)).collect();
         if map.cell(x.count() - 1, row).is_none() {
             crossings.push("the rest not computed".to_owned());
+        }
+        let is_undecided =
+            |column| matches!(map.cell(column, row), Some(Err(Absence::Undecided { .. })));
+        if (0..x.count()).any(is_undecided) {
+            crossings.push("not decided everywhere".to_owned());
         }
         let text = if crossings.is_empty() { "-".to_owned() } else { crossings.join(", ") };
         let _ = writeln!(page, "{:>12}  {text}", significant(y.value(row) * up.unit.factor, 4));

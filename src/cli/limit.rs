@@ -12,9 +12,8 @@ use crate::cli::study::{Random, StudyArguments, StudyOutput};
 use crate::cli::table::choice;
 use crate::cli::text::{chart_size, hanging};
 use crate::cli::{CliError, draw, progress};
-use crate::model::mechanism::Mechanism;
 use crate::model::units::velocity;
-use crate::report::limit::{self, remarks, residual};
+use crate::report::limit::{self, remarks, residual, taken_to_hold};
 use crate::report::svg::Picture;
 use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{Criterion, Limit, LimitOptions, Report, find};
@@ -104,12 +103,8 @@ fn page(name: &str, report: &Report) -> String {
         page.push_str(&draw::chart(&chart, chart_size((WIDTH, HEIGHT)), Theme::PLAIN));
     }
     page.push('\n');
-    for remark in remarks(report) {
+    for remark in remarks(report).into_iter().chain(taken_to_hold(report)) {
         page += &hanging(&format!("{:LABEL$}", remark.about), &remark.text, LABEL);
-    }
-    if !Mechanism::of(&report.scene).is_absent() && report.limit.velocity_m_s().is_some() {
-        let text = "taken to hold whatever it stores; `cmra compare` gives the limit with hardware sized for v_i";
-        page += &hanging(&format!("{:LABEL$}", "mechanism"), text, LABEL);
     }
     page
 }

@@ -13,6 +13,7 @@ use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
+use crate::study::quantities::usual_of;
 use crate::study::sensitivity::{Report, SCATTER, SamplingOptions, study, usual_axes};
 use crate::study::validity;
 
@@ -28,9 +29,9 @@ pub(super) struct SensitivityArguments {
     /// `cmra montecarlo` scatters]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// The quantity: `cmra explain quantities` lists all
-    #[arg(long, alias = "outputs", value_name = "NAME", default_value = "percent_of_baseline")]
-    output: String,
+    /// The quantity: `cmra explain quantities` lists all [default: percent_of_baseline, of a stack stack_penetration_m]
+    #[arg(long, alias = "outputs", value_name = "NAME")]
+    output: Option<String>,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024, value_parser = samples)]
     samples: usize,
@@ -61,9 +62,10 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     };
     let preset = arguments.study.load()?;
     let axes = bounds(&arguments.over, &preset.scene, usual_axes)?;
+    let output = arguments.output.as_deref().unwrap_or_else(|| usual_of(&preset.scene));
     let report = arguments
         .study
-        .run("runs", |context| study(&preset.scene, axes, &arguments.output, effort, context))?;
+        .run("runs", |context| study(&preset.scene, axes, output, effort, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         warnings: validity::of_axes(&preset.scene, &report.axes),

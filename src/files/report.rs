@@ -12,7 +12,7 @@ use crate::model::variables::{VARIABLES, Variable, is_used};
 use crate::report::document::{Block, Document};
 use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::picture;
-use crate::report::limit::{remarks, residual};
+use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::report::run::page::{of_first, sentence};
 use crate::report::svg::Picture;
 use crate::study::limit;
@@ -207,7 +207,7 @@ fn ballistic_limit(report: &limit::Report) -> Vec<Block> {
     if let Some(margin) = report.margin() {
         lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
     }
-    let remarks = remarks(report).into_iter();
+    let remarks = remarks(report).into_iter().chain(taken_to_hold(report));
     lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let warnings = report.at_limit.as_ref().map_or(&[][..], |it| &it.warnings);
     let known: Vec<&str> = library::warnings(&report.scene).collect();

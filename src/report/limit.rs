@@ -4,6 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use crate::model::mechanism::Mechanism;
+use crate::model::scene::Scene;
 use crate::model::units::{engineering, fixed_significant, significant, velocity};
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
@@ -32,7 +34,8 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
     if let Some(AtLimit { load, .. }) = &report.at_limit {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
-        remarks.push(Remark::new("at the limit", self::load(load).unwrap_or_else(none)));
+        let load = self::load(load, &report.scene);
+        remarks.push(Remark::new("at the limit", load.unwrap_or_else(none)));
     }
     if let Some(closure) = report.scene.closure_by_thickness() {
         let text = format!("{}, by the plate's thickness", closure.word());
@@ -60,6 +63,13 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     remarks
 }
 
+/// That the limit rests on a mechanism whose own limits it does not ask for; `None` where it does not.
+pub fn taken_to_hold(report: &Report) -> Option<Remark> {
+    let text = "taken to hold whatever it stores; `cmra compare` gives the limit with hardware sized for v_i";
+    let is_so = report.limit.velocity_m_s().is_some() && !Mechanism::of(&report.scene).is_absent();
+    is_so.then(|| Remark::new("mechanism", text))
+}
+
 /// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
 fn carried(report: &Report) -> Option<String> {
     report.limit.velocity_m_s()?;
@@ -72,7 +82,7 @@ fn carried(report: &Report) -> Option<String> {
 }
 
 /// The load of the mechanism at the limit; `None` if unknown.
-fn load(load: &Load) -> Option<String> {
+fn load(load: &Load, scene: &Scene) -> Option<String> {
     let part = |name: &str, value: Option<f64>, unit| {
         Some(format!("{name} {}", engineering(value?, unit, 4)))
     };
@@ -81,7 +91,11 @@ fn load(load: &Load) -> Option<String> {
         part("stored energy", load.stored_j, "J"),
         part("mount force", load.mount_force_n, "N"),
     ];
-    let known: Vec<String> = parts.into_iter().flatten().collect();
+    let mut known: Vec<String> = parts.into_iter().flatten().collect();
+    let is_hit = load.mount_force_n.is_none() && Mechanism::of(scene).rigid_stop().is_some();
+    if is_hit && !known.is_empty() {
+        known.push("mount force unknown (rigid stop)".to_owned());
+    }
     (!known.is_empty()).then(|| known.join(", "))
 }
 

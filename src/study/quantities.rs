@@ -15,6 +15,7 @@ use crate::study::compare::{
     plates_kg, system_mass_of_run,
 };
 use crate::study::limit;
+use crate::study::sweep::SweepError;
 use crate::study::sweep::kernel::KernelResult;
 
 mod mount;
@@ -228,7 +229,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates, whatever its springs have to store", Source::Shots(limit::velocity_m_s)).short("limit"),
+    quantity("limit_velocity_m_s", "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Shots(limit::velocity_m_s)).short("limit"),
     quantity("limit_with_hardware_m_s", "least impact velocity that perforates or, from v_i on, that the springs, sized for v_i, do not hold: as in `compare`, which names slower shots that overload a stack", Source::Shots(limit_with_hardware_m_s)).short("with hardware"),
     quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).map_err(Absence::words))).short("efficiency"),
     quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
@@ -333,6 +334,18 @@ impl Quantity {
         value.filter(|value| value.is_finite())
     }
 
+    /// That a study of this quantity alone would find nothing: a stack has no such quantity.
+    ///
+    /// # Errors
+    /// A [`SweepError`] that names one of stacks.
+    pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
+        if scene.stack.base_thickness_m.is_none() || !matches!(self.of_stack, OfStack::Absent) {
+            return Ok(());
+        }
+        let title = self.title();
+        Err(SweepError(format!("{title}: a stack has none; take {OF_STACKS}, for example")))
+    }
+
     /// Its value for the plate of a run alone, whatever stands behind it.
     pub(in crate::study) fn of_plate(&self, run: &Run) -> Option<f64> {
         match self.source {
@@ -393,6 +406,15 @@ fn energy_residual(run: &Run) -> Option<f64> {
 fn travel_margin(run: &Run) -> Option<f64> {
     let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
     load::travel_margin(&run.scene, run.scene.start_m(), farthest)
+}
+
+/// The depth in a stack, and in a single plate as a part of that in a rigid one.
+const OF_STACKS: &str = "stack_penetration_m";
+const OF_PLATES: &str = "percent_of_baseline";
+
+/// What a study of one quantity asks for where nothing is named.
+pub fn usual_of(scene: &Scene) -> &'static str {
+    if scene.stack.base_thickness_m.is_some() { OF_STACKS } else { OF_PLATES }
 }
 
 /// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.

@@ -157,6 +157,7 @@ pub fn study(
     let space = Plan::for_designs(scene, axes, &[output])?;
     let axes = space.axes().to_vec();
     let output = space.outputs()[0];
+    output.check_exists(scene)?;
     let inputs = axes.len();
     let own = space.design_of(scene);
     context.expect(effort.runs(inputs));

@@ -36,6 +36,9 @@ fn the_page_has_its_sections_and_reasons_for_missing_ones() {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+    let stopped = output(&["--set", "x_stop=10mm", "--set", "k=1e3", "--scatter", "0"]);
+    assert!(stopped.contains("mount force unknown"), "{stopped}");
+    assert!(stopped.contains("mechanism       taken to hold"), "{stopped}");
     let never = output(&["--set", "h=5"]);
     assert!(
         never.contains("limit beyond 3000 m/s: nothing from 1 to 3000 m/s perforates"),

@@ -55,6 +55,10 @@ fn bad_options_are_refused_before_anything_runs() {
         (&["--over", "gamma=2..2"], "both ends are 2"),
         (&["--over", "gama=1..2"], "did you mean `gamma`"),
         (&["--output", "depth"], "depth"),
+        (
+            &["array-stacked", "--output", "percent_of_baseline"],
+            "a stack has none; take stack_penetration_m",
+        ),
     ] {
         let refused = cmra("sensitivity", arguments).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();

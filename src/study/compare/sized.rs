@@ -65,7 +65,7 @@ impl Absence {
         match self {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
-            Self::Undecided { .. } => 'O',
+            Self::Undecided { .. } => '?',
             Self::ClosureChange(by_closure) => by_closure.letter(),
             Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',

@@ -53,7 +53,8 @@ fn condition(report: &Report) -> String {
 /// What the verdict rests on, a sentence each.
 pub fn reasons(report: &Report) -> Vec<String> {
     let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
-    let mut lines: Vec<String> = sized(own, report.verdict()).into_iter().collect();
+    let mut lines = slower_shots(report);
+    lines.extend(sized(own, report.verdict()));
     lines.extend(as_built(own));
     lines.extend(crushed(&report.scene));
     lines.extend(outside_validity(report));
@@ -144,13 +145,14 @@ fn sized(own: &Entry, verdict: Profitability) -> Option<String> {
         PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
     let scene = &sized.scene;
+    let of = if scene.stack.base_thickness_m.is_some() { " in its front plate" } else { "" };
     let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];
     let [thickness, face, spring, solid] =
         in_thousandths.map(|value| fixed_significant(1e3 * value, 4));
     let [areal, solid_areal] =
         [sized.areal_kg_m2, sized.solid_areal_kg_m2].map(|value| fixed_significant(value, 4));
     Some(format!(
-        "sized to just stop the shot: this armour with {thickness} mm over a face of {face} mm square{given} and {spring} g of spring, \
+        "sized to just stop the shot: this armour with {thickness} mm{of} over a face of {face} mm square{given} and {spring} g of spring, \
          {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}"
     ))
 }
@@ -176,6 +178,16 @@ fn as_built(own: &Entry) -> Option<String> {
     ))
 }
 
+/// What no limit velocity of a stack tells: that slower shots are not held.
+fn slower_shots(report: &Report) -> Vec<String> {
+    let slower = report.entries.iter().filter_map(|entry| Some((entry.candidate, entry.slower?)));
+    let words = slower.map(|(candidate, (slower_m_s, failure))| {
+        let (word, slower, why) = (candidate.word(), velocity(slower_m_s, 4), failure.words());
+        format!("{word}: a shot slower than its limit is not held: from {slower} on fewer plates stop it, and {why}")
+    });
+    words.collect()
+}
+
 /// The causes of the limit velocities, and the missing ones.
 fn limits(report: &Report) -> Vec<String> {
     let mut lines = Vec::new();
@@ -190,12 +202,6 @@ fn limits(report: &Report) -> Vec<String> {
             let text =
                 format!("limit velocity {limit}, where {why}; the plate is perforated {plate}");
             lines.push(format!("{word}: {text}"));
-        }
-        if let Some((slower_m_s, failure)) = entry.slower {
-            let (slower, why) = (velocity(slower_m_s, 4), failure.words());
-            lines.push(format!(
-                "{word}: a slower shot is not held: from {slower} on fewer plates stop it, and {why}"
-            ));
         }
         lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
         if !entry.is_held {

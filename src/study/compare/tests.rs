@@ -446,3 +446,14 @@ fn the_limit_with_hardware_is_that_of_the_comparison() {
     let beyond = limit_with_hardware_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
 }
+
+/// The map draws its line of 1 with an `O`.
+#[test]
+fn no_letter_of_the_map_is_that_of_its_line() {
+    let undecided = Absence::Undecided { perforated_m: None, stopped_m: 0.01 };
+    let other =
+        [Absence::NoSolid, Absence::NoThickness, Absence::NothingStops, Absence::NoSpringMass];
+    for absence in [undecided].into_iter().chain(other) {
+        assert_ne!(absence.letter(), 'O', "{}", absence.brief());
+    }
+}

@@ -23,9 +23,10 @@ pub struct ResidualLaw {
 }
 
 impl ResidualLaw {
-    /// Recht and Ipson's through (impact, residual) velocities, m/s, with this limit; `None` with fewer than two.
+    /// Recht and Ipson's through (impact, residual) velocities, m/s, with this limit; `None` with fewer than two, or where the
+    /// projectile leaves backwards.
     pub fn recht_ipson(shots: &[(f64, f64)], limit_m_s: f64) -> Option<Self> {
-        Self::scaled(shots, 2.0, limit_m_s)
+        Self::scaled(shots, 2.0, limit_m_s).filter(|law| law.a > 0.0)
     }
 
     /// Lambert and Jonas's through (impact, residual) velocities, m/s; `None` with fewer than four, or where they have no such shape.
@@ -103,5 +104,7 @@ mod tests {
         assert_eq!(ResidualLaw::recht_ipson(&[(300.0, 10.0)], 200.0), None);
         assert_eq!(ResidualLaw::lambert_jonas(&shots(1.0, 2.0, 100.0)[..3]), None);
         assert_eq!(ResidualLaw::lambert_jonas(&[]), None);
+        // The projectile leaves backwards.
+        assert_eq!(ResidualLaw::recht_ipson(&[(300.0, -10.0), (400.0, -5.0)], 200.0), None);
     }
 }

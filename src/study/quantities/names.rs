@@ -42,7 +42,7 @@ pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
     let ranked = |quantity: &'static Quantity| {
         // `depth` is a word of meanings, not of names.
-        let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric());
+        let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric() && c != '_');
         let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
         let far = distance(&lower, quantity.name);
         (if is_meant { far.min(1) } else { far }, quantity.name)
@@ -132,6 +132,7 @@ mod tests {
     fn an_unknown_name_gets_the_nearest_names_in_a_short_line() {
         assert!(USUAL.iter().all(|name| find(name).is_some()));
         assert_eq!(nearest("stroke"), "did you mean `stroke_m`?");
+        assert_eq!(nearest("v_bl"), "did you mean `limit_velocity_m_s`?");
         assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");
         assert_eq!(nearest("percent_of_basline"), "did you mean `percent_of_baseline`?");
         assert!(nearest("penetration").starts_with("did you mean `final_penetration_m` or "));

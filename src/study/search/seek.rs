@@ -140,6 +140,7 @@ pub fn has_unlimited_interface(scene: &Scene) -> bool {
 pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let axis = &goal.axis;
     let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
+    space.outputs()[0].check_exists(scene)?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut outcomes: Vec<(f64, PointOutcome)> = Vec::new();

@@ -218,12 +218,16 @@ impl Painter<'_> {
             // A blank before the next tag, unless the two are neighbours.
             let next = tags.get(index + 1);
             let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
-            let room = (end - x).max(1);
-            let width = u16::try_from(Span::raw(*tag).width()).unwrap_or(u16::MAX).min(room);
-            let rows = plot.top()..plot.bottom();
-            let row = rows.clone().find(|y| (*x..x + width).all(|x| self.is_free((x, *y), dotted)));
-            let row = row.unwrap_or_else(|| plot.top());
-            self.buffer.set_stringn(*x, row, tag, usize::from(room), style);
+            let width = u16::try_from(Span::raw(*tag).width()).unwrap_or(u16::MAX);
+            // A word at the right end of the plot begins left of its event; one without room before the next is omitted: its first
+            // letters may stand for something else.
+            let x = if next.is_none() { *x.min(&end.saturating_sub(width)) } else { *x };
+            if width > 1 && (x < plot.x || x + width > end) {
+                continue;
+            }
+            let mut rows = plot.top()..plot.bottom();
+            let row = rows.find(|y| (x..x + width).all(|x| self.is_free((x, *y), dotted)));
+            self.buffer.set_string(x, row.unwrap_or_else(|| plot.top()), tag, style);
         }
     }
 

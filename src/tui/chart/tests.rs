@@ -147,6 +147,16 @@ fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
     );
 }
 
+/// The first letters of a word may stand for something else: `s` of `scene` for `stopped`.
+#[test]
+fn the_word_of_an_event_is_whole_or_omitted() {
+    let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
+    chart.marks = vec![Mark::new(12.0, "through"), Mark::new(15.0, "v"), Mark::new(19.0, "scene")];
+    let text = picture(&chart).join("\n");
+    assert!(text.contains("v") && text.contains("scene"), "{text}");
+    assert!(!text.contains("th"), "{text}");
+}
+
 #[test]
 fn a_logarithmic_axis_has_decades_and_counts_hidden_points() {
     let points = [(-1.0, 5.0), (0.0, 5.0), (1.0, 1.0), (1000.0, 1000.0), (f64::NAN, 1.0)];

@@ -154,7 +154,15 @@ impl Page for SearchTab {
                 });
                 let (at, count) = (tab.selected() + 1, tab.choices());
                 let results = results.collect::<Vec<String>>().join(", ");
-                Some(format!("#{at}/{count} {}: {results}", values.join(" ")))
+                let is_knee = tab.knee().is_some_and(|knee| tab.order().get(at - 1) == Some(&knee));
+                let knee = if is_knee {
+                    let (across, up) = tab.across(task);
+                    let [across, up] = [across, up].map(|axis| brief(task.measures()[axis]));
+                    format!(", knee of {across} and {up}")
+                } else {
+                    String::new()
+                };
+                Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
             }
             StudyResult::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
             StudyResult::MonteCarlo(_) => None,

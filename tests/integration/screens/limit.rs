@@ -148,7 +148,7 @@ fn missing_results_are_explained() {
 #[test]
 fn the_limit_is_found_once_for_each_scene_and_again_on_request() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
-    assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 %: 100 m/s is stopped"));
+    assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 % if the mechanism holds"));
     bench.keys("13");
     assert!(bench.studies().is_empty());
     // An edit from within the tab makes it old; r finds the new scene's.

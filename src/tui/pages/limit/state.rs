@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::model::run::Outcome;
 use crate::model::units::{self, fixed_significant};
 use crate::report::Remark;
-use crate::report::limit::{remarks, residual};
+use crate::report::limit::{remarks, residual, taken_to_hold};
 use crate::study::compare::map::Map;
 use crate::study::limit::monte_carlo::ModelError;
 use crate::study::limit::{self, Criterion, Limit, LimitOptions, Report, Shot};
@@ -254,9 +254,12 @@ impl App {
             (true, Some(_)) => format!(" at {own} m/s"),
         };
         let limit = format!("v_bl {} m/s{of}", fixed_significant(velocity_m_s, 6));
-        let short = format!("{limit}, margin {:+.1} %", 100.0 * margin);
+        let bare = format!("{limit}, margin {:+.1} %", 100.0 * margin);
+        let is_conditional = margin >= 0.0 && taken_to_hold(report).is_some();
+        let condition = if is_conditional { " if the mechanism holds" } else { "" };
+        let short = format!("{bare}{condition}");
         let full = format!("{short}{ends}");
-        Some(fitting([format!("limit {full}"), full, short, limit], width))
+        Some(fitting([format!("limit {full}"), full, short, bare, limit], width))
     }
 
     /// The shot at the crosshair in words, with what the laws say there; without one, what to know of the limit.

@@ -387,7 +387,8 @@ pub(super) fn completeness(answer: &StudyResult) -> (bool, Option<String>) {
     match answer {
         StudyResult::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
         StudyResult::Front(front, _) => {
-            let text = format!("{} designs, {} runs", front.designs.len(), front.runs);
+            let (designs, generations) = (front.designs.len(), front.generations);
+            let text = format!("{designs} designs after {generations} generations");
             (front.is_complete, Some(text))
         }
         StudyResult::Sensitivity(report) => (report.sobol.is_some(), None),
