@@ -29,8 +29,12 @@ pub(super) struct SensitivityArguments {
     /// `cmra montecarlo` scatters]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// The quantity: `cmra explain quantities` lists all [default: percent_of_baseline, of a stack stack_penetration_m]
-    #[arg(long, alias = "outputs", value_name = "NAME")]
+    #[arg(
+        long,
+        alias = "outputs",
+        value_name = "NAME",
+        help = "The quantity: `cmra explain quantities` lists all [default: percent_of_baseline, of a stack stack_penetration_m]"
+    )]
     output: Option<String>,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024, value_parser = samples)]

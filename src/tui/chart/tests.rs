@@ -153,7 +153,7 @@ fn the_word_of_an_event_is_whole_or_omitted() {
     let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
     chart.marks = vec![Mark::new(12.0, "through"), Mark::new(15.0, "v"), Mark::new(19.0, "scene")];
     let text = picture(&chart).join("\n");
-    assert!(text.contains("v") && text.contains("scene"), "{text}");
+    assert!(text.contains('v') && text.contains("scene"), "{text}");
     assert!(!text.contains("th"), "{text}");
 }
 
