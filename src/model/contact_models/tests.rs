@@ -101,6 +101,22 @@ fn valid_the_initial_velocity_model_reaches_the_energy_limit_only() {
     assert!(close(run.ledger.penetration_j, 0.5 * 147.5, 1e-12));
 }
 
+/// The plate begins with a velocity, on the very zero of a power law: all energy after the collision goes into the spring.
+#[test]
+fn valid_the_initial_velocity_goes_into_a_spring_of_any_exponent() {
+    for n in [0.5_f64, 1.308, 1.5, 2.5, 3.5] {
+        for (k, v_i) in [(1e3_f64, 184.738_f64), (1e3, 600.0), (1e6, 20.0)] {
+            let run = run(&format!("model=initial-velocity gamma=1 k={k} n={n} v_i={v_i}"));
+            // Equal masses: half of the velocity, twice the mass.
+            let energy_j = 0.0295 * (0.5 * v_i) * (0.5 * v_i);
+            let expected = ((n + 1.0) * energy_j / k).powf(1.0 / (n + 1.0));
+            let found = run.max_plate_displacement_m.unwrap();
+            assert!(close(found, expected, 1e-11), "n {n} k {k} v_i {v_i}: {found} {expected}");
+            assert!(run.ledger.residual().abs() < 1e-11, "{}", run.ledger.residual());
+        }
+    }
+}
+
 #[test]
 fn valid_the_lumped_interface_conserves_momentum_and_dissipates_by_its_hysteresis() {
     let run = run("model=lumped gamma=2 k=0 k_load=2e6 k_unload=8e6");

@@ -30,7 +30,9 @@ impl Body<'_> {
             larger(x.abs(), FINEST * self.plate_scale_m)
         } else if x == 0.0 && w != 0.0 {
             // From zero itself there is no other side: as close as the time resolves.
-            larger(CLOCK * self.state.t_s * w.abs(), FINEST * self.plate_scale_m)
+            let closest = larger(CLOCK * self.state.t_s * w.abs(), FINEST * self.plate_scale_m);
+            // A plate that a model starts with a velocity has no time and no path behind it.
+            if closest > 0.0 { closest } else { least }
         } else {
             larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)
         };
