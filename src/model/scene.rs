@@ -131,6 +131,11 @@ impl Scene {
         self.plate.mass_ratio * self.projectile.mass_kg
     }
 
+    /// Whether other plates stand behind this one, the last of them the base plate.
+    pub fn is_stack(&self) -> bool {
+        self.stack.base_thickness_m.is_some()
+    }
+
     /// Whether the plate stands on a rigid mount.
     pub fn is_rigid(&self) -> bool {
         self.plate.mount == Mount::Rigid

@@ -20,7 +20,7 @@ pub fn follow(
     first: &mut Run,
     simulate: &mut dyn FnMut(Scene) -> Result<Run, VariableError>,
 ) -> Result<Option<StackRun>, VariableError> {
-    if scene.stack.base_thickness_m.is_none() {
+    if !scene.is_stack() {
         return Ok(None);
     }
     let plates = plates(scene);

@@ -43,7 +43,7 @@ const LINES: [&str; 20] = [
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
-    let has_layers = report.entries.iter().any(|it| it.scene.stack.base_thickness_m.is_some());
+    let has_layers = report.entries.iter().any(|it| it.scene.is_stack());
     let thickness = if has_layers { "front plate thickness" } else { "thickness" };
     Table::of(&report.entries)
         .with("scene", "scene", "", move |_| name)

@@ -229,7 +229,7 @@ impl Report {
     /// counted, it does not pay, or the scene is a stack.
     pub fn spare_mass_kg(&self) -> Option<f64> {
         let sized = self.of(Candidate::Scene)?.sized.as_ref().ok()?;
-        let is_open = !self.uncounted.is_empty() && self.scene.stack.base_thickness_m.is_none();
+        let is_open = !self.uncounted.is_empty() && !self.scene.is_stack();
         let spare = (sized.solid_areal_kg_m2 - sized.areal_kg_m2) * face_m2(&sized.scene);
         Some(spare).filter(|_| is_open && self.verdict() == Profitability::Pays)
     }
@@ -320,7 +320,7 @@ pub fn compare(
 
 /// The plates of a scene that its mechanisms carry, the base plate of a stack not among them.
 pub(in crate::study) fn elements(scene: &Scene) -> Vec<Scene> {
-    if scene.stack.base_thickness_m.is_none() {
+    if !scene.is_stack() {
         return vec![scene.clone()];
     }
     let mut plates = stack::plates(scene);

@@ -315,8 +315,7 @@ pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
-    let is_stack = scene.stack.base_thickness_m.is_some();
-    if (acts && !rigid) || is_stack || scene.contact.model != ContactModel::Hydrodynamic {
+    if (acts && !rigid) || scene.is_stack() || scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let geometry = Geometry::of(scene);

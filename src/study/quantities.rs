@@ -339,7 +339,7 @@ impl Quantity {
     /// # Errors
     /// A [`SweepError`] that names one of stacks.
     pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
-        if scene.stack.base_thickness_m.is_none() || !matches!(self.of_stack, OfStack::Absent) {
+        if !scene.is_stack() || !matches!(self.of_stack, OfStack::Absent) {
             return Ok(());
         }
         let title = self.title();
@@ -414,7 +414,7 @@ const OF_PLATES: &str = "percent_of_baseline";
 
 /// What a study of one quantity asks for where nothing is named.
 pub fn usual_of(scene: &Scene) -> &'static str {
-    if scene.stack.base_thickness_m.is_some() { OF_STACKS } else { OF_PLATES }
+    if scene.is_stack() { OF_STACKS } else { OF_PLATES }
 }
 
 /// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.

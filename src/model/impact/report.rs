@@ -243,7 +243,7 @@ fn warnings(
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
     }
     // What goes through the first plate of a stack meets the next.
-    let is_alone = problem.scene.stack.base_thickness_m.is_none();
+    let is_alone = !problem.scene.is_stack();
     if problem.flows() && problem.baseline_m.is_none() && is_alone {
         list.push(Warning::NoBaseline);
     }

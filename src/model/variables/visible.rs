@@ -66,7 +66,7 @@ pub(in crate::model) fn is_sprung(scene: &Scene) -> bool {
 }
 
 pub(in crate::model) fn is_stack(scene: &Scene) -> bool {
-    scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
+    scene.is_stack() || scene.stack.elements > 1.0
 }
 
 pub(in crate::model) fn is_hydrodynamic(scene: &Scene) -> bool {

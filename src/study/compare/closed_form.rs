@@ -34,7 +34,7 @@ impl ClosedForm {
     /// cocked plate, a stop, a damper, a spring whose mass is given or its own, and a plate whose mass ratio follows from its face.
     pub fn of(scene: &Scene, hardware: &Hardware) -> Option<Self> {
         let fits = scene.plate.mount == Mount::Sprung
-            && scene.stack.base_thickness_m.is_none()
+            && !scene.is_stack()
             && scene.projectile.obliquity_deg == 0.0
             && scene.contact.model == ContactModel::Hydrodynamic
             && scene.plate.cocking_m == 0.0

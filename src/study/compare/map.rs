@@ -40,7 +40,7 @@ impl Map {
         hardware: Hardware,
         context: &mut Context<'_>,
     ) -> Result<Self, SweepError> {
-        if scene.stack.base_thickness_m.is_none() && axes.iter().any(|axis| axis.symbol() == "h") {
+        if !scene.is_stack() && axes.iter().any(|axis| axis.symbol() == "h") {
             let text = "the map does not depend on h: each point sizes h to just stop its shot; take another variable, or \
                         `cmra sweep --over h --outputs limit_with_hardware_m_s`";
             return Err(SweepError(text.to_owned()));

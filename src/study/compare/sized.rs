@@ -248,11 +248,10 @@ fn shoot(scene: Scene) -> Option<Shot> {
 /// The least factor of the thicknesses that stops the shot, and that shot.
 fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
     let search = Search { scene, width };
-    let is_stack = scene.stack.base_thickness_m.is_some();
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
         .map_or(solid, |thickness| thickness.m() / scene.target.thickness_m);
-    let (mut thin, mut thick) = if is_stack {
+    let (mut thin, mut thick) = if scene.is_stack() {
         // Between what all its plates together and what each of them alone would need.
         (0.5 * solid, 1.1 * solid)
     } else if scene.plate.mount == Mount::Rigid {

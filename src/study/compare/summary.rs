@@ -145,7 +145,7 @@ fn sized(own: &Entry, verdict: Profitability) -> Option<String> {
         PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
     };
     let scene = &sized.scene;
-    let of = if scene.stack.base_thickness_m.is_some() { " in its front plate" } else { "" };
+    let of = if scene.is_stack() { " in its front plate" } else { "" };
     let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];
     let [thickness, face, spring, solid] =
         in_thousandths.map(|value| fixed_significant(1e3 * value, 4));

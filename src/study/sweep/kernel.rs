@@ -180,7 +180,7 @@ fn decides(scene: &Scene, wanted: Wanted) -> bool {
         && scene.interface.law == InterfaceLaw::Fused;
     let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
     let is_damped = sprung && !mechanism.damper.is_absent();
-    let is_alone = scene.stack.base_thickness_m.is_none();
+    let is_alone = !scene.is_stack();
     stays
         && is_alone
         && match wanted {

@@ -154,14 +154,8 @@ impl Page for SearchTab {
                 });
                 let (at, count) = (tab.selected() + 1, tab.choices());
                 let results = results.collect::<Vec<String>>().join(", ");
-                let is_knee = tab.knee().is_some_and(|knee| tab.order().get(at - 1) == Some(&knee));
-                let knee = if is_knee {
-                    let (across, up) = tab.across(task);
-                    let [across, up] = [across, up].map(|axis| brief(task.measures()[axis]));
-                    format!(", knee of {across} and {up}")
-                } else {
-                    String::new()
-                };
+                let knee =
+                    if tab.selects_knee() { words::of_knee(tab, task) } else { String::new() };
                 Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
             }
             StudyResult::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),

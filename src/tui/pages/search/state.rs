@@ -251,6 +251,11 @@ impl Searching {
         known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
     }
 
+    /// Whether the design selected is the knee.
+    pub fn selects_knee(&self) -> bool {
+        self.knee().is_some_and(|knee| self.order().get(self.selected()) == Some(&knee))
+    }
+
     /// Sort the table of the front by its next objective.
     pub fn sort_next(&mut self) {
         let Some((_, task)) = self.front() else { return };

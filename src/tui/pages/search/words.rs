@@ -203,6 +203,13 @@ fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
+/// The two results whose knee it is.
+pub(super) fn of_knee(tab: &Searching, task: &Task) -> String {
+    let (across, up) = tab.across(task);
+    let [across, up] = [across, up].map(|axis| brief(task.measures()[axis]));
+    format!(", knee of {across} and {up}")
+}
+
 /// The columns of the table of designs, by their places; `*` marks the one it is sorted by.
 pub(crate) fn design_cells(tab: &Searching, front: &Front, task: &Task) -> Vec<Cells> {
     let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
