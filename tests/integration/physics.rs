@@ -41,7 +41,7 @@ fn depth(run: &Run) -> f64 {
 
 #[test]
 fn valid_every_row_of_the_reference_to_1e_9_in_depth_and_time() {
-    let mut reader = csv::Reader::from_path("presets/tables/reference.csv").unwrap();
+    let mut reader = csv::Reader::from_path("src/engine/data/reference.csv").unwrap();
     let mut rows = 0;
     for row in reader.records() {
         let row = row.unwrap();

@@ -9,6 +9,9 @@ use crate::support::{files_below, in_repository};
 /// The layers from the lowest to the highest: a file may name its own and those before it.
 const LAYERS: [&str; 8] = ["numerics", "model", "study", "report", "files", "worker", "tui", "cli"];
 
+/// The folders of `src` that are packages of their own.
+const PACKAGES: [&str; 2] = ["engine", "studies"];
+
 /// What a part of the house must not know: words that must not appear in its code.
 const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
     (
@@ -27,7 +30,7 @@ const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
 const LINES_MAX: usize = 500;
 
 struct Source {
-    /// Path below `src/`, with `/`.
+    /// Path below `src/` or the folder of its package, with `/`.
     name: String,
     text: String,
 }
@@ -58,7 +61,8 @@ fn sources() -> Vec<Source> {
     let root = in_repository("src");
     let name = |path: &Path| {
         let parts = path.strip_prefix(&root).unwrap().iter();
-        parts.map(|part| part.to_str().unwrap()).collect::<Vec<_>>().join("/")
+        let parts = parts.map(|part| part.to_str().unwrap());
+        parts.filter(|part| !PACKAGES.contains(part)).collect::<Vec<_>>().join("/")
     };
     files_below(&root, "rs")
         .iter()

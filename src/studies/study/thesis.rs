@@ -1,6 +1,6 @@
 //! Every checkable claim of the thesis, compared with computed results, in the order of the thesis.
 //!
-//! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
+//! The claims are data, in `data/claims.toml`: where a claim stands, what it says, and how it is checked, by the
 //! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
 
 use std::sync::LazyLock;
@@ -24,7 +24,7 @@ mod value;
 
 pub use claim::Claim;
 
-const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
+const CLAIMS: &str = include_str!("../data/claims.toml");
 
 enumeration! {
     /// The outcome of a claim.

@@ -1,6 +1,6 @@
 //! Measurements from outside the thesis, and what the model computes for them, with nothing fitted.
 //!
-//! Measurements and their sources are in `presets/tables/measurements.toml`; the model's values are always
+//! Measurements and their sources are in `data/measurements.toml`; the model's values are always
 //! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. Measurements that
 //! cannot be checked are listed with the reason.
 
@@ -18,7 +18,7 @@ mod bias;
 pub use bias::{Bias, biases};
 
 /// The measurements as they are written.
-const FILE: &str = include_str!("../../presets/tables/measurements.toml");
+const FILE: &str = include_str!("../data/measurements.toml");
 
 /// The class of a measurement that is in no statistics.
 pub const NOT_COUNTED: &str = "not counted";

@@ -4,7 +4,7 @@ use crate::model::contact_phase::{ContactSolution, Ending};
 use crate::model::scene::Scene;
 use crate::model::variables::{VariableError, changed_free_plate};
 
-/// A row of `presets/tables/reference.csv`.
+/// A row of `data/reference.csv`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stored {
     /// Its name.
@@ -22,7 +22,7 @@ pub struct Stored {
 impl Stored {
     /// Every row.
     pub fn rows() -> impl Iterator<Item = Self> {
-        let lines = include_str!("../../../presets/tables/reference.csv").lines().skip(1);
+        let lines = include_str!("../../data/reference.csv").lines().skip(1);
         lines.filter_map(|line| {
             let fields: Vec<&'static str> = line.split(',').collect();
             let [name, changes, end, t_s, depth_m, plate_m, _, trusted] = fields[..] else {

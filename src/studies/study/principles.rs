@@ -28,11 +28,11 @@ pub struct Principle {
     pub see_also: Vec<&'static str>,
 }
 
-/// Tables 4.1 and 5.1, as they are written in `presets/tables/principles.toml`; none where the file is wrong, which a test refuses.
+/// Tables 4.1 and 5.1, as they are written in `data/principles.toml`; none where the file is wrong, which a test refuses.
 pub static PRINCIPLES: LazyLock<Vec<Principle>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Principle>, toml::de::Error> {
-    listed(include_str!("../../presets/tables/principles.toml"))
+    listed(include_str!("../data/principles.toml"))
 }
 
 #[cfg(test)]

@@ -30,11 +30,11 @@ impl Case {
     }
 }
 
-/// All of them, as they are written in `presets/tables/stability.toml`; none where the file is wrong, which a test refuses.
+/// All of them, as they are written in `data/stability.toml`; none where the file is wrong, which a test refuses.
 pub static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| read().unwrap_or_default());
 
 fn read() -> Result<Vec<Case>, toml::de::Error> {
-    listed(include_str!("../../../presets/tables/stability.toml"))
+    listed(include_str!("../../data/stability.toml"))
 }
 
 #[cfg(test)]
