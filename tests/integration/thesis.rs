@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 
-use assert_cmd::Command;
 use cmra::files::bundled::BUNDLED;
 use cmra::report::thesis::claims as table_of;
 use cmra::study::context::{Context, to_its_end};
@@ -74,8 +73,7 @@ fn the_claims_see_the_concepts_as_the_presets_have_them() {
 
 #[test]
 fn the_command_prints_rows_as_text_and_json_and_holds_them_to_the_stored_table() {
-    let output = Command::cargo_bin("cmra")
-        .unwrap()
+    let output = crate::support::program()
         .args(["reproduce", "--only", "A.2", "--json"])
         .output()
         .unwrap();
@@ -151,7 +149,7 @@ fn reproduce_refuses_a_text_without_a_match_and_counts_its_rows() {
 }
 
 fn cmra(arguments: &[&str]) -> (String, String, i32) {
-    let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+    let output = crate::support::program().args(arguments).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (text(output.stdout), text(output.stderr), output.status.code().unwrap())
 }

@@ -1,6 +1,7 @@
 //! The studies of the pages on the threads of the worker: what they refuse, and what they keep.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
@@ -20,12 +21,16 @@ use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 use crate::worker::study::Study;
 use crate::worker::{Finding, Report, ReportBody, Task, Worker};
 
-const PATIENCE: Duration = Duration::from_secs(60);
+/// A test that waits so long hangs.
+const HANG: Duration = Duration::from_secs(120);
 
-/// The threads with one study, and what they report.
+/// The threads with one study, and what they report. A second passes with each look at their clock, so that progress comes however
+/// fast the machine is; a report that is read holds the study up until the next one is wanted.
 fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
-    let (send, reports) = mpsc::channel();
-    let worker = Worker::spawn(move |report| {
+    let (send, reports) = mpsc::sync_channel(0);
+    let looks = AtomicU32::new(0);
+    let clock = move || Duration::from_secs(1) * looks.fetch_add(1, Ordering::Relaxed);
+    let worker = Worker::with_clock(Arc::new(clock), move |report| {
         // The test may be over.
         let _ = send.send(report);
     });
@@ -36,7 +41,7 @@ fn begun(scene: Scene, study: impl Study) -> (Worker, Receiver<Report>) {
 }
 
 fn next(reports: &Receiver<Report>) -> ReportBody {
-    reports.recv_timeout(PATIENCE).expect("a report in time").body
+    reports.recv_timeout(HANG).expect("a report in time").body
 }
 
 /// The result, or why there is none.
