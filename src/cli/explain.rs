@@ -97,7 +97,7 @@ fn rows(named: Vec<Named>) -> Table<'static, Named> {
         .with("meaning", "", "", of(|it| it.meaning.to_owned(), |it| it.meaning))
         .with("unit", "", "", of(|it| it.unit().to_owned(), |it| it.unit()))
         .with("default", "", "", |it| it.variable(|it| it.show(&Scene::default())))
-        .with("allowed", "", "", |it| it.variable(|it| it.allowed()))
+        .with("allowed", "", "", |it| it.variable(Variable::allowed))
         .with("thesis_low", "", "", |it| it.variable(|it| Some(it.thesis_range()?.0)).flatten())
         .with("thesis_high", "", "", |it| it.variable(|it| Some(it.thesis_range()?.1)).flatten())
         .with("used_when", "", "", |it| it.variable(used_when))
