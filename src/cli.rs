@@ -20,7 +20,6 @@ mod completions;
 mod design;
 mod error;
 mod explain;
-mod fit;
 mod help;
 mod install;
 mod join;

@@ -43,7 +43,6 @@ commands! {
     "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
     "Run and explore" "join" "Join the parts of a sweep that was computed with --shard" join;
     "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
-    "Decide" "fit" "Find V50 from shots of a test, and the strength that gives it" fit;
     "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
     "Decide" "seek" "Find the values of a variable that reach a goal" seek;
     "Decide" "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
