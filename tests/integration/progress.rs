@@ -67,7 +67,7 @@ fn interrupted(words: &str, progress: &str) -> (String, Terminal) {
 #[test]
 fn a_long_run_reports_the_time_it_has_reached() {
     let words = "run --set k=1e9 --set n=1.5 --set run.horizon_s=1000 --csv long.csv";
-    let (page, terminal) = interrupted(words, " s after ");
+    let (page, terminal) = interrupted(words, " after 4.0 s, 64 steps");
     assert!(page.contains("the run is incomplete: cancelled: what was finished is kept"), "{page}");
     let rows = std::fs::read_to_string(terminal.file("long.partial.csv")).unwrap();
     assert!(rows.lines().count() > 10 && rows.ends_with('\n'));
