@@ -144,8 +144,7 @@ mod tests {
                 "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
             ),
             ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
-            ("design shot thin --set h=1mm --csv a.csv", "", "design shot thin --set h=1mm"),
-            ("design principles --csv a.csv", "", "design principles"),
+            ("design thin --set h=1mm --csv a.csv", "", "design thin --set h=1mm"),
             // Relative to the folder of the scene.
             ("fit Cargo.toml thin --csv x/a.csv", "./a.toml", &format!("fit {shots} ./a.toml")),
             (
