@@ -17,7 +17,6 @@ pub mod read;
 pub mod report;
 pub mod session;
 pub mod shard;
-pub mod shots;
 pub mod style;
 pub mod validation;
 

@@ -1,7 +1,5 @@
 //! The command line that makes a table again, with the scene read from the file beside it.
 
-use std::path::Path;
-
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
 
@@ -35,14 +33,13 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
         words.push(name.to_owned());
         (command, typed) = (command.find_subcommand(name).unwrap_or(command), inner);
     }
-    let is_elsewhere = scene.is_some() && has_folder(typed);
     for argument in command.get_positionals() {
         let is_scene = matches!(argument.get_id().as_str(), "scene" | "scenes");
         match scene.filter(|_| is_scene) {
             Some(scene) => words.push(shell_word(scene)),
-            None => words.extend(
-                occurrences(typed, argument).concat().iter().map(|it| found(it, is_elsewhere)),
-            ),
+            None => {
+                words.extend(occurrences(typed, argument).concat().iter().map(|it| shell_word(it)));
+            }
         }
     }
     let is_seek = command.get_name() == "seek";
@@ -76,19 +73,6 @@ fn occurrences(typed: &ArgMatches, argument: &Arg) -> Vec<Vec<String>> {
     times.map(|all| all.map(|it| it.to_string_lossy().into_owned()).collect()).collect()
 }
 
-/// Whether the table goes into another folder, from which the command is to run again.
-fn has_folder(typed: &ArgMatches) -> bool {
-    let csv = typed.try_get_raw("csv").ok().flatten().and_then(|mut all| all.next());
-    csv.and_then(|csv| Path::new(csv).parent()).is_some_and(|folder| folder != Path::new(""))
-}
-
-/// A word, which is found from another folder where it names a file.
-fn found(word: &str, is_elsewhere: bool) -> String {
-    let path = Path::new(word);
-    let whole = std::path::absolute(path).ok().filter(|_| is_elsewhere && path.exists());
-    shell_word(&whole.map_or_else(|| word.into(), |whole| whole.to_string_lossy().into_owned()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,7 +85,6 @@ mod tests {
             let found = program.try_get_matches_from_mut(words).unwrap();
             line(&program, &found, scene)
         };
-        let shots = std::path::absolute("Cargo.toml").unwrap().display().to_string();
         for (typed, scene, expected) in [
             (
                 "limit thin --seed 4 --set h=1mm --csv a.csv --force",
@@ -109,7 +92,6 @@ mod tests {
                 "limit ./a.toml --seed 4",
             ),
             ("limit --csv=a.csv --set=h=1mm", "./a b.toml", "limit './a b.toml'"),
-            ("fit shots.csv thin --set h=1mm --csv a.csv", "./a.toml", "fit shots.csv ./a.toml"),
             (
                 "limit thin --set h=1mm --set v_i=9 --csv a.csv",
                 "",
@@ -145,8 +127,6 @@ mod tests {
             ),
             ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
             ("design thin --set h=1mm --csv a.csv", "", "design thin --set h=1mm"),
-            // Relative to the folder of the scene.
-            ("fit Cargo.toml thin --csv x/a.csv", "./a.toml", &format!("fit {shots} ./a.toml")),
             (
                 "stability --quick --map k --csv a.csv",
                 "./a.toml",

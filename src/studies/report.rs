@@ -8,7 +8,6 @@ pub mod clean;
 pub mod compare;
 pub mod document;
 pub mod figures;
-pub mod fit;
 pub mod front;
 pub mod law;
 pub mod limit;

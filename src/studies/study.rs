@@ -6,7 +6,6 @@
 pub mod accuracy;
 pub mod compare;
 pub mod context;
-pub mod fit;
 pub mod limit;
 pub mod models;
 pub mod monte_carlo;

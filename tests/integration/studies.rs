@@ -133,35 +133,3 @@ fn a_scene_for_the_battery_is_refused_with_the_cure() {
         assert!(done.err.contains("SCENE and --set belong to --map"), "{}", done.err);
     }
 }
-
-#[test]
-fn shots_of_ones_own_give_v50_and_a_strength() {
-    let place = tempfile::tempdir().unwrap();
-    let shots = "velocity_m_s,perforated,residual_m_s,penetration_m\n280,0,,\n285,0,,\n290,0,,\n296,0,,\n301,1,,\n304,1,,\n\
-                 310,1,,\n318,1,,\n";
-    fs::write(place.path().join("shots.csv"), shots).unwrap();
-    let page = cmra(place.path(), "fit shots.csv");
-    assert_eq!(page.code, 0, "{}", page.err);
-    assert!(
-        page.out.contains("297.76 m/s, 95 % confidence 281.63 m/s to 314.52 m/s"),
-        "{}",
-        page.out
-    );
-    assert!(page.out.contains("not mixed: stopped up to 296"), "{}", page.out);
-    // A rigid mount's limit is 232.295378 m/s at 152 MPa and goes with the root of the strength: 249.75 MPa.
-    let done = cmra(place.path(), "fit shots.csv rigid-mount --json");
-    let found: serde_json::Value = serde_json::from_str(&done.out).unwrap();
-    let strength = found["calibration"]["from_v50_pa"].as_f64().unwrap();
-    assert!((strength / (1.52e8 * (297.763_464f64 / 232.295_378).powi(2)) - 1.0).abs() < 1e-6);
-    assert_eq!(found["method"], "Firth's penalised likelihood");
-    let table = cmra(place.path(), "fit shots.csv --csv -");
-    assert_eq!(table.out.lines().count(), 9);
-    // What is wrong is named.
-    fs::write(place.path().join("mm.csv"), shots.replace("290,0,,", "290,0,,18")).unwrap();
-    let deep = cmra(place.path(), "fit mm.csv rigid-mount").err;
-    assert!(deep.contains("shot of 290 m/s: penetration_m = 18 m is more than"), "{deep}");
-    fs::write(place.path().join("bad.csv"), "velocity_m_s,perforated\n280,0\n290,0\n295,0\n")
-        .unwrap();
-    let bad = cmra(place.path(), "fit bad.csv");
-    assert!(bad.code == 2 && bad.err.contains("the limit lies above 295 m/s"), "{}", bad.err);
-}

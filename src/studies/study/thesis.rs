@@ -96,7 +96,7 @@ pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
         (!stop.is_set()).then_some(row)
     };
     context.expect(claims.len());
-    context.map_items(&claims, check, |context, rows| context.show(rows))
+    context.map_items(&claims, check, Context::show)
 }
 
 /// Checks one claim.

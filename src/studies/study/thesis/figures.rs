@@ -433,8 +433,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             let cocked = range("d", 0.0, 0.1, 51);
             let depth = shots.depths("", &cocked);
             let fifth = depth.points.iter().find(|point| point.1 <= 0.8 * depth.at(0.0));
-            let text = fifth.map_or(
-                "a fifth less depth is not reached by d = 0.1 m".to_owned(),
+            let text = fifth.map_or_else(
+                || "a fifth less depth is not reached by d = 0.1 m".to_owned(),
                 |fifth| {
                     let d_m = fifth.0;
                     let stroke = shots.travel_mm(&format!("d={d_m}")) + 1e3 * d_m;

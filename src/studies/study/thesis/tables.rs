@@ -14,9 +14,9 @@ use crate::study::principles::{CONCEPTS, CRITERIA, Concept, PRINCIPLES};
 
 /// The material of the listing.
 const LISTED: &str = "rho=2780 S_y=151.6e6";
-/// The case the listing is set up for: m_2 = 0.1 kg.
+/// The case the listing is set up for, with a plate of 0.1 kg.
 const CASE: &str = "rho=2780 S_y=151.6e6 gamma=3.3898305084745766 k=0 n=3 m=3";
-/// Table 8.2; R, S_y and C_d, which it omits, are those of Table 9.1.
+/// Table 8.2; what it omits of the impact is that of Table 9.1.
 const YANG_XI: &str =
     "m_p=0.034 v_i=118.2 gamma=5.735294117647059 h=0.01 rho=2600 k=0 horizon=2.714e-3";
 
