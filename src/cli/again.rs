@@ -94,7 +94,7 @@ mod tests {
                 "seek --over d=0..1 --goal stroke_m=1 --set interface=fused --set h=1mm --csv a.csv",
                 "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
             ),
-            ("design shot thin --set h=1mm --csv a.csv", "design shot ./a.toml"),
+            ("design thin --set h=1mm --csv a.csv", "design ./a.toml"),
             ("stability --quick --map k --csv a.csv", "stability ./a.toml --quick --map k"),
         ] {
             let mut program = commands::whole();
