@@ -126,8 +126,7 @@ mod tests {
                 "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
             ),
             ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
-            ("design shot thin --set h=1mm --csv a.csv", "", "design shot thin --set h=1mm"),
-            ("design principles --csv a.csv", "", "design principles"),
+            ("design thin --set h=1mm --csv a.csv", "", "design thin --set h=1mm"),
             (
                 "stability --quick --map k --csv a.csv",
                 "./a.toml",

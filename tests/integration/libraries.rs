@@ -254,7 +254,7 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
         "{error}"
     );
     for command in
-        [&["design", "shot"][..], &["stability", "--map", "k", "--quick"], &["accuracy", "--quick"]]
+        [&["design"][..], &["stability", "--map", "k", "--quick"], &["accuracy", "--quick"]]
     {
         let more = [&command[1..], &["--threat", "fsp-22", "--set", "v_i=438"]].concat();
         let page = says(command[0], &more, 0).0;
