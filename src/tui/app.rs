@@ -135,7 +135,6 @@ impl App {
             search: Arc::clone(&self.pages.search.setup),
             limit: self.pages.limit.setup,
             plan: self.pages.explore.plan,
-            weights: self.pages.thesis.weights,
         }
     }
 

@@ -22,8 +22,6 @@ pub struct Snapshot {
     pub limit: limit::setup::Setup,
     /// The points that the Explore tab computes.
     pub plan: SamplingPlan,
-    /// The weights of the screening matrix, percent.
-    pub weights: [f64; 7],
 }
 
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
@@ -52,8 +50,6 @@ pub enum Stepping {
     Search(Page, Row),
     /// A row of the setup of V50.
     Limit(limit::setup::Row),
-    /// The weight of a criterion of the screening matrix.
-    Weight(usize),
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -157,7 +157,6 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         app.pages.explore.plan = to.plan;
         explore::after_edit(app);
     }
-    app.pages.thesis.weights = to.weights;
 }
 
 /// Take the last edit back.
