@@ -162,7 +162,7 @@ fn an_unwritable_table_is_refused_before_the_computation() {
     let nowhere = place.path().join("nowhere/a.csv");
     // Any of these but the last takes longer than this test may.
     let long: [(&str, &[&str]); 5] = [
-        ("optimise", &["--generations", "100000"]),
+        ("optimise", &["--samples", "16777216"]),
         ("scatter", &["--samples", "10000000"]),
         ("sensitivity", &["--samples", "1048576"]),
         ("sweep", &["--over", "gamma=1..2:1000000000"]),

@@ -195,7 +195,7 @@ impl Page for LimitTab {
             _ => {
                 let (map, title) = (found?.map.clone()?, "Export the map to CSV");
                 let is_complete = map.is_complete();
-                let command = format!("compare --map {},{}", map.x().over(), map.y().over());
+                let command = format!("compare --map {},{}", map.x(), map.y());
                 let csv = move |name: &str| compare::map_table(name, &map).csv();
                 let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
                 table.of(app, &comparison.scene, &command)
