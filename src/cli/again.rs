@@ -87,9 +87,9 @@ mod tests {
         };
         for (typed, scene, expected) in [
             (
-                "limit thin --seed 4 --set h=1mm --csv a.csv --force",
+                "limit thin --criterion passage --set h=1mm --csv a.csv --force",
                 "./a.toml",
-                "limit ./a.toml --seed 4",
+                "limit ./a.toml --criterion passage",
             ),
             ("limit --csv=a.csv --set=h=1mm", "./a b.toml", "limit './a b.toml'"),
             (
@@ -98,7 +98,6 @@ mod tests {
                 "limit thin --set h=1mm --set v_i=9",
             ),
             // Names as they are today: another spelling, an old name.
-            ("limit --scatter 5% --csv a.csv", "./a.toml", "limit ./a.toml --monte-carlo 5%"),
             (
                 "optimize --minimize stroke_m,steps --maximize=v_i --csv a.csv",
                 "./a.toml",

@@ -186,8 +186,8 @@ fn numbers_out_of_range_are_refused_with_the_range() {
     for (subcommand, arguments, expected) in [
         ("sweep", ["--over=gamma=1..2:5", "--threads=100000"], "1..=1024"),
         ("sweep", ["--over=gamma=1..2:5", "--threads=0"], "1..=1024"),
-        ("limit", ["--scatter", "-1"], "outside 0..0.5"),
-        ("limit", ["--samples", "-1"], "'-1' for '--samples"),
+        ("montecarlo", ["--model-spread", "-1"], "outside 0..0.5"),
+        ("montecarlo", ["--samples", "-1"], "'-1' for '--samples"),
     ] {
         let (_, error) = says(subcommand, &arguments, 2);
         assert!(error.contains(expected), "{error}");
