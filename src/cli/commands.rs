@@ -53,22 +53,14 @@ commands! {
     "Check" "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
     "Check" "reproduce" "Check every claim of the thesis" reproduce;
     "Check" "validate" "Compare the model with measurements from the literature" validate;
-    "Data" "presets" "List the presets, or show one" presets;
-    "Data" "variables" "List every variable of a scene: symbol, name, default, meaning" variables;
-    "Data" "explain" "Explain one variable or quantity" explain;
+    "Data" "presets" "List the presets and where your own lie, or show one" presets;
+    "Data" "explain" "Explain a variable or a quantity, or list all of them" explain;
     "Data" "libraries" "List threats, materials and absorbers with their sources" libraries;
     "Data" "design" "Print formulas, the screening matrix and the design principles" design;
-    "Data" "keys" "Print every key of the workbench" keys;
     "Data" "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
-    "Data" "paths" "Print where this program keeps presets, session and log" paths;
     "Data" "completions" "Print a completion script for a shell" completions;
-    "Data" "man" "Print the manual page, in roff" man;
     "Data" "install" "Install manual pages and shell completions" install;
 }
-
-/// Of a command that takes none.
-#[derive(Debug, Args)]
-pub(super) struct NoArguments {}
 
 /// A command with the arguments that its function takes.
 fn augmented<A: Args, T>(command: Command, _: fn(&A) -> T) -> Command {

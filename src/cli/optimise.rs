@@ -40,7 +40,7 @@ pub(super) enum Laws {
 }
 
 #[derive(Debug, Args)]
-#[command(after_help = "QUANTITY is any quantity: `cmra explain quantities` lists all. \
+#[command(after_help = "QUANTITY is any quantity: `cmra explain` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
     Only feasible designs count (`--no-feasibility` switches this off): the interface carries its load (demand and tension at most 1), no beam yields, no spring \
     leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\

@@ -19,7 +19,7 @@ use crate::study::sweep::Spacing;
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is located by root finding. \
     Solutions closer together than the points of the scan may be missed: raise COUNT.\n\
-    QUANTITY is any quantity: `cmra explain quantities` lists all.\n\
+    QUANTITY is any quantity: `cmra explain` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {

@@ -315,11 +315,7 @@ fn the_head_of_a_sweep_lists_held_and_varied_variables() {
 #[test]
 fn an_unknown_result_gets_the_nearest_names_in_a_short_line() {
     for (command, arguments, hint) in [
-        (
-            "sweep",
-            ["--over", "d=0..1:2", "--outputs", "foo"],
-            "`cmra explain quantities` lists all",
-        ),
+        ("sweep", ["--over", "d=0..1:2", "--outputs", "foo"], "`cmra explain` lists all"),
         ("sweep", ["--over", "d=0..1:2", "--outputs", "strok"], "did you mean `stroke_m`?"),
         (
             "seek",
