@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use cmra::files::validation;
-use cmra::model::scene::{Closure, Scene};
+use cmra::model::scene::{Closure, Nose, Scene};
 use cmra::model::variables;
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::validation::{KNOWN, KnownError, NOT_COUNTED, Row, measurements};
@@ -184,7 +184,11 @@ fn the_known_errors_are_those_of_the_table() {
     }
     for case in &measurements().cases {
         let preset = cmra::files::preset::resolve(case.preset, None).unwrap().scene;
-        let scene = variables::changed(preset, case.set).unwrap();
+        let mut scene = variables::changed(preset, case.set).unwrap();
+        if case.class.starts_with("AP core") {
+            // The preset takes the core as the law does; the library's core has its ogive.
+            scene.projectile.nose = Nose::Pointed;
+        }
         let found = KnownError::of(&scene).map(|known| known.class);
         if KNOWN.iter().any(|known| known.class == case.class) {
             assert_eq!(found, Some(case.class), "{}", case.id);
