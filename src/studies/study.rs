@@ -12,7 +12,6 @@ pub mod monte_carlo;
 pub mod parallel;
 pub mod principles;
 pub mod quantities;
-pub mod screening;
 pub mod search;
 pub mod sensitivity;
 pub mod stability;

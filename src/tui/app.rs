@@ -134,7 +134,6 @@ impl App {
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
             plan: self.pages.explore.plan,
-            weights: self.pages.thesis.weights,
         }
     }
 

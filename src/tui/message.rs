@@ -9,7 +9,7 @@ use crossterm::event::KeyEvent;
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::export::{self, Beside, Destination, Meta, RunTable};
+use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::{Scene, WhichSpring};
 use crate::model::variables::{self, VariableError};
@@ -267,9 +267,9 @@ impl Content {
     }
 
     /// The text of the file.
-    pub fn text(&self, meta: Meta) -> Result<String, FileError> {
+    pub fn text(&self) -> Result<String, FileError> {
         match self {
-            Self::Runs(runs) => runs.text(meta),
+            Self::Runs(runs) => runs.text(),
             Self::Page(table) => Ok((table.csv)(table.source.as_ref().map_or("", |it| &it.name))),
             Self::Text(text) => Ok(text.clone()),
         }

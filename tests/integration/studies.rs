@@ -67,22 +67,6 @@ fn the_file_beside_a_study_makes_its_rows_again() {
 }
 
 #[test]
-fn a_table_holds_its_scene_and_command_inline() {
-    let place = tempfile::tempdir().unwrap();
-    let done = cmra(place.path(), "limit --set h=3mm --csv a.csv --meta inline");
-    assert_eq!(done.code, 0, "{}", done.err);
-    assert!(!place.path().join("a.toml").exists());
-    let table = fs::read_to_string(place.path().join("a.csv")).unwrap();
-    assert!(
-        table.starts_with("# again: cmra limit --set h=3mm --csv -\n"),
-        "{table}"
-    );
-    assert!(table.contains("# target.thickness_m: 0.003 (m)\n"), "{table}");
-    let again = cmra(place.path(), "limit --set h=3mm --csv -");
-    assert_eq!(rows(&table), rows(&again.out));
-}
-
-#[test]
 fn a_scene_that_somebody_wrote_is_not_replaced_by_a_studys() {
     let place = tempfile::tempdir().unwrap();
     fs::write(place.path().join("mine.toml"), "format = 1\n").unwrap();

@@ -19,8 +19,6 @@ pub struct Snapshot {
     pub search: Arc<Setup>,
     /// The points that the Explore tab computes.
     pub plan: SamplingPlan,
-    /// The weights of the screening matrix, percent.
-    pub weights: [f64; 7],
 }
 
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
@@ -47,8 +45,6 @@ pub enum Stepping {
     Variable(usize),
     /// A row of the setup of a search.
     Search(Page, Row),
-    /// The weight of a criterion of the screening matrix.
-    Weight(usize),
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -153,7 +153,6 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         app.pages.explore.plan = to.plan;
         explore::after_edit(app);
     }
-    app.pages.thesis.weights = to.weights;
 }
 
 /// Take the last edit back.
