@@ -41,7 +41,6 @@ macro_rules! commands {
 commands! {
     "Run and explore" "run" "Run one scene and print what happened" run;
     "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
-    "Run and explore" "join" "Join the parts of a sweep that was computed with --shard" join;
     "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
     "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
     "Decide" "seek" "Find the values of a variable that reach a goal" seek;
@@ -51,12 +50,12 @@ commands! {
     "Decide" "report" "Write one file with scene, results, charts and warnings" report;
     "Check" "accuracy" "Compare the error and the run time of every method" accuracy;
     "Check" "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
-    "Check" "reproduce" "Check every claim of the thesis" reproduce;
+    "Check" "reproduce" "Compute again what the thesis prints" reproduce;
     "Check" "validate" "Compare the model with measurements from the literature" validate;
     "Data" "presets" "List the presets and where your own lie, or show one" presets;
     "Data" "explain" "Explain a variable or a quantity, or list all of them" explain;
     "Data" "libraries" "List threats, materials and absorbers with their sources" libraries;
-    "Data" "design" "Print formulas, the screening matrix and the design principles" design;
+    "Data" "design" "Print a shot's formulas: ricochet, collisions, mass of a spring" design;
     "Data" "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
     "Data" "completions" "Print a completion script for a shell" completions;
     "Data" "install" "Install manual pages and shell completions" install;

@@ -84,8 +84,11 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
 
 fn page(name: &str, report: &Report, is_usual: bool) -> String {
     let own = report.output.show_any(report.own, 4);
-    let mut page =
-        format!("{name}: what {} depends on\nthe scene itself: {own}\n", report.output.title());
+    let mut page = format!("{name}: what {} depends on", report.output.title());
+    if let Some(condition) = sensitivity::condition(report) {
+        page = hanging("", &format!("{page}, {condition}"), 2).trim_end().to_owned();
+    }
+    let _ = writeln!(page, "\nthe scene itself: {own}");
     if is_usual {
         let varied = format!(
             "varied: the ranges of Table 9.2, and {:.0} % either way of what else a Monte Carlo study scatters; --over \
@@ -138,14 +141,6 @@ fn sobol(page: &mut String, report: &Report) {
     if found.inputs.iter().all(|input| input.first.is_none()) {
         page.push_str(
             "  no indices: the result does not vary, or has no value, over these bounds\n",
-        );
-    }
-    if found.used < found.rows {
-        let (lost, all) = (found.rows - found.used, found.rows);
-        let _ = writeln!(
-            page,
-            "  {lost} of {all} samples have a point without a value (perforated, moving or failed) and are not counted: the indices \
-             are those of the rest"
         );
     }
 }

@@ -270,7 +270,7 @@ fn save_preset(
 fn export(to: Destination, content: &Content) -> ExportOutcome {
     let to = to.placed(content.is_complete());
     let written = atomic::ordinary(&to.path)
-        .and_then(|()| content.text(to.meta))
+        .and_then(|()| content.text())
         .and_then(|text| to.write(text.as_bytes(), &content.scenes()));
     match written {
         Ok(files) => ExportOutcome::Written(files),
@@ -325,7 +325,6 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::files::export::Meta;
     use crate::tui::app::App;
     use crate::tui::message::PageTable;
 
@@ -358,7 +357,7 @@ mod tests {
     fn a_table_of_a_scene_has_that_scene_beside_it() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("shots.csv");
-        let to = Destination { path: path.clone(), existing: Existing::Keep, meta: Meta::Beside };
+        let to = Destination { path: path.clone(), existing: Existing::Keep, has_scene: true };
         let scene = session_of(2.0).scene;
         let table = |scene: Option<Scene>| {
             let table = PageTable::new("", "", true, |_| "a\n1\n".to_owned());

@@ -49,7 +49,7 @@ fn every_long_computation_reports_its_progress() {
 #[test]
 fn what_is_cut_short_says_so_and_draws_no_conclusion() {
     for (words, said, marked, conclusion) in [
-        ("reproduce --csv a.csv", " rows", "not complete: interrupted after ", "Every verdict"),
+        ("reproduce --csv a.csv", " rows", "not complete: interrupted after ", " rows: "),
         ("stability", " scenes", "not complete: interrupted after ", " scenes pass"),
         (
             "accuracy --set interface=plastic",

@@ -57,9 +57,9 @@ fn least_mass_is_not_least_tile() {
 
 #[test]
 fn every_study_warns_outside_the_validity() {
-    let stop = object("limit", &["--set", "x_stop=30mm", "--scatter", "0"], 0);
+    let stop = object("limit", &["--set", "x_stop=30mm"], 0);
     assert!(warnings(&stop).contains("a rigid stop asks the fused interface"), "{stop}");
-    let (page, _) = says("limit", &["--scatter", "0"], 0);
+    let (page, _) = says("limit", &[], 0);
     let second = page.lines().nth(1).unwrap();
     assert!(second.contains("outside validity: h/D = 2"), "{page}");
     let (csv, _) = says(

@@ -15,7 +15,6 @@ pub mod quadratic;
 pub mod summary;
 pub mod usual;
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use thiserror::Error;
@@ -65,7 +64,7 @@ impl SweepError {
     }
 }
 
-/// A part of a sweep: the `index`-th of `count`, from 1.
+/// A part of a sweep: of every `count` points the `index`-th one, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -101,23 +100,14 @@ impl Shard {
         Ok(Self { index, count })
     }
 
-    /// Its number, from 1, and how many there are.
-    pub fn place(self) -> (u64, u64) {
-        (self.index, self.count)
+    /// How many of so many points are its own.
+    pub fn count(self, points: u64) -> u64 {
+        (points + self.count - self.index) / self.count
     }
 
-    /// Whether it holds the first point.
-    pub fn is_first(self) -> bool {
-        self.index == 1
-    }
-
-    /// Its part of the points: contiguous blocks, so that the parts one after the other are the whole.
-    pub fn of(self, points: u64) -> Range<u64> {
-        let at = |part: u64| {
-            let product = u128::from(points) * u128::from(part) / u128::from(self.count);
-            u64::try_from(product).unwrap_or(points)
-        };
-        at(self.index - 1)..at(self.index)
+    /// The point that its row `row` shows: every `count`-th one.
+    pub fn point(self, row: u64) -> u64 {
+        self.index - 1 + row * self.count
     }
 }
 

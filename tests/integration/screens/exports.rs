@@ -7,7 +7,7 @@ use std::sync::{Arc, mpsc};
 use super::bench::Bench;
 use super::sweep;
 use crate::support::{self, cmra};
-use cmra::files::export::{Meta, sidecar_path};
+use cmra::files::export::sidecar_path;
 use cmra::model::scene::{PlateSize, Scene};
 use cmra::model::variables::VARIABLES;
 use cmra::tui::app::Base;
@@ -61,7 +61,7 @@ fn exported(bench: &mut Bench, path: &Path) -> (String, String) {
     });
     let content = content.unwrap_or_else(|| panic!("no export: {}", bench.screen()));
     bench.press("<Esc>");
-    (content.text(Meta::Beside).unwrap(), content.scenes()[0].file(path))
+    (content.text().unwrap(), content.scenes()[0].file(path))
 }
 
 /// The rows without the name of the scene, which is that of the file when they are made again.

@@ -273,6 +273,7 @@ impl App {
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
+                model: monte_carlo::model_error(&self.scene),
             }),
         })
     }

@@ -90,8 +90,10 @@ impl App {
     fn matters(&self, report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
         let output = report.output;
         let own = output.show_any(report.own, 3);
-        let mut lines =
-            vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
+        let mut lines = vec![note(format!("{}; the scene: {own}", output.title()))];
+        let condition = report::sensitivity::condition(report);
+        lines.extend(condition.map(|text| (text, Role::Warning)));
+        lines.push(note(String::new()));
         lines.push(note("one variable at a time, from low to high end".to_owned()));
         if report.is_empty() {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
@@ -102,13 +104,6 @@ impl App {
         lines.extend(table_lines(&tornado(report, bar), &TORNADO, listing, width));
         lines.push(note(String::new()));
         lines.extend(table_lines(&indices(report), &INDICES, listing, width));
-        if let Some(sobol) = &report.sobol {
-            let left = sobol.rows - sobol.used;
-            if left > 0 {
-                let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
-                lines.push((text, Role::Warning));
-            }
-        }
         lines
     }
 
