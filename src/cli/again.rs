@@ -90,10 +90,12 @@ mod tests {
     #[test]
     fn the_line_makes_the_rows_again_from_the_scene_beside() {
         for (typed, expected) in [
-            ("limit thin --seed 4 --set h=1mm --csv a.csv --force", "limit ./a.toml --seed 4"),
+            (
+                "limit thin --criterion passage --set h=1mm --csv a.csv --force",
+                "limit ./a.toml --criterion passage",
+            ),
             ("limit --csv=a.csv --set=h=1mm", "limit ./a.toml"),
             // Names as they are today: another spelling, an old name.
-            ("limit --scatter 5% --csv a.csv", "limit ./a.toml --monte-carlo 5%"),
             (
                 "optimize --minimize stroke_m,steps --maximize=v_i --csv a.csv",
                 "optimise ./a.toml --minimise stroke_m,steps --maximise v_i",

@@ -160,7 +160,7 @@ fn an_unwritable_table_is_refused_before_the_computation() {
     let nowhere = place.path().join("nowhere/a.csv");
     // Any of these but the last takes longer than this test may.
     let long: [(&str, &[&str]); 5] = [
-        ("optimise", &["--generations", "100000"]),
+        ("optimise", &["--samples", "16777216"]),
         ("scatter", &["--samples", "10000000"]),
         ("sensitivity", &["--samples", "1048576"]),
         ("sweep", &["--over", "gamma=1..2:1000000000"]),
@@ -184,8 +184,8 @@ fn numbers_out_of_range_are_refused_with_the_range() {
     for (subcommand, arguments, expected) in [
         ("sweep", ["--over=gamma=1..2:5", "--threads=100000"], "1..=1024"),
         ("sweep", ["--over=gamma=1..2:5", "--threads=0"], "1..=1024"),
-        ("limit", ["--scatter", "-1"], "outside 0..0.5"),
-        ("limit", ["--samples", "-1"], "'-1' for '--samples"),
+        ("montecarlo", ["--model-spread", "-1"], "outside 0..0.5"),
+        ("montecarlo", ["--samples", "-1"], "'-1' for '--samples"),
     ] {
         let (_, error) = says(subcommand, &arguments, 2);
         assert!(error.contains(expected), "{error}");

@@ -131,7 +131,7 @@ fn a_search_is_stopped_within_a_run() {
     for (command, said) in [
         ("seek --over gamma=1..3:9 --goal stroke_m=1mm", "0 of 49 runs"),
         ("scatter", "0 of 10000 runs"),
-        ("optimise", " of 20200 runs"),
+        ("optimise", " of 16384 runs"),
         ("sweep --over gamma=1..3:9", "0 of 9 points"),
         ("compare", "0 of 4 candidates"),
     ] {

@@ -12,9 +12,9 @@ use super::numerics::accuracy::Measurements;
 use super::search::state::{Request, StudyResult};
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
-use crate::study::limit::monte_carlo::{ModelError, Sampling};
-use crate::study::limit::{self, Criterion};
-use crate::study::search::seek::Goal;
+use crate::study::limit;
+use crate::study::quantities::named;
+use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
@@ -103,11 +103,9 @@ fn more_points_than_a_screen_needs_are_refused_in_words() {
 fn a_search_that_makes_no_sense_is_refused_in_words() {
     let goal = |measure: &str| {
         let axis = Axis::new("k", (0.0, 1e6), 9, Spacing::Linear).unwrap();
-        let goal = Goal { axis, measure: measure.to_owned(), target: 60.0 };
-        Request::Seek(goal, InterfaceLaw::Fused)
+        let goal = Goal { measure: named(measure).unwrap(), target: 60.0 };
+        Request::Seek(seek::Request { over: axis, goal })
     };
-    let refused = made(Scene::default(), goal("depth")).unwrap_err();
-    assert!(refused.contains("output depth"), "{refused}");
     let found = made(Scene::default(), goal("percent_of_baseline")).unwrap().get::<StudyResult>();
     assert!(
         matches!(&*found.unwrap(), StudyResult::Seek(report) if report.solutions().next().is_none())
@@ -130,18 +128,15 @@ fn measurements_of_an_impossible_scene_are_refused_and_cancelled_ones_are_kept()
     assert!(!kept.expect("measurements").is_complete);
 }
 
-/// A rigid mount has its limit in closed form (model page, section 2).
+/// A rigid mount has its limit in closed form.
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let passage =
-        |sampling| LimitSearch(limit::LimitOptions { criterion: Criterion::Passage, sampling });
+    let search = || LimitSearch(limit::Request::default());
     let mut scene = Scene::default();
     scene.plate.mount = Mount::Rigid;
-    let found = made(scene, passage(None)).unwrap().get::<limit::Report>().expect("a limit");
+    let found = made(scene, search()).unwrap().get::<limit::Report>().expect("a limit");
     let limit_m_s = found.limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let sampling =
-        Sampling { deviation: 0.02, samples: 1_000_000, seed: 1, model: ModelError::default() };
-    let kept = cancelled(passage(Some(sampling))).get::<limit::Report>();
+    let kept = cancelled(search()).get::<limit::Report>();
     assert!(!kept.expect("a limit").is_complete);
 }

@@ -25,7 +25,7 @@ fn open(folder: &Path) -> Bench {
         Base { name: "face".to_owned(), is_mine: false, scene: Arc::clone(&bench.app.scene) };
     bench.app.directory = folder.to_owned();
     let setup = Arc::make_mut(&mut bench.app.pages.search.setup);
-    (setup.effort, setup.samples, setup.goal.1) = ((8, 1), 40, 90.0);
+    (setup.designs, setup.samples, setup.goal.1) = (64, 40, 90.0);
     bench
 }
 
