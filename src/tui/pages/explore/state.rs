@@ -217,7 +217,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            nearest(axis, axis.get(&self.scene)?)
+            nearest(axis, here(axis, &self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
@@ -227,7 +227,7 @@ impl App {
     fn nearest_point(&self, grid: &Grid) -> usize {
         let away = |x: usize| -> f64 {
             let one = |(axis, value): (&Axis, f64)| {
-                let here = axis.get(&self.scene).and_then(|value| axis.share(value));
+                let here = here(axis, &self.scene).and_then(|value| axis.share(value));
                 (here.unwrap_or(0.0) - axis.share(value).unwrap_or(0.0)).powi(2)
             };
             values_at(grid, (x, 0)).map(one).sum()
@@ -262,7 +262,7 @@ impl App {
         };
         let mut parts: Vec<String> = values().map(at).collect();
         let away = values().any(|(axis, value)| {
-            axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+            here(axis, &self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
         parts.clear();
@@ -328,6 +328,15 @@ impl Detail {
             _ => output.title(),
         }
     }
+}
+
+/// The value that a scene has of an axis, also where another variable gives the plate its size.
+fn here(axis: &Axis, scene: &Scene) -> Option<f64> {
+    axis.get(scene).or_else(|| match axis.variable().key {
+        "plate.mass_kg" => Some(scene.plate_mass_kg()),
+        "plate.face_m" => Some(scene.plate_face_m()),
+        _ => None,
+    })
 }
 
 /// The axes of a grid with their values at a point.
