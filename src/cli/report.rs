@@ -14,7 +14,7 @@ use crate::cli::{CliError, output, progress};
 use crate::files::atomic::{self, Existing};
 use crate::files::report::{Subject, is_report};
 use crate::model::scene::Scene;
-use crate::study::limit::{self, Criterion, LimitOptions};
+use crate::study::limit;
 use crate::study::sweep::Plan;
 use crate::study::sweep::grid::{Grid, PIECE};
 
@@ -54,9 +54,9 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let scene = Arc::new(preset.scene.clone());
     let Computed { preset, run, .. } = run::compute(preset)?;
     let threads = arguments.threads.count();
-    let effort = LimitOptions { criterion: Criterion::Passage, sampling: None };
-    let limit =
-        progress::study(threads, "shots or so", |context| limit::find(&scene, effort, context))?;
+    let limit = progress::study(threads, "shots or so", |context| {
+        limit::find(&scene, limit::Request::default(), context)
+    })?;
     let sweep = own_sweep(&scene, threads)?;
     if progress::was_interrupted() {
         output::note("interrupted: no report was written");

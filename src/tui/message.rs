@@ -227,7 +227,7 @@ impl PageTable {
         Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene, which a command makes again: `limit --monte-carlo 0`.
+    /// The same as a table of a scene, which a command makes again: `limit --criterion protrusion`.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
         let (name, options) = command.split_once(' ').unwrap_or((command, ""));
         let (name, options) = (format!("cmra {name} "), format!(" {options}"));

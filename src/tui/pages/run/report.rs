@@ -3,7 +3,7 @@
 use crate::files::export::Destination;
 use crate::files::report::Subject;
 use crate::model::run::Run;
-use crate::study::limit::{self, Criterion, LimitOptions};
+use crate::study::limit;
 use crate::study::sweep::Plan;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::message::{Content, FileTask};
@@ -21,8 +21,7 @@ impl Study for ReportFile {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        let effort = LimitOptions { criterion: Criterion::Passage, sampling: None };
-        let limit = limit::find(scene, effort, context)?;
+        let limit = limit::find(scene, limit::Request::default(), context)?;
         let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
         if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
             return Err("cancelled: no report was written".into());
