@@ -33,7 +33,7 @@ pub(super) struct SensitivityArguments {
         long,
         alias = "outputs",
         value_name = "NAME",
-        help = "The quantity: `cmra explain` lists all [default: percent_of_baseline, of a stack stack_penetration_m]"
+        help = "The quantity: `cmra explain` lists all [default: percent_of_baseline, of a stack final_penetration_m]"
     )]
     output: Option<String>,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable

@@ -57,7 +57,7 @@ fn bad_options_are_refused_before_anything_runs() {
         (&["--output", "depth"], "depth"),
         (
             &["array-stacked", "--output", "percent_of_baseline"],
-            "a stack has none; take stack_penetration_m",
+            "a stack has none; take final_penetration_m",
         ),
     ] {
         let refused = cmra("sensitivity", arguments).assert().code(2);
