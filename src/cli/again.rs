@@ -1,5 +1,8 @@
 //! The command line that makes a table again, with the scene read from the file beside it.
 
+use std::ffi::OsString;
+use std::sync::OnceLock;
+
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
 
@@ -15,11 +18,20 @@ const LAW: &str = "interface.law";
 /// Options that say where results go.
 const RESULTS: [&str; 6] = ["csv", "force", "json", "svg", "plain", "glyphs"];
 
+/// The command line that is carried out.
+static TYPED: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Notes the command line that is carried out.
+pub(super) fn note(typed: &[OsString]) {
+    TYPED.get_or_init(|| typed.to_vec());
+}
+
 /// The comment line with the command that was typed; `scene`, the file beside the table, takes the place of SCENE.
 pub(super) fn comment(scene: &str) -> String {
     let mut program = commands::whole();
     // The parser has accepted these words before.
-    let typed = program.try_get_matches_from_mut(std::env::args_os()).unwrap_or_default();
+    let typed = TYPED.get().map_or(&[][..], Vec::as_slice);
+    let typed = program.try_get_matches_from_mut(typed).unwrap_or_default();
     export::again(&line(&program, &typed, scene))
 }
 

@@ -8,13 +8,14 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::count;
-use crate::cli::study::{Random, StudyArguments, StudyOutput, bounds};
+use crate::cli::study::{Random, StudyArguments, StudyOutput, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::study::quantities::usual_of;
 use crate::study::sensitivity::{Report, SCATTER, SamplingOptions, study, usual_axes};
+use crate::study::sweep::usual::or_usual;
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -65,7 +66,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let axes = bounds(&arguments.over, &preset.scene, usual_axes)?;
+    let axes = or_usual(&axes(&arguments.over)?, || usual_axes(&preset.scene))?;
     let output = arguments.output.as_deref().unwrap_or_else(|| usual_of(&preset.scene));
     let report = arguments
         .study

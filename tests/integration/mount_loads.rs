@@ -51,7 +51,9 @@ fn valid_a_preloaded_plate_that_only_goes_back_does_not_stand_still() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("preloaded.csv");
     std::fs::write(&table, "-0.02,-1000\n0.01,5000\n").unwrap();
-    let found = run(&format!("table={} v_i=10", table.display()));
+    let table = format!("table={}", table.display());
+    let (found, _) = says("run", &["--set", &table, "--set", "v_i=10", "--json"], 0);
+    let found = serde_json::from_str(&found).unwrap();
     assert_near(number(&found, "peak_mount_force_n"), 3000.0, 1e-12);
 }
 

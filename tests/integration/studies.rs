@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
 
 struct Done {
     out: String,
@@ -13,8 +12,7 @@ struct Done {
 }
 
 fn cmra(place: &Path, words: &str) -> Done {
-    let output = Command::cargo_bin("cmra")
-        .unwrap()
+    let output = crate::support::program()
         .current_dir(place)
         .args(words.split(' '))
         .output()

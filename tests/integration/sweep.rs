@@ -401,22 +401,17 @@ fn one_file_for_two_results_is_refused_before_anything_runs() {
 #[cfg(unix)]
 fn begun(place: &Path, what: &str) -> std::process::Child {
     use std::process::Stdio;
-    use std::time::{Duration, Instant};
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_cmra"));
     command.current_dir(place).env_clear().env("HOME", place).args(what.split(' '));
     // A pipe would fill.
     let out = fs::File::create(place.join("out.txt")).unwrap();
     let child = command.stdout(out).stderr(Stdio::piped()).spawn().unwrap();
-    let start = Instant::now();
     let written = || {
         let entries = fs::read_dir(place).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().map_or(0, |found| found.len()));
         sizes.sum::<u64>()
     };
-    while written() < 10_000 {
-        assert!(start.elapsed() < Duration::from_secs(60), "nothing was written");
-        std::thread::yield_now();
-    }
+    crate::pty::wait_while("nothing is written", || written() < 10_000);
     child
 }
 

@@ -1,6 +1,5 @@
 //! Measurements from outside the thesis: the table is computed, and agrees with an independent computation of the same law.
 
-use assert_cmd::Command;
 use cmra::files::validation;
 use cmra::model::scene::{Closure, Nose, Scene};
 use cmra::model::variables;
@@ -234,7 +233,7 @@ fn closures_give_their_strength_and_are_never_combined() {
 #[test]
 fn the_command_prints_the_table_as_page_csv_and_json() {
     let cmra = |arguments: &[&str]| {
-        let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+        let output = crate::support::program().args(arguments).output().unwrap();
         assert!(output.status.success());
         String::from_utf8(output.stdout).unwrap()
     };

@@ -280,7 +280,7 @@ impl fmt::Display for Request {
             write!(f, " --stroke {}", shortest(stroke_m))?;
         }
         if let Some([x, y]) = &self.map {
-            write!(f, " --map {},{}", x.over(), y.over())?;
+            write!(f, " --map {x},{y}")?;
         }
         Ok(())
     }

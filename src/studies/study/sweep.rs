@@ -12,8 +12,8 @@ pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
 pub mod quadratic;
-mod sobol;
 pub mod summary;
+pub mod usual;
 
 use std::sync::Arc;
 
@@ -23,18 +23,19 @@ use crate::model::library;
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::sobol;
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
+use design::hypercube;
 pub use design::{Design, Sampling};
-pub(in crate::study) use design::{hypercube, sequence};
 pub use designs::EvaluatedDesign;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
 /// The most points of a sweep: what a count in floating point still distinguishes.
 const POINTS_MAX: u64 = 1 << 53;
-/// The most axes: what Sobol's table is good for.
-pub const AXES_MAX: usize = sobol::DIMENSIONS;
+/// The most axes.
+pub const AXES_MAX: usize = 12;
 
 /// The two results of the thesis's figures.
 pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
@@ -249,7 +250,7 @@ impl Plan {
                 own.value(index / faster % own.count())
             }
             Sampling::LatinHypercube => own.at_share(hypercube(index, points, axis as u64, seed)),
-            Sampling::Sobol => own.at_share(sequence(index, axis, seed)),
+            Sampling::Sobol => own.at_share(sobol::share(index, axis, seed)),
         }
     }
 

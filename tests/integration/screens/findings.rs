@@ -148,15 +148,6 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
 }
 
 #[test]
-fn the_letter_of_a_front_says_what_it_marks_after_a_load() {
-    let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &["4", "4", "<Tab>"]);
-    assert!(bench.screen().contains("S scene, A-E thesis"), "{}", bench.screen());
-    keys(&mut bench, &["<Enter>"]);
-    assert!(bench.screen().contains("S start of search, A-E thesis"), "{}", bench.screen());
-}
-
-#[test]
 fn only_the_method_that_runs_a_scene_is_used_for_it() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");

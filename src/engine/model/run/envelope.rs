@@ -68,6 +68,11 @@ worded! {
 }
 
 impl Check {
+    /// Whether it is of what the design itself has to bear, not of the model's choice.
+    pub fn is_of_load(self) -> bool {
+        matches!(self, Self::Face | Self::Spring | Self::Stop | Self::Interface | Self::Rebound)
+    }
+
     /// The variable in whose row the breach is marked.
     pub fn symbol(self) -> &'static str {
         match self {
