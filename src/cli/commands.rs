@@ -41,7 +41,6 @@ macro_rules! commands {
 commands! {
     "Run and explore" "run" "Run one scene and print what happened" run;
     "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
-    "Run and explore" "join" "Join the parts of a sweep that was computed with --shard" join;
     "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
     "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
     "Decide" "seek" "Find the values of a variable that reach a goal" seek;

@@ -1,6 +1,6 @@
 //! The results of studies for people: tables, charts, maps and whole reports, each from one description.
 //!
-//! A description knows neither screen nor file; the renderers make SVG, HTML and Markdown of it, `tui::plain` lines of text.
+//! A description knows neither screen nor file; the renderers make SVG and HTML of it, `tui::plain` lines of text.
 
 pub mod accuracy;
 pub mod chart;

@@ -133,7 +133,6 @@ impl App {
             scene: Arc::clone(&self.scene),
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
-            limit: self.pages.limit.setup,
             plan: self.pages.explore.plan,
         }
     }

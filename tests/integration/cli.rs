@@ -190,7 +190,6 @@ fn errors_of_the_command_line_have_one_line() {
         ("presets show cockd", &["did you mean `cocked`"]),
         ("swep cocked --over gamma=1..2:3", &["`swep` is not a subcommand", "`sweep`"]),
         ("run --sett gamma=2", &["unexpected argument '--sett'", "'--set'", "`cmra run --help`"]),
-        ("run --csv a.csv --csv-style exel-eu", &["'exel-eu'", "exists: 'excel-eu'", "crlf"]),
         ("run --csv", &["--csv", "a value is required"]),
         ("sweep --seed many", &["--seed", "many", "invalid digit"]),
         ("completions bish", &["'bish'", "bash", "fish"]),

@@ -348,7 +348,7 @@ fn a_measured_curve_is_taken_from_the_command_line() {
     // The baseline's spring as measured points: the same answer.
     std::fs::write(&file, "x_m,force_n\n0,0\n0.02,2000\n0.1,10000\n").unwrap();
     let cmra = |argument: &str| {
-        let command = assert_cmd::Command::cargo_bin("cmra").unwrap();
+        let command = crate::support::program();
         let mut command = command;
         command.args(["run", "--json", "--set", argument]).output().unwrap()
     };

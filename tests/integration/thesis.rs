@@ -1,6 +1,5 @@
 //! The reproduction report by its command, and what it links to.
 
-use assert_cmd::Command;
 use cmra::files::bundled::BUNDLED;
 use cmra::model::mechanism::Mechanism;
 use cmra::model::scene::Scene;
@@ -9,7 +8,7 @@ use cmra::study::principles::{CONCEPTS, CRITERIA, PRINCIPLES};
 use cmra::study::thesis;
 
 fn cmra(arguments: &[&str]) -> (String, i32) {
-    let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+    let output = crate::support::program().args(arguments).output().unwrap();
     (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
 }
 

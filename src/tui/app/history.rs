@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::tui::app::Base;
 use crate::tui::pages::explore::state::SamplingPlan;
-use crate::tui::pages::limit;
 use crate::tui::pages::run::runs::Pin;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Page;
@@ -18,8 +17,6 @@ pub struct Snapshot {
     pub base: Base,
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
-    /// The setup of V50.
-    pub limit: limit::setup::Setup,
     /// The points that the Explore tab computes.
     pub plan: SamplingPlan,
 }
@@ -48,8 +45,6 @@ pub enum Stepping {
     Variable(usize),
     /// A row of the setup of a search.
     Search(Page, Row),
-    /// A row of the setup of V50.
-    Limit(limit::setup::Row),
 }
 
 #[derive(Clone, Debug, PartialEq)]
