@@ -165,7 +165,7 @@ fn the_crosshair_shows_the_error_for_a_run_time() {
     assert!(!bench.message().contains("I="), "{}", bench.message());
     // What is hidden is not told.
     bench.keys("LLLLLLLLGV");
-    assert!(!bench.message().contains("A="), "{}", bench.message());
+    assert!(!bench.message().contains("T="), "{}", bench.message());
 }
 
 #[test]
