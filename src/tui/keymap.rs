@@ -131,8 +131,6 @@ pub enum Action {
     FitVertical,
     Contour,
     FitResiduals,
-    SlopeGuides,
-    SpreadBars,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
