@@ -290,11 +290,11 @@ fn tried(
     if after == before {
         return Ok(());
     }
-    let label = if before.picture != after.picture {
+    let label = if before.picture == after.picture {
+        format!("curves {} -> {}", before.curves, after.curves)
+    } else {
         let word = if after.picture == Picture::Line { "curves" } else { "a map" };
         format!("show {word}")
-    } else {
-        format!("curves {} -> {}", before.curves, after.curves)
     };
     edit::note(app, state, label, None);
     explore::after_edit(app);
