@@ -130,8 +130,6 @@ pub enum Action {
     Switch(OptionRow),
     FitVertical,
     Contour,
-    SlopeGuides,
-    SpreadBars,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

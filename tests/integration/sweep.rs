@@ -390,9 +390,45 @@ fn begun(place: &Path, what: &str) -> std::process::Child {
 }
 
 #[cfg(unix)]
-fn stop(child: &std::process::Child) {
+fn send(child: &std::process::Child, signal: rustix::process::Signal) {
     let pid = rustix::process::Pid::from_raw(i32::try_from(child.id()).unwrap()).unwrap();
-    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    rustix::process::kill_process(pid, signal).unwrap();
+}
+
+#[cfg(unix)]
+fn stop(child: &std::process::Child) {
+    send(child, rustix::process::Signal::INT);
+}
+
+/// As `timeout` does, which sends its signal to the process and to the group.
+#[cfg(unix)]
+#[test]
+fn a_signal_that_comes_twice_keeps_the_finished_rows() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
+    let mut child = begun(place.path(), what);
+    for _ in 0..2 {
+        send(&child, rustix::process::Signal::TERM);
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+    assert!(rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap()).len() > 10);
+}
+
+/// What a killed sweep has made can be found, and the next one leaves it alone.
+#[cfg(unix)]
+#[test]
+fn a_killed_sweep_leaves_its_rows_in_sight() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
+    let mut child = begun(place.path(), what);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let left = || fs::read(place.path().join("x.csv.partial")).unwrap();
+    let before = left();
+    assert!(before.starts_with(b"gamma,k,") && before.len() >= 10_000);
+    assert_eq!(cmra(place.path(), "sweep --over gamma=1..2:3 --csv x.csv").code, 0);
+    assert_eq!(left(), before);
+    assert_eq!(rows(&fs::read_to_string(place.path().join("x.csv")).unwrap()).len(), 4);
 }
 
 /// Interrupts a sweep after its first rows.

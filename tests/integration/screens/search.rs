@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use super::at_every_size;
 use super::bench::{Bench, Study, ended};
 use cmra::model::run::Outcome;
 use cmra::model::run::envelope::Check;
@@ -107,22 +108,17 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 
 #[test]
 fn every_page_at_every_size() {
-    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
-        for (columns, rows) in [(60, 16), (80, 24), (160, 50)] {
-            let mut bench = open(glyphs, (columns, rows));
-            for page in Page::ALL {
-                assert_eq!(bench.app.pages.search.page, page);
-                bench.keys("lll");
-                let name = page.title().replace(' ', "_");
-                assert_snapshot!(
-                    format!("search_{name}_{columns}x{rows}_{glyphs}"),
-                    bench.screen()
-                );
-                bench.keys("4");
-                answer(&mut bench);
-            }
-            assert_eq!(bench.app.pages.search.page, Page::Seek);
+    for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (160, 50)]) {
+        let mut bench = open(glyphs, (columns, rows));
+        for page in Page::ALL {
+            assert_eq!(bench.app.pages.search.page, page);
+            bench.keys("lll");
+            let name = page.title().replace(' ', "_");
+            assert_snapshot!(format!("search_{name}_{columns}x{rows}_{glyphs}"), bench.screen());
+            bench.keys("4");
+            answer(&mut bench);
         }
+        assert_eq!(bench.app.pages.search.page, Page::Seek);
     }
 }
 

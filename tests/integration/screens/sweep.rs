@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::at_every_size;
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
 use cmra::files::preset;
@@ -86,15 +87,13 @@ fn keys(bench: &mut Bench, keys: &str) {
 
 #[test]
 fn the_sweep_tabs_at_every_size() {
-    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
-        for (columns, rows) in [(60, 16), (80, 24), (120, 36)] {
-            let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
-            keys(&mut bench, "2lll");
-            assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
-            bench.app.pages.explore.plan.picture = Picture::Surface;
-            keys(&mut bench, "12llkkk");
-            assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
-        }
+    for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (120, 36)]) {
+        let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
+        keys(&mut bench, "2lll");
+        assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
+        bench.app.pages.explore.plan.picture = Picture::Surface;
+        keys(&mut bench, "12llkkk");
+        assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
     }
 }
 
