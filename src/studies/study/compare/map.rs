@@ -9,7 +9,7 @@ use crate::study::compare::sized::{Absence, mass_efficiency};
 use crate::study::compare::{hold_spring_mass, is_equal};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
-use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
 const PIECE: u64 = 16;
@@ -52,7 +52,7 @@ impl Map {
         if own.run.tolerance < TOLERANCE {
             own.run.tolerance = TOLERANCE;
         }
-        let plan = Plan::new(&own, axes.to_vec(), Design::FACTORIAL, &["final_penetration_m"])?;
+        let plan = Plan::new(&own, axes.to_vec(), &["final_penetration_m"])?;
         let worker = || {
             let mut placed = plan.base().clone();
             let plan = &plan;
