@@ -130,7 +130,6 @@ pub enum Action {
     Switch(OptionRow),
     FitVertical,
     Contour,
-    FitResiduals,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

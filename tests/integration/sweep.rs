@@ -155,28 +155,6 @@ fn a_part_is_made_again_from_its_scene() {
 }
 
 #[test]
-fn designs_are_seeded_and_keep_to_the_ranges() {
-    let place = tempfile::tempdir().unwrap();
-    let table = |options: &str| {
-        let what = "figure-9.10 --over d=0..0.5 --over gamma=0.8..7 --csv -";
-        let done = sweep(place.path(), &format!("{what} {options}"));
-        assert_eq!(done.code, 0, "{}", done.err);
-        done.out
-    };
-    for design in ["lhs", "sobol"] {
-        let first = table(&format!("--design {design} --points 40 --seed 7"));
-        assert_eq!(first, table(&format!("--design {design} --points 40 --seed 7 --threads 1")));
-        assert_ne!(first, table(&format!("--design {design} --points 40 --seed 8")));
-        let rows = rows(&first);
-        assert_eq!(rows.len(), 41);
-        for row in &rows[1..] {
-            let value = |at: usize| row[at].parse::<f64>().unwrap();
-            assert!((0.0..=0.5).contains(&value(0)) && (0.8..=7.0).contains(&value(1)));
-        }
-    }
-}
-
-#[test]
 fn json_is_one_object_with_the_same_rows() {
     let place = tempfile::tempdir().unwrap();
     let done = sweep(place.path(), "figure-9.4 --over b=0..2000:5 --json");
@@ -185,7 +163,7 @@ fn json_is_one_object_with_the_same_rows() {
     assert_eq!(value["rows"].as_array().unwrap().len(), 5);
     // A reader of JSON would not see a key that is there twice.
     assert_eq!((&value["complete"], &value["points_done"]), (&true.into(), &5.into()));
-    for key in ["scene", "design", "points", "axes", "outputs", "version", "rows", "complete"] {
+    for key in ["scene", "points", "axes", "outputs", "version", "rows", "complete"] {
         assert_eq!(done.out.matches(&format!("\n  \"{key}\":")).count(), 1, "{key}");
     }
     // Nothing stops the free plate.
@@ -229,8 +207,6 @@ fn bad_sweeps_are_refused_before_anything_runs() {
             "--over gamma=0.8..7:0 --csv x.csv",
             &["axis gamma", "count = 0", "2 to 1000000000 points"],
         ),
-        ("--over gamma=1..2 --design lhs --points 0", &["points = 0", "2 to 9007199254740992"]),
-        ("--over gamma=1..2 --design sobol --points 4294967297", &["2 to 4294967296 points"]),
         ("--over gamma=1..1:5 --csv x.csv", &["axis gamma", "both ends are 1", "differ"]),
         ("--over theta=0..95deg:5 --csv x.csv", &["axis theta", "95 deg", "below 90"]),
         ("--over k=0..1MN/m:5:log --csv x.csv", &["axis k", "greater than 0", "omit log"]),
@@ -241,7 +217,6 @@ fn bad_sweeps_are_refused_before_anything_runs() {
             "--over gamma=1..2:5 --outputs depth --csv x.csv",
             &["output depth", "did you mean `final_penetration_m`"],
         ),
-        ("--over gamma=1..2:5 --points 9 --csv x.csv", &["--points", "--design lhs or sobol"]),
     ] {
         let done = sweep(place.path(), arguments);
         assert_eq!(done.code, 2, "{arguments}: {}", done.err);
@@ -287,7 +262,6 @@ fn the_scene_beside_the_rows_makes_them_again() {
     for (name, what) in [
         ("a", "figure-9.7 --set b=20 --over gamma=0.8..7:5 --over k=1e3..1e6:4:log"),
         ("b", "--over d=0..0.5:4 --outputs all"),
-        ("c", "figure-9.10 --design sobol --points 9 --seed 3"),
     ] {
         let done = sweep(place.path(), &format!("{what} --csv {name}.csv"));
         assert_eq!(done.code, 0, "{}", done.err);
