@@ -29,7 +29,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
-use crate::model::scene::{self, Combination, Mount, Plate, Scene, Stack};
+use crate::model::scene::{self, Mount, Plate, Scene, Stack};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
 use crate::study::context::Context;
@@ -373,8 +373,8 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
 fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::of(scene).spring_mass_kg;
+    let is_alone = scene.mechanism.second_law().is_absent();
     let spring = &mut scene.mechanism.spring;
-    let is_alone = scene.mechanism.combination == Combination::Alone;
     if is_alone && spring.needs_mass() {
         spring.mass_kg = mass_kg;
     }
