@@ -130,9 +130,6 @@ pub enum Action {
     Switch(OptionRow),
     FitVertical,
     Contour,
-    FitResiduals,
-    SlopeGuides,
-    SpreadBars,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::Path;
 
-
 struct Done {
     out: String,
     err: String,
@@ -12,11 +11,8 @@ struct Done {
 }
 
 fn cmra(place: &Path, words: &str) -> Done {
-    let output = crate::support::program()
-        .current_dir(place)
-        .args(words.split(' '))
-        .output()
-        .unwrap();
+    let output =
+        crate::support::program().current_dir(place).args(words.split(' ')).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Done { out: text(output.stdout), err: text(output.stderr), code: output.status.code().unwrap() }
 }
@@ -41,7 +37,7 @@ const STUDIES: [&str; 6] = [
     "limit rigid-mount --set h=3mm --criterion protrusion",
     "montecarlo --set gamma=2 --samples 50 --seed 3 --outputs percent_of_baseline",
     "seek --set b=20 --over gamma=1..5:5 --goal percent_of_baseline=75",
-    "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline --samples 16 --trajectories 4",
+    "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline --samples 16",
     "worth --set gamma=2",
     "stability --set gamma=2 --map k --quick",
 ];

@@ -3,7 +3,6 @@
 pub(crate) mod draw;
 
 use crate::report::thesis;
-use crate::study::sweep::Sampling;
 use crate::study::thesis::{ClaimVerdict, Row, claims, reproduce, tally};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
@@ -163,7 +162,6 @@ pub(crate) fn show(app: &mut App, base: Base) {
     let mut plan = app.pages.explore.plan;
     if axes > 0 {
         plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
-        plan.samplings = [Sampling::Factorial; 2];
     }
     edit::load(app, base, plan);
     if axes == 0 {

@@ -14,7 +14,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
-use crate::study::compare::load::holds_still;
+use crate::study::load::holds_still;
 use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::PointOutcome;
