@@ -79,13 +79,21 @@ pub(crate) fn export_table(app: &mut App) {
             let file = TextField::new(table.file);
             open(app, Purpose::Table(table.title), file, Choices::default());
         }
-        None => app.refuse("nothing to export yet: press <run> to compute it"),
+        None => app.refuse(nothing_yet(app, "export")),
     }
+}
+
+/// Why a page has no table.
+fn nothing_yet(app: &App, what: &str) -> String {
+    if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
+        return "nothing is finished yet: <back> stops the job and keeps what is finished".to_owned();
+    }
+    format!("nothing to {what} yet: press <run> to compute it")
 }
 
 pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
-        return app.refuse("nothing to copy yet: press <run> to compute it".to_owned());
+        return app.refuse(nothing_yet(app, "copy"));
     };
     match Content::Page(table).text() {
         Ok(text) => app.request(Effect::Copy(text)),
