@@ -381,7 +381,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
         EffectReport::Completions(names) => list::complete(app, names),
-        EffectReport::Curve(which, path, points) => ask::read(app, which, &path, points),
+        EffectReport::Curve(path, points) => ask::read(app, &path, points),
     }
 }
 

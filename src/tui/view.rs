@@ -163,9 +163,7 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             (Purpose::Table(_), false) => {
                 &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
             }
-            (Purpose::Curve(_), false) => {
-                &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
-            }
+            (Purpose::Curve, false) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
             (Purpose::Runs, false) => &[
                 ("Enter", "write"),
                 ("Up/Down", "move"),

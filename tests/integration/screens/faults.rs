@@ -332,7 +332,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     bench.part(study.id, (10, 19), Finding::new(map));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
-    assert!(screen.contains("SSSS") && screen.contains("k [N/m^n]"), "{screen}");
+    assert!(screen.contains("____") && screen.contains("k [N/m^n]"), "{screen}");
     stability::answer(&mut bench);
     for size in [(60, 16), (80, 24), (120, 40)] {
         let mut bench = stability::open(GlyphSet::Ascii, size);
