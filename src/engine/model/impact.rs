@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
+use crate::model::hybrid;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -55,11 +56,11 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let floor = larger(simulation.control.crossing_error, rounding);
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
-        let second = second(&problem, &mut |t_s| {
+        let is_closed = run.cost.steps == 0;
+        let second = second(&problem, is_closed, &mut |t_s| {
             window.show(|| run.clone());
             observer(t_s)
         });
-        let is_closed = run.cost.steps == 0;
         let basis =
             if is_closed { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
         if let Some(second) = second {
@@ -87,8 +88,17 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
     if is_cancelled { EndReason::Cancelled } else { end }
 }
 
-/// The same of another order at a much tighter tolerance; `None` when it was cancelled.
-fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+/// The same at a much tighter tolerance, by the other engine where that serves the scene and comes to an end, else by this one with
+/// another order; `None` when it was cancelled.
+fn second(problem: &Problem, is_closed: bool, observer: Observer<'_>) -> Option<Run> {
+    if !is_closed && let Some(run) = by_collocation(problem, observer) {
+        if run.end == EndReason::Cancelled {
+            return None;
+        }
+        if run.end.is_complete() {
+            return Some(run);
+        }
+    }
     let own = problem.has_absorber().then(|| problem.anew());
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
@@ -98,6 +108,16 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
 }
 
+/// One impact by the other engine.
+fn by_collocation(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+    let bounds = hybrid::Bounds {
+        horizon_s: problem.horizon_s,
+        to_horizon: problem.horizon_is_given,
+        tolerance: larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST),
+    };
+    hybrid::run(&problem.scene, bounds, observer)
+}
+
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forced {
@@ -105,23 +125,28 @@ pub enum Forced {
     Taylor,
     /// To the general path: whichever step is right where it is, but neither closed form nor bound in place of one.
     General,
+    /// By the other engine, that of the error estimate.
+    Collocation,
 }
 
 /// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
-/// the contact: on a stiff stretch.
+/// the contact, on a stiff stretch, or the other engine does not know the scene.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let problem = Problem::of(scene);
+    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
+    if forced == Forced::Collocation {
+        return Ok(by_collocation(&problem, observer));
+    }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
     simulation.start();
     if simulation.control.stiff && forced == Forced::Taylor {
         return Ok(None);
     }
-    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     let end = simulation.run::<TERMS>(observer);
     let gave_way = forced == Forced::Taylor && simulation.control.stiff_steps > 0;
     Ok((!gave_way).then(|| report::gather(&problem, simulation, end)))

@@ -1,0 +1,361 @@
+//! The motion, once: constants of a scene, forces in a mode, accelerations and their derivatives.
+//!
+//! Travel q and slip u are those of the projectile along its axis against the plate, displacement x and velocity w those of the
+//! plate along its normal. With the contact force F and the mechanism's force G, m_p v' = -F and m_2 w' = F cos - G, where
+//! u = v - w cos.
+
+use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
+use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, moving_plate_kg};
+use crate::model::scene::{InterfaceLaw, Scene, Stop};
+use crate::numerics::collocation::{Acceleration, Point, Slopes};
+use crate::numerics::{larger, smaller};
+
+/// Part of the way to the zero of a steep law that an iteration may go at once.
+const OF_THE_WAY: f64 = 0.8;
+/// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
+const SLOPE_WIDTH: f64 = 1e-6;
+
+/// The constants of an impact.
+#[derive(Clone, Debug)]
+pub(super) struct Setup {
+    pub(super) geometry: Geometry,
+    pub(super) spring: PowerLaw,
+    pub(super) damper: PowerLaw,
+    pub(super) stop: Option<Stop>,
+    /// Infinite where there is none.
+    pub(super) stop_at_m: f64,
+    pub(super) projectile_kg: f64,
+    /// `m_2` and what its mechanism adds.
+    pub(super) plate_kg: f64,
+    /// What moves along the plate's normal when both move together.
+    pub(super) joined_kg: f64,
+    pub(super) cos: f64,
+    pub(super) strength_pa: f64,
+    pub(super) drag_kg_m3: f64,
+    /// Strength in tension over that in compression.
+    pub(super) grip: f64,
+    pub(super) velocity_m_s: f64,
+    pub(super) start_m: f64,
+    /// The interface yields after the first arrest.
+    pub(super) plastic: bool,
+    /// The mount is rigid.
+    pub(super) still: bool,
+}
+
+/// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub(super) struct State {
+    pub(super) t_s: f64,
+    pub(super) q_m: f64,
+    pub(super) u_m_s: f64,
+    pub(super) x_m: f64,
+    pub(super) w_m_s: f64,
+}
+
+/// The equations that hold in a mode.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Equations<'a> {
+    pub(super) setup: &'a Setup,
+    pub(super) mode: &'a Mode,
+}
+
+impl Setup {
+    /// Of a valid scene by the hydrodynamic model; `None` where its spring is no power law.
+    pub(super) fn of(scene: &Scene) -> Option<Self> {
+        let geometry = Geometry::of(scene);
+        let mechanism = Mechanism::of(scene);
+        let cos = geometry.nose.cos;
+        let projectile_kg = scene.projectile.mass_kg;
+        let plate_kg = moving_plate_kg(scene);
+        Some(Self {
+            geometry,
+            spring: mechanism.spring.power()?,
+            damper: mechanism.damper,
+            stop: mechanism.stop,
+            stop_at_m: mechanism.stop_at_m,
+            projectile_kg,
+            plate_kg,
+            joined_kg: plate_kg + projectile_kg * cos * cos,
+            cos,
+            strength_pa: scene.flow_strength_pa(),
+            drag_kg_m3: scene.drag_kg_m3(),
+            grip: scene.interface.grip,
+            velocity_m_s: scene.projectile.velocity_m_s,
+            start_m: scene.start_m(),
+            plastic: scene.interface.law == InterfaceLaw::Plastic,
+            still: scene.is_rigid(),
+        })
+    }
+
+    /// Part of the mechanism's force that the interface carries while the bodies move together.
+    pub(super) fn interface_fraction(&self) -> f64 {
+        self.projectile_kg * self.cos / self.joined_kg
+    }
+
+    /// The velocity of the projectile.
+    pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
+        state.u_m_s + state.w_m_s * self.cos
+    }
+}
+
+/// The force of a power law on the side of zero on which its mode has it: a law that is smooth on either side goes on
+/// smoothly a little beyond.
+fn force(law: PowerLaw, z: f64, side: f64) -> f64 {
+    match law.kind() {
+        PowerKind::Absent => 0.0,
+        PowerKind::Linear => law.coefficient * z,
+        PowerKind::Whole(2) => law.coefficient * z * z * side,
+        PowerKind::Whole(3) => law.coefficient * z * z * z,
+        PowerKind::Whole(_) | PowerKind::General => law.force(z),
+    }
+}
+
+impl Equations<'_> {
+    /// Displacement from the zero of the spring.
+    pub(super) fn displacement_m(&self, x_m: f64) -> f64 {
+        self.mode.origin_m + x_m
+    }
+
+    /// Displacement beyond the stop.
+    pub(super) fn beyond_stop_m(&self, x_m: f64) -> f64 {
+        x_m - (self.setup.stop_at_m - self.mode.origin_m)
+    }
+
+    /// Strength and drag that the contact opposes to the slip.
+    fn pressure(&self) -> (f64, f64) {
+        let Setup { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
+        match self.mode.contact {
+            Contact::Deepening => (strength_pa, drag_kg_m3),
+            Contact::Closing => (grip * strength_pa, 0.0),
+            Contact::PullingOut => (-grip * strength_pa, 0.0),
+            Contact::Apart | Contact::Gone | Contact::Joined => (0.0, 0.0),
+        }
+    }
+
+    /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
+    pub(super) fn contact_n(&self, q_m: f64, u_m_s: f64) -> f64 {
+        let (strength, drag) = self.pressure();
+        if strength == 0.0 && drag == 0.0 {
+            return 0.0;
+        }
+        let area = self.mode.piece.law.area_m2(&self.setup.geometry.nose, q_m);
+        area * (strength + drag * u_m_s * u_m_s)
+    }
+
+    /// Its derivatives by travel and slip.
+    fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
+        let (strength, drag) = self.pressure();
+        if strength == 0.0 && drag == 0.0 {
+            return (0.0, 0.0);
+        }
+        let (nose, law) = (&self.setup.geometry.nose, self.mode.piece.law);
+        let area = law.area_m2(nose, q_m);
+        let slope = match law {
+            AreaLaw::None => 0.0,
+            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),
+            AreaLaw::Partial { .. } => {
+                let width = SLOPE_WIDTH * nose.radius_m;
+                let rise = law.area_m2(nose, q_m + width) - law.area_m2(nose, q_m - width);
+                rise / (2.0 * width)
+            }
+        };
+        (slope * (strength + drag * u_m_s * u_m_s), 2.0 * area * drag * u_m_s)
+    }
+
+    /// Force of spring, damper and elastic stop against the plate's motion forwards, N.
+    pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        let Setup { spring, damper, .. } = *self.setup;
+        force(spring, self.displacement_m(x_m), self.mode.x_side)
+            + force(damper, w_m_s, self.mode.w_side)
+            + self.pressed_stop_n(x_m, w_m_s)
+    }
+
+    /// Force of the elastic stop while it is pressed.
+    fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        if self.mode.touch == Touch::Pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
+    }
+
+    /// The force that the elastic stop would have if it could pull as well.
+    pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        self.setup.stop.map_or(0.0, |stop| {
+            stop.stiffness_n_m * self.beyond_stop_m(x_m) + stop.damping_n_s_m * w_m_s
+        })
+    }
+
+    /// Derivatives of the mechanism's force by displacement and velocity.
+    fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
+        let Setup { spring, damper, stop, .. } = self.setup;
+        let (k, b) = match (self.mode.touch, stop) {
+            (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
+            _ => (0.0, 0.0),
+        };
+        (spring.tangent(self.displacement_m(x_m)) + k, damper.tangent(w_m_s) + b)
+    }
+
+    /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
+    pub(super) fn moving_kg(&self) -> f64 {
+        if self.mode.contact == Contact::Joined { self.setup.joined_kg } else { self.setup.plate_kg }
+    }
+
+    /// Whether the plate stays where it is.
+    pub(super) fn plate_rests(&self) -> bool {
+        self.mode.hold != Hold::Free
+    }
+
+    /// Accelerations of slip and plate.
+    pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
+        let setup = self.setup;
+        let contact = self.contact_n(state.q_m, state.u_m_s);
+        let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
+        let plate = match self.mode.contact {
+            _ if self.plate_rests() => 0.0,
+            Contact::Joined => -mechanism / setup.joined_kg,
+            _ => (contact * setup.cos - mechanism) / setup.plate_kg,
+        };
+        let slip = match self.mode.contact {
+            Contact::Joined => 0.0,
+            _ => -contact / setup.projectile_kg - plate * setup.cos,
+        };
+        (slip, plate)
+    }
+
+    /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
+    pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
+        let spring = self.setup.spring.force(self.displacement_m(state.x_m));
+        self.contact_n(state.q_m, state.u_m_s) * self.setup.cos - spring
+    }
+
+    /// The force that the joined interface carries, positive where it is pushed, N.
+    pub(super) fn carried_n(&self, state: &State) -> f64 {
+        if self.plate_rests() {
+            return 0.0;
+        }
+        self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)
+    }
+}
+
+/// The derivative of an odd power law where it is not infinite.
+fn passed(law: PowerLaw, from: f64, to: f64) -> f64 {
+    let is_steep = !law.is_absent() && law.exponent < 1.0;
+    if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
+}
+
+/// Both bodies, apart or in contact: travel and displacement.
+pub(super) struct Both<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<2> for Both<'_> {
+    fn at(&self, place: &[f64; 2], speed: &[f64; 2]) -> [f64; 2] {
+        let setup = self.0.setup;
+        let contact = self.0.contact_n(place[0], speed[0]);
+        let mechanism = self.0.mechanism_n(place[1], speed[1]);
+        let plate = (contact * setup.cos - mechanism) / setup.plate_kg;
+        [-contact / setup.projectile_kg - plate * setup.cos, plate]
+    }
+
+    fn slopes(&self, place: &[f64; 2], speed: &[f64; 2]) -> Slopes<2> {
+        let setup = self.0.setup;
+        let contact = self.0.contact_slopes(place[0], speed[0]);
+        let mechanism = self.0.mechanism_slopes(place[1], speed[1]);
+        let plate = 1.0 / setup.plate_kg;
+        let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
+        let rows = |contact: f64, mechanism: f64| {
+            [
+                [-contact * slip, mechanism * setup.cos * plate],
+                [contact * setup.cos * plate, -mechanism * plate],
+            ]
+        };
+        Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
+    }
+
+    fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
+        self.0.without_passing((from.0[1], from.1[1]), (to.0[1], to.1[1]))
+    }
+}
+
+/// The plate, with the projectile or without it: displacement.
+pub(super) struct Plate<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<1> for Plate<'_> {
+    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+        [-self.0.mechanism_n(place[0], speed[0]) / self.0.moving_kg()]
+    }
+
+    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+        let (by_place, by_speed) = self.0.mechanism_slopes(place[0], speed[0]);
+        let kg = self.0.moving_kg();
+        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
+    }
+
+    fn without_passing(&self, from: Point<1>, to: Point<1>) -> f64 {
+        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+    }
+}
+
+/// The projectile in a plate that rests: travel.
+pub(super) struct Projectile<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<1> for Projectile<'_> {
+    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+        [-self.0.contact_n(place[0], speed[0]) / self.0.setup.projectile_kg]
+    }
+
+    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+        let (by_place, by_speed) = self.0.contact_slopes(place[0], speed[0]);
+        let kg = self.0.setup.projectile_kg;
+        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
+    }
+
+    fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
+        1.0
+    }
+}
+
+impl Equations<'_> {
+    fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
+        let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
+        smaller(
+            passed(self.setup.spring, from_x, to_x),
+            passed(self.setup.damper, from.1, to.1),
+        )
+    }
+
+    /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
+    /// contact's grows with the time, and the plate yields to it as far as its inertia, its spring or its damper lets it,
+    /// whichever holds it most.
+    pub(super) fn after_first_moment(&self, t_s: f64) -> State {
+        let setup = self.setup;
+        let v = setup.velocity_m_s;
+        let rate_n_s = self.contact_slopes(0.0, v).0 * v;
+        let push_n = rate_n_s * setup.cos * t_s;
+        let inertia_m = push_n * t_s * t_s / (6.0 * setup.plate_kg);
+        let by_inertia = (inertia_m, 3.0);
+        let by_spring = (setup.spring.at_force(push_n), 1.0 / setup.spring.exponent);
+        let power = 1.0 / setup.damper.exponent + 1.0;
+        let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
+        let (x_m, power) = [by_spring, by_damper]
+            .into_iter()
+            .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
+        let w_m_s = power * x_m / t_s;
+        State {
+            t_s,
+            q_m: v * t_s - setup.cos * x_m,
+            u_m_s: v - 0.5 * rate_n_s * t_s * t_s / setup.projectile_kg - setup.cos * w_m_s,
+            x_m,
+            w_m_s,
+        }
+    }
+
+    /// The sizes by which errors of travel, slip, displacement and velocity count, at a state: never less than a thousandth of the
+    /// impact velocity for the slip and a millionth for the plate, a thousandth of the tip radius for the travel, and a
+    /// thousand-millionth of it for the plate: less does not move the projectile.
+    pub(super) fn sizes(&self, state: &State) -> [f64; 4] {
+        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
+        [
+            larger(state.q_m.abs(), 1e-3 * r),
+            larger(state.u_m_s.abs(), 1e-3 * v),
+            larger(state.x_m.abs(), 1e-9 * r),
+            larger(state.w_m_s.abs(), 1e-6 * v),
+        ]
+    }
+}
