@@ -217,7 +217,8 @@ impl<const S: usize> Member<S> {
             if !norm.is_finite() || (round > 3 && norm > 2.0 * before && part == 1.0) {
                 return (None, round * S);
             }
-            let contraction = norm / before;
+            // Of the first change nothing is known.
+            let contraction = if before.is_finite() { norm / before } else { 1.0 };
             let ahead = if contraction < 1.0 { norm * contraction } else { norm };
             // What no longer shrinks, far below the tolerance, is rounding.
             let stalls = contraction > 0.5 && norm < 10.0 * enough;
