@@ -16,6 +16,9 @@ const OF_THE_WAY: f64 = 0.8;
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
 
+/// Rounding, relative to what a zero is a difference of.
+const ROUNDING: f64 = f64::EPSILON;
+
 /// The constants of an impact.
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
@@ -183,14 +186,19 @@ impl Equations<'_> {
         })
     }
 
-    /// Derivatives of the mechanism's force by displacement and velocity.
+    /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
     fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let Setup { spring, damper, stop, .. } = self.setup;
         let (k, b) = match (self.mode.touch, stop) {
             (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
             _ => (0.0, 0.0),
         };
-        (spring.tangent(self.displacement_m(x_m)) + k, damper.tangent(w_m_s) + b)
+        let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
+        let [_, _, x_least_m, w_least_m_s] = self.sizes(&State::default());
+        let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
+        let x_m = larger(x_m.abs(), x_least_m);
+        let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
+        (spring.tangent(x_m) + k, damper.tangent(w_m_s) + b)
     }
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.

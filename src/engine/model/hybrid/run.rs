@@ -31,6 +31,8 @@ const CLOSER: f64 = 1.0 / 16.0;
 const NEAR_END: f64 = 1e-5;
 /// Landing steps that are tried on the way to one event.
 const LANDINGS_MAX: usize = 6;
+/// Secants to a root, of which each adds more than half as many digits again.
+const SECANTS: usize = 8;
 /// Part of a passage of the tip radius that is no time.
 const NO_TIME: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
@@ -207,6 +209,7 @@ impl<const S: usize> Progress<'_, S> {
         let (before, mut state) = (self.mode, on_it);
         let mut next = modes::after(self.setup, &before, event, &mut state);
         modes::face(self.setup, &mut next, &state);
+        if std::env::var("TRACE").is_ok() { eprintln!("event {event:?} -> {next:?}"); }
         self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
         (self.mode, self.state) = (next, state);
         if let Some(travel_m) = self.last_slips_m() {
@@ -294,12 +297,14 @@ impl<const S: usize> Progress<'_, S> {
             if solved.is_some() || !self.has_steep_law() {
                 break;
             }
+        if std::env::var("TRACE").is_ok() { eprintln!("failed {h_s} {guarded}"); }
         }
         let Some(step) = solved else { return Err(AFTER_FAILURE) };
         let end = law.state(&self.state, self.state.t_s + h_s, &step.end);
         let goal = self.tolerances(law, &end).or_larger(&goal);
         self.record.evaluations += S;
         let excess = self.member.error(law, &step, &goal);
+        if std::env::var("TRACE").is_ok() { eprintln!("t {:.6e} h {:.3e} excess {:.2e} x {:?} w {:?} q {} u {} {:?}", self.state.t_s, h_s, excess, self.state.x_m, self.state.w_m_s, self.state.q_m, self.state.u_m_s, self.mode.contact); }
         let factor = (AIM / excess).powf(1.0 / self.member.error_order());
         if excess <= 1.0 {
             return Ok((step, smaller(factor, GROWTH_MAX)));
@@ -446,10 +451,14 @@ impl<const S: usize> Progress<'_, S> {
 fn near_root(f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (1.0 - 1e-3, 1.0);
     let (mut at_a, mut at_b) = (f(a), f(b));
-    for _ in 0..8 {
+    for _ in 0..SECANTS {
+        // Where both are the same there is nothing but rounding left.
+        if at_b == 0.0 || at_a == at_b {
+            break;
+        }
         let next = b - at_b * (b - a) / (at_b - at_a);
-        if at_b == 0.0 || !next.is_finite() || !(0.0..2.0).contains(&next) {
-            return if at_b == 0.0 { b } else { 0.0 };
+        if !(0.0..2.0).contains(&next) {
+            return 0.0;
         }
         (a, at_a) = (b, at_b);
         (b, at_b) = (next, f(next));
