@@ -105,6 +105,16 @@ pub(super) enum Event {
     StopRelease,
 }
 
+impl Event {
+    /// Whether another event is this one the other way.
+    pub(super) fn is_undone_by(self, other: Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::StopSlack, Self::StopPressed) | (Self::StopPressed, Self::StopSlack)
+        )
+    }
+}
+
 /// The mode and the state at first contact.
 pub(super) fn first(setup: &Setup) -> (Mode, State) {
     let mut mode = Mode {

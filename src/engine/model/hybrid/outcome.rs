@@ -17,6 +17,9 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
 const LAST_SLIPS: f64 = 1e-2;
 
+/// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
+const SLIP_RESERVE: f64 = 2.0;
+
 /// The greatest displacement of the plate, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Farthest {
@@ -96,7 +99,7 @@ impl Equations<'_> {
         let stop_n = stop.filter(|_| reach_m > self.setup.stop_at_m).map_or(0.0, |stop| {
             stop.stiffness_n_m * (reach_m - self.setup.stop_at_m) + stop.damping_n_s_m * speed
         });
-        let mechanism = larger(spring, 0.0) + stop_n + self.setup.damper.force(speed);
+        let mechanism = spring + stop_n + self.setup.damper.force(speed);
         self.setup.interface_fraction() * mechanism
     }
 
@@ -159,8 +162,24 @@ impl Equations<'_> {
             }
         }
         let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
-        self.push_at_most_n(state, energy_j) <= push_n
-            && self.pull_at_most_n(state, energy_j) <= pull_n
+        let carries = |energy_j: f64, push_n: f64, pull_n: f64| {
+            self.push_at_most_n(state, energy_j) <= push_n
+                && self.pull_at_most_n(state, energy_j) <= pull_n
+        };
+        if carries(energy_j, push_n, pull_n) {
+            return true;
+        }
+        // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
+        // the paths of all but the last add up to what the friction takes above that at most.
+        let (q_m, geometry) = (state.q_m, &setup.geometry);
+        let way_m = smaller(q_m, mode.deepest_m - q_m);
+        let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
+        let friction_n = setup.grip * setup.strength_pa * area;
+        let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
+        way_m > 0.0
+            && !self.stops_rigidly()
+            && left_j >= self.potential_j(state.x_m)
+            && carries(left_j, friction_n, friction_n)
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the

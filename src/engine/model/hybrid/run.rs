@@ -8,7 +8,7 @@ use crate::model::hybrid::modes::{self, Contact, Event, Hold, Mode};
 use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
 use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, Stop, StopKind};
 use crate::numerics::collocation::{Acceleration, Member, Point, Tolerances};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::step::Step;
@@ -57,6 +57,10 @@ struct Progress<'a, const S: usize> {
     mode: Mode,
     state: State,
     record: Record,
+    /// Outcome and greatest displacement, once nothing can change them any more.
+    decided: Option<(Outcome, Farthest)>,
+    /// The event on which the state is, until a step has left it.
+    last: Option<Event>,
     /// Length of the next step, s.
     h_s: f64,
     horizon_s: f64,
@@ -151,6 +155,8 @@ pub(super) fn run<const S: usize>(
         mode,
         state,
         record: Record { farthest_m: setup.start_m, nearest_m: setup.start_m, ..Record::default() },
+        decided: None,
+        last: None,
         h_s: FIRST_STEP * passage_s,
         horizon_s: bounds.horizon_s,
     };
@@ -174,14 +180,22 @@ impl<const S: usize> Progress<'_, S> {
     }
 
     fn follow(&mut self, to_horizon: bool, observer: Observer<'_>) -> EndReason {
+        let mut to_horizon = to_horizon;
         loop {
             let at_horizon = self.state.t_s >= self.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-            let is_over = !to_horizon && !self.demand_may_grow();
-            if (at_horizon || is_over) && self.decided().is_some() {
+            self.decided = self.decided.or_else(|| self.decide());
+            let is_decided = self.decided.is_some();
+            let is_enough = is_decided && (at_horizon || !to_horizon);
+            if is_enough && !self.demand_may_grow(to_horizon) {
                 return EndReason::Decided;
             }
             if at_horizon {
-                return EndReason::Horizon;
+                // Only what an elastic stop throws back may load the interface more after the horizon.
+                if !(is_decided && to_horizon && self.is_thrown_back()) {
+                    return if is_decided { EndReason::Decided } else { EndReason::Horizon };
+                }
+                self.horizon_s *= 2.0;
+                to_horizon = false;
             }
             if observer(self.state.t_s).is_break() {
                 return EndReason::Cancelled;
@@ -201,14 +215,23 @@ impl<const S: usize> Progress<'_, S> {
     fn missed(&self) -> Option<Event> {
         let equations = self.equations();
         let events = Events::of(self.setup, &self.mode);
-        events.list().iter().copied().find(|event| gap(&equations, *event, &self.state) < 0.0)
+        let is_behind = |event: &Event| gap(&equations, *event, &self.state) < 0.0;
+        events.list().iter().copied().find(|event| is_behind(event) && !self.is_undone_by(*event))
+    }
+
+    /// Whether an event undoes the one on which the state is: its gap is zero but for rounding.
+    fn is_undone_by(&self, event: Event) -> bool {
+        self.last.is_some_and(|last| last.is_undone_by(event))
     }
 
     /// Takes an event at a state on it.
     fn react(&mut self, event: Event, on_it: State) {
         let (before, mut state) = (self.mode, on_it);
         let mut next = modes::after(self.setup, &before, event, &mut state);
-        modes::face(self.setup, &mut next, &state);
+        if event != Event::StopRelease {
+            modes::face(self.setup, &mut next, &state);
+        }
+        self.last = Some(event);
         if std::env::var("TRACE").is_ok() { eprintln!("event {event:?} -> {next:?}"); }
         self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
         (self.mode, self.state) = (next, state);
@@ -254,7 +277,8 @@ impl<const S: usize> Progress<'_, S> {
         let found = first_fall(events.list().len(), |theta, gaps| {
             let state = law.state(&start, start.t_s + theta * h_s, &step.at(theta));
             for (value, event) in gaps.iter_mut().zip(events.list()) {
-                *value = gap(equations, *event, &state);
+                let is_zero = theta == 0.0 && self.is_undone_by(*event);
+                *value = if is_zero { 0.0 } else { gap(equations, *event, &state) };
             }
         });
         match found {
@@ -263,6 +287,7 @@ impl<const S: usize> Progress<'_, S> {
                     law.state(&start, start.t_s + theta * h_s, &step.at(theta))
                 });
                 self.state = law.state(&start, start.t_s + h_s, &step.end);
+                self.last = None;
                 self.h_s = factor * h_s;
             }
             Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], start),
@@ -363,7 +388,7 @@ impl<const S: usize> Progress<'_, S> {
     }
 
     /// The outcome and the greatest displacement, once nothing can change them any more.
-    fn decided(&self) -> Option<(Outcome, Farthest)> {
+    fn decide(&self) -> Option<(Outcome, Farthest)> {
         let equations = self.equations();
         let outcome = equations.outcome(&self.state)?;
         let farthest = equations.farthest(&self.state, self.record.farthest_m);
@@ -380,9 +405,9 @@ impl<const S: usize> Progress<'_, S> {
 
     /// Whether the joined interface may still have to carry more than it has, on the plate's first way forward; behind an elastic
     /// stop, which throws it back, on the second as well.
-    fn demand_may_grow(&mut self) -> bool {
+    fn demand_may_grow(&mut self, only_to_horizon: bool) -> bool {
         let equations = Equations { setup: self.setup, mode: &self.mode };
-        let ways = if self.setup.stop.is_some() { 2 } else { 1 };
+        let ways = if self.is_thrown_back() { 2 } else { 1 };
         if self.mode.contact != Contact::Joined
             || equations.plate_rests()
             || self.record.swings >= ways
@@ -396,17 +421,22 @@ impl<const S: usize> Progress<'_, S> {
             return false;
         }
         // Nothing takes any of the energy on the way to where the spring pushes most.
-        if self.setup.damper.is_absent() && self.setup.stop.is_none() {
+        if self.setup.damper.is_absent() && self.setup.stop.is_none() && !only_to_horizon {
             self.record.carried(&equations, &self.state, most_n);
             return false;
         }
         true
     }
 
+    /// Whether an elastic stop may throw the plate back and load an interface that cannot yield more than before.
+    fn is_thrown_back(&self) -> bool {
+        let is_elastic = |stop: Stop| stop.kind == StopKind::Elastic;
+        !self.setup.plastic && self.setup.stop.is_some_and(is_elastic)
+    }
+
     fn gather(self, scene: &Arc<Scene>, end: EndReason) -> Run {
-        let decided = self.decided();
         let equations = self.equations();
-        let outcome = decided.map_or_else(
+        let outcome = self.decided.map_or_else(
             || equations.outcome(&self.state).unwrap_or(Outcome::Moving),
             |(outcome, _)| outcome,
         );
@@ -415,7 +445,7 @@ impl<const S: usize> Progress<'_, S> {
             Contact::Deepening => larger(self.state.q_m, self.mode.deepest_m),
             _ => self.mode.deepest_m,
         };
-        let max_plate_displacement_m = match decided.map(|(_, farthest)| farthest) {
+        let max_plate_displacement_m = match self.decided.map(|(_, farthest)| farthest) {
             Some(Farthest::Known(x_m)) => Some(larger(x_m, record.farthest_m)),
             Some(Farthest::Unbounded) => None,
             Some(Farthest::Pending) | None => Some(record.farthest_m),
