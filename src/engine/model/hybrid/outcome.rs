@@ -35,6 +35,16 @@ impl Equations<'_> {
         0.5 * self.moving_kg() * state.w_m_s * state.w_m_s + self.potential_j(state.x_m)
     }
 
+    /// Energy of all that moves, in spring and elastic stop, J.
+    pub(super) fn energy_left_j(&self, state: &State) -> f64 {
+        let v = self.setup.projectile_m_s(state);
+        let apart_j = match self.mode.contact {
+            Contact::Joined | Contact::Gone => 0.0,
+            _ => 0.5 * self.setup.projectile_kg * v * v,
+        };
+        self.energy_j(state) + apart_j
+    }
+
     fn potential_j(&self, x_m: f64) -> f64 {
         let beyond_m = larger(self.beyond_stop_m(x_m), 0.0);
         let elastic = self.elastic_stop_n_m().unwrap_or(0.0);
@@ -178,8 +188,7 @@ impl Equations<'_> {
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
         way_m > 0.0
             && !self.stops_rigidly()
-            && left_j >= self.potential_j(state.x_m)
-            && carries(left_j, friction_n, friction_n)
+            && carries(larger(left_j, 0.0), friction_n, friction_n)
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the

@@ -148,6 +148,8 @@ pub(super) fn run<const S: usize>(
 ) -> Run {
     let passage_s = setup.geometry.nose.radius_m / setup.velocity_m_s;
     let (mode, state) = modes::first(setup);
+    // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
+    let waits = !bounds.to_horizon && setup.spring.is_absent() && setup.stop.is_some();
     let mut progress = Progress {
         setup,
         member,
@@ -158,7 +160,7 @@ pub(super) fn run<const S: usize>(
         decided: None,
         last: None,
         h_s: FIRST_STEP * passage_s,
-        horizon_s: bounds.horizon_s,
+        horizon_s: if waits { f64::INFINITY } else { bounds.horizon_s },
     };
     progress.first_moment(FIRST_MOMENT * passage_s);
     let end = progress.follow(bounds.to_horizon, observer);
@@ -448,7 +450,12 @@ impl<const S: usize> Progress<'_, S> {
         let max_plate_displacement_m = match self.decided.map(|(_, farthest)| farthest) {
             Some(Farthest::Known(x_m)) => Some(larger(x_m, record.farthest_m)),
             Some(Farthest::Unbounded) => None,
-            Some(Farthest::Pending) | None => Some(record.farthest_m),
+            // Of an undecided run as far as there is no energy to go farther.
+            Some(Farthest::Pending) | None => {
+                let reach_m = equations.reach_m(equations.energy_left_j(&self.state));
+                let is_farthest = reach_m <= record.farthest_m * (1.0 + AT_ONCE);
+                is_farthest.then_some(record.farthest_m)
+            }
         };
         Run {
             scene: Arc::clone(scene),
