@@ -16,6 +16,16 @@ const OF_THE_WAY: f64 = 0.8;
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
 
+/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
+/// velocities by about the square of this.
+const FIRST_MOMENT: f64 = 1e-6;
+/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate: the travel is as far off at most.
+const HELD: f64 = 1e-13;
+/// How many times farther its inertia alone must let a plate move that is to follow the balance of its spring: the square of the
+/// oscillations about that, in radians, which leave a part of one over it.
+const FOLLOWS: f64 = 1e2;
+/// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
+const UNRESOLVED: f64 = 1e-18;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -328,16 +338,20 @@ impl Equations<'_> {
         )
     }
 
+    fn first_moment_s(&self) -> f64 {
+        FIRST_MOMENT * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
+    }
+
     /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
-    /// contact's grows with the time, and the plate yields to it as far as its inertia, its spring or its damper lets it,
-    /// whichever holds it most.
-    pub(super) fn after_first_moment(&self, t_s: f64) -> State {
+    /// plate yields to the contact's, which grows with the time, as far as its inertia, its spring or its damper lets it, whichever
+    /// holds it most.
+    pub(super) fn after_first_moment(&self) -> State {
+        let t_s = self.first_moment_s();
         let setup = self.setup;
         let v = setup.velocity_m_s;
         let rate_n_s = self.contact_slopes(0.0, v).0 * v;
         let push_n = rate_n_s * setup.cos * t_s;
-        let inertia_m = push_n * t_s * t_s / (6.0 * setup.plate_kg);
-        let by_inertia = (inertia_m, 3.0);
+        let by_inertia = (push_n * t_s * t_s / (6.0 * setup.plate_kg), 3.0);
         let by_spring = (setup.spring.at_force(push_n), 1.0 / setup.spring.exponent);
         let power = 1.0 / setup.damper.exponent + 1.0;
         let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
@@ -352,6 +366,43 @@ impl Equations<'_> {
             x_m,
             w_m_s,
         }
+    }
+
+    /// Whether a steep spring holds the plate at first: its inertia alone would have let it move much farther by the time the spring
+    /// yields noticeably, so that it follows the balance of contact and spring from then on.
+    pub(super) fn is_held_by_spring(&self) -> bool {
+        let setup = self.setup;
+        if !setup.spring.is_steep_at_zero() || setup.start_m != 0.0 || setup.still {
+            return false;
+        }
+        let rate_n_s = self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
+        let t_s = self.holding_n() / rate_n_s;
+        let by_inertia_m = self.holding_n() * t_s * t_s / (6.0 * setup.plate_kg);
+        t_s > self.first_moment_s() && by_inertia_m > FOLLOWS * self.held_m()
+    }
+
+    fn held_m(&self) -> f64 {
+        HELD * self.setup.geometry.nose.radius_m
+    }
+
+    /// The force that a steep spring holds with a displacement that does not count, N.
+    pub(super) fn holding_n(&self) -> f64 {
+        self.setup.spring.force(self.held_m())
+    }
+
+    /// Displacement and velocity with which a plate that a steep spring has held begins to follow the force.
+    pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
+        let setup = self.setup;
+        let force_n = self.contact_n(state.q_m, state.u_m_s);
+        let slopes = self.contact_slopes(state.q_m, state.u_m_s);
+        let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
+        let x_m = setup.spring.at_force(force_n * setup.cos);
+        (x_m, x_m * rate_n_s / (force_n * setup.spring.exponent))
+    }
+
+    /// A velocity of the plate that is lost among errors, m/s.
+    pub(super) fn unresolved_m_s(&self) -> f64 {
+        UNRESOLVED * self.setup.velocity_m_s
     }
 
     /// The sizes by which errors of travel, slip, displacement and velocity count, at a state: never less than a thousandth of the

@@ -34,6 +34,10 @@ impl Events {
                 events.add(&[Event::StopRelease]);
                 return events;
             }
+            Hold::Spring => {
+                events.add(&[Event::Yields]);
+                return events;
+            }
             Hold::Free => events.add(&[Event::SpeedZero]),
         }
         if !setup.spring.is_smooth_at_zero() {
@@ -80,11 +84,12 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
             limits_n(setup, mode, state.q_m).1 + equations.carried_n(state)
         }
         Event::PlaceZero => mode.x_side * equations.displacement_m(state.x_m),
-        Event::SpeedZero => mode.w_side * state.w_m_s,
+        Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
         Event::StopReached => -equations.beyond_stop_m(state.x_m),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
         Event::StopCleared => equations.beyond_stop_m(state.x_m),
         Event::StopPressed => -equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
+        Event::Yields => equations.holding_n() - equations.contact_n(state.q_m, state.u_m_s) * setup.cos,
     }
 }

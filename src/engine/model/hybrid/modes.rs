@@ -41,6 +41,8 @@ pub(super) enum Hold {
     Free,
     /// The rigid stop, on which it is pressed.
     OnStop,
+    /// A spring that is infinitely steep where the plate stands, and lets it move by nothing that counts.
+    Spring,
     /// The rigid mount.
     Mount,
 }
@@ -103,6 +105,8 @@ pub(super) enum Event {
     StopPressed,
     /// Nothing presses the plate on its rigid stop any more.
     StopRelease,
+    /// A steep spring lets the plate move noticeably.
+    Yields,
 }
 
 impl Event {
@@ -128,6 +132,9 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         w_side: 1.0,
     };
     let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
+    if (Equations { setup, mode: &mode }).is_held_by_spring() {
+        mode.hold = Hold::Spring;
+    }
     if !setup.still && setup.start_m >= setup.stop_at_m {
         reach_stop(setup, &mut mode, &mut state);
         mode.w_side = 1.0;
@@ -160,6 +167,10 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
             push_in(setup, &mut next, state);
         }
         Event::SlipZero => {
+            if mode.hold == Hold::Spring {
+                next.hold = Hold::Free;
+                (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            }
             state.u_m_s = 0.0;
             if mode.contact == Contact::Deepening {
                 next.deepest_m = state.q_m;
@@ -193,6 +204,11 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         }
         Event::StopPressed => next.touch = Touch::Pressed,
         Event::StopRelease => release(setup, &mut next, state),
+        Event::Yields => {
+            next.hold = Hold::Free;
+            (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            state.u_m_s -= setup.cos * state.w_m_s;
+        }
     }
     if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
         release(setup, &mut next, state);

@@ -16,9 +16,8 @@ use crate::numerics::{larger, smaller};
 
 /// Evaluations of the equations after which a run ends undecided: about 0.1 s.
 const EVALUATIONS_MAX: usize = 400_000;
-/// Length of the first step, and of the balance of forces where a law is steep at zero, in passages of a tip radius.
+/// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.2;
-const FIRST_MOMENT: f64 = 1e-6;
 /// Excess of a step's error over its tolerance that is aimed at, greatest growth, and least and greatest cut.
 const AIM: f64 = 0.5;
 const GROWTH_MAX: f64 = 4.0;
@@ -162,7 +161,7 @@ pub(super) fn run<const S: usize>(
         h_s: FIRST_STEP * passage_s,
         horizon_s: if waits { f64::INFINITY } else { bounds.horizon_s },
     };
-    progress.first_moment(FIRST_MOMENT * passage_s);
+    progress.first_moment();
     let end = progress.follow(bounds.to_horizon, observer);
     progress.gather(scene, end)
 }
@@ -173,11 +172,10 @@ impl<const S: usize> Progress<'_, S> {
     }
 
     /// A law that is infinitely steep where the plate begins is left by the balance of forces.
-    fn first_moment(&mut self, t_s: f64) {
-        let is_steep = self.setup.spring.is_steep_at_zero() || self.setup.damper.is_steep_at_zero();
-        if is_steep && self.setup.start_m == 0.0 && self.mode.hold == Hold::Free {
-            self.state = self.equations().after_first_moment(t_s);
-            self.h_s = t_s;
+    fn first_moment(&mut self) {
+        if self.has_steep_law() && self.setup.start_m == 0.0 && self.mode.hold == Hold::Free {
+            self.state = self.equations().after_first_moment();
+            self.h_s = self.state.t_s;
         }
     }
 
