@@ -40,6 +40,8 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// Tolerance of the other engine as the second computation, whatever that of the first: its order is so high that it costs little.
+const COLLOCATION: f64 = 1e-12;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
@@ -113,7 +115,7 @@ fn by_collocation(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     let bounds = hybrid::Bounds {
         horizon_s: problem.horizon_s,
         to_horizon: problem.horizon_is_given,
-        tolerance: larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST),
+        tolerance: COLLOCATION,
     };
     hybrid::run(&problem.scene, bounds, observer)
 }

@@ -167,9 +167,7 @@ impl<const S: usize> Member<S> {
     }
 
     /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
-    pub(crate) fn error_order(&self) -> f64 {
-        (2 * S - 3) as f64
-    }
+    pub(crate) const ERROR_ORDER: f64 = (2 * S - 3) as f64;
 
     /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations. `guarded` iterations pass no
     /// zero of a steep law.
@@ -181,7 +179,7 @@ impl<const S: usize> Member<S> {
         goal: &Tolerances<D>,
         guarded: bool,
     ) -> (Option<Step<D, S>>, usize) {
-        let mut stages = self.guess(law, start, h);
+        let mut stages = [guess(law, start, h); S];
         let mut factored: Option<Factored> = None;
         let mut before = f64::INFINITY;
         let enough = SOLVED + ROUNDING / goal.relative;
@@ -205,6 +203,7 @@ impl<const S: usize> Member<S> {
                 }
             }
             let part = if guarded { self.allowed(law, start, h, [&stages, &changed]) } else { 1.0 };
+            let is_whole = part >= 1.0;
             let norm = change[..S * D].chunks(D).fold(0.0, |norm, change| {
                 let speed: [f64; D] = std::array::from_fn(|d| h * change[d]);
                 larger(goal.norm(&speed.map(|speed| h * speed), &speed), norm)
@@ -214,7 +213,7 @@ impl<const S: usize> Member<S> {
                     stage[d] += part * (changed[d] - stage[d]);
                 }
             }
-            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && part == 1.0) {
+            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
                 return (None, round * S);
             }
             // Of the first change nothing is known.
@@ -222,7 +221,7 @@ impl<const S: usize> Member<S> {
             let ahead = if contraction < 1.0 { norm * contraction } else { norm };
             // What no longer shrinks, far below the tolerance, is rounding.
             let stalls = contraction > 0.5 && norm < 10.0 * enough;
-            if part == 1.0 && (norm <= SOLVED || ahead <= enough || stalls) {
+            if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
                 return (Some(self.polynomial(start, h, &stages)), round * S);
             }
             if contraction > SLOW {
@@ -231,21 +230,6 @@ impl<const S: usize> Member<S> {
             before = norm;
         }
         (None, ITERATIONS_MAX * S)
-    }
-
-    /// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
-    fn guess<const D: usize>(
-        &self,
-        law: &impl Acceleration<D>,
-        (place, speed): Point<D>,
-        h: f64,
-    ) -> [[f64; D]; S] {
-        let first = law.at(&place, &speed);
-        let kept = std::array::from_fn(|d| {
-            let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
-            if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
-        });
-        [kept; S]
     }
 
     fn points<const D: usize>(
@@ -378,6 +362,15 @@ impl<const S: usize> Member<S> {
     }
 }
 
+/// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
+fn guess<const D: usize>(law: &impl Acceleration<D>, (place, speed): Point<D>, h: f64) -> [f64; D] {
+    let first = law.at(&place, &speed);
+    std::array::from_fn(|d| {
+        let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
+        if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
+    })
+}
+
 /// A matrix, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
 struct Factored {
     size: usize,
@@ -482,7 +475,8 @@ mod tests {
     fn valid_the_nodes_are_those_of_radau() {
         // Two stages: 1/3 and 1.
         let two = Member::<2>::new();
-        assert!((two.nodes[0] - 1.0 / 3.0).abs() < 1e-15 && two.nodes[1] == 1.0, "{two:?}");
+        let [third, whole] = two.nodes;
+        assert!((third - 1.0 / 3.0).abs() < 1e-15 && (whole - 1.0).abs() < 1e-15, "{two:?}");
         for (row, node) in NINE.a.iter().zip(NINE.nodes) {
             // Constants and the highest power are integrated exactly.
             let constant: f64 = row.iter().sum();

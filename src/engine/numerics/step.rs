@@ -53,8 +53,8 @@ impl<const D: usize, const S: usize> Step<D, S> {
 mod tests {
     use super::*;
 
-    /// y'' = 2 P_1(theta) = 2 (2 theta - 1) on a step of 3: y' = 1 + 3 (2 theta² - 2 theta), whose own coefficients are
-    /// (1 - 1, 0, 1): 2 theta² - 2 theta = (P_2 - 1)/3.
+    /// With the coefficient 2 of degree 1, y'' = 2 (2 theta - 1) on a step of 3, so that y' = 1 + 6 (theta² - theta). That of degree 2 is
+    /// 6 (theta² - theta) + 1: it is the whole of y'.
     #[test]
     fn valid_places_are_the_integrals_of_the_speeds_and_these_of_the_accelerations() {
         let step: Step<1, 3> = Step {

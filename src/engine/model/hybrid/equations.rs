@@ -1,8 +1,8 @@
 //! The motion, once: constants of a scene, forces in a mode, accelerations and their derivatives.
 //!
 //! Travel q and slip u are those of the projectile along its axis against the plate, displacement x and velocity w those of the
-//! plate along its normal. With the contact force F and the mechanism's force G, m_p v' = -F and m_2 w' = F cos - G, where
-//! u = v - w cos.
+//! plate along its normal. With the contact force F, the mechanism's force G and the masses of both, `m_p v' = -F` and
+//! `m_2 w' = F cos - G`, where u = v - w cos.
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};

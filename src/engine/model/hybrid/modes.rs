@@ -227,7 +227,7 @@ fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
 fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
     let piece = setup.geometry.piece_behind(state.q_m);
     mode.contact = if piece.is_some() { Contact::PullingOut } else { Contact::Apart };
-    mode.piece = piece.copied().unwrap_or(setup.geometry.piece(-1.0));
+    mode.piece = piece.copied().unwrap_or_else(|| setup.geometry.piece(-1.0));
 }
 
 /// The force that the interface can carry forwards and backwards while joined, N.
@@ -238,7 +238,7 @@ pub(super) fn limits_n(setup: &Setup, mode: &Mode, q_m: f64) -> (f64, f64) {
 }
 
 /// What follows where the slip is zero: together, unless the interface cannot carry what it must.
-fn settle(setup: &Setup, mode: &mut Mode, state: &mut State) {
+fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.contact = Contact::Joined;
     if mode.hold == Hold::OnStop {
         if (Equations { setup, mode }).push_on_stop_n(state) >= 0.0 {
@@ -274,14 +274,10 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     let before = state.w_m_s;
     mode.w_side = -1.0;
     let blow_j = 0.5 * setup.joined_kg * before * before;
-    let (_, hole_n) = (0.0, setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa);
-    let stays_whole = !setup.plastic || blow_j < SOFT_BLOW * hole_n * mode.deepest_m;
-    state.w_m_s = if joined && setup.plastic && stays_whole {
-        0.0
-    } else {
-        rebound(setup, mode, stop.restitution, state)
-    };
-    if !(joined && stays_whole) {
+    let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
+    let is_soft = joined && setup.plastic && blow_j < SOFT_BLOW * hole_j;
+    state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, stop.restitution, state) };
+    if !(joined && (is_soft || !setup.plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
         match mode.contact {
             Contact::Joined | Contact::PullingOut if state.u_m_s > 0.0 => {
@@ -310,7 +306,7 @@ fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
 }
 
 /// The plate leaves a rigid stop on which it rested.
-fn release(setup: &Setup, mode: &mut Mode, state: &mut State) {
+fn release(setup: &Setup, mode: &mut Mode, state: &State) {
     leave_stop(setup, mode, state);
     if mode.contact == Contact::Joined {
         settle(setup, mode, state);

@@ -232,7 +232,6 @@ impl<const S: usize> Progress<'_, S> {
             modes::face(self.setup, &mut next, &state);
         }
         self.last = Some(event);
-        if std::env::var("TRACE").is_ok() { eprintln!("event {event:?} -> {next:?}"); }
         self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
         (self.mode, self.state) = (next, state);
         if let Some(travel_m) = self.last_slips_m() {
@@ -322,15 +321,13 @@ impl<const S: usize> Progress<'_, S> {
             if solved.is_some() || !self.has_steep_law() {
                 break;
             }
-        if std::env::var("TRACE").is_ok() { eprintln!("failed {h_s} {guarded}"); }
         }
         let Some(step) = solved else { return Err(AFTER_FAILURE) };
         let end = law.state(&self.state, self.state.t_s + h_s, &step.end);
         let goal = self.tolerances(law, &end).or_larger(&goal);
         self.record.evaluations += S;
         let excess = self.member.error(law, &step, &goal);
-        if std::env::var("TRACE").is_ok() { eprintln!("t {:.6e} h {:.3e} excess {:.2e} x {:?} w {:?} q {} u {} {:?}", self.state.t_s, h_s, excess, self.state.x_m, self.state.w_m_s, self.state.q_m, self.state.u_m_s, self.mode.contact); }
-        let factor = (AIM / excess).powf(1.0 / self.member.error_order());
+        let factor = (AIM / excess).powf(1.0 / Member::<S>::ERROR_ORDER);
         if excess <= 1.0 {
             return Ok((step, smaller(factor, GROWTH_MAX)));
         }
@@ -487,11 +484,12 @@ fn near_root(f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (1.0 - 1e-3, 1.0);
     let (mut at_a, mut at_b) = (f(a), f(b));
     for _ in 0..SECANTS {
+        let change = at_b - at_a;
         // Where both are the same there is nothing but rounding left.
-        if at_b == 0.0 || at_a == at_b {
+        if at_b == 0.0 || change == 0.0 {
             break;
         }
-        let next = b - at_b * (b - a) / (at_b - at_a);
+        let next = b - at_b * (b - a) / change;
         if !(0.0..2.0).contains(&next) {
             return 0.0;
         }
