@@ -1,7 +1,7 @@
 //! One impact by one loop, one integrator and one locator: the second computation that the error estimate of a run rests on.
 //!
 //! `equations` has the motion, once; `modes` what holds between events and what follows them, and `events` which events a mode has;
-//! `run` is the loop; `outcome` decides by energy when it is over; `record` keeps what is asked for. It shares the law with the
+//! `moving` is what the integrator sees of it; `run` is the loop; `outcome` decides by energy when it is over; `record` keeps what is asked for. It shares the law with the
 //! first computation (area, springs, dampers) and nothing of its method or its rules.
 
 use std::sync::Arc;
@@ -15,9 +15,12 @@ pub(in crate::model) use run::Bounds;
 mod equations;
 mod events;
 mod modes;
+mod moving;
 mod outcome;
 mod record;
 mod run;
+#[cfg(test)]
+mod tests;
 
 /// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
 pub(in crate::model) fn run(

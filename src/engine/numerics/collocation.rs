@@ -461,8 +461,7 @@ mod tests {
         }
     }
 
-    const GOAL: Tolerances<1> =
-        Tolerances { place: [1e-15], speed: [1e-15], relative: 1e-15 };
+    const GOAL: Tolerances<1> = Tolerances { place: [1e-15], speed: [1e-15], relative: 1e-15 };
 
     /// Greatest error of place and speed after a step of a whole.
     fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
@@ -493,12 +492,13 @@ mod tests {
 
     #[test]
     fn valid_half_the_step_leaves_two_to_the_order_of_the_error() {
-        for h in [2.0, 1.5] {
+        // The pole at -1 keeps the error from its order 13 until the step is short.
+        for (h, least) in [(2.0, 9.0), (1.0, 10.5), (0.7, 11.0)] {
             let rate = (error(&SEVEN, h) / error(&SEVEN, 0.5 * h)).log2();
-            assert!(rate > 10.0, "{h}: {rate}");
+            assert!(rate > least, "{h}: {rate}");
         }
-        assert!(error(&NINE, 1.0) < 2e-14, "{:e}", error(&NINE, 1.0));
-        assert!(error(&SEVEN, 1.0) < 1e-11, "{:e}", error(&SEVEN, 1.0));
+        let [seven, nine] = [error(&SEVEN, 2.0), error(&NINE, 2.0)];
+        assert!(nine < 0.01 * seven, "{nine:e} {seven:e}");
     }
 
     #[test]
@@ -510,12 +510,14 @@ mod tests {
     }
 
     #[test]
-    fn valid_the_estimate_of_a_step_is_not_below_its_error() {
-        for h in [0.5, 1.0, 2.0, 4.0] {
+    fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
+        let mut before = f64::INFINITY;
+        for h in [4.0, 2.0, 1.0, 0.5] {
             let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, false).0.unwrap();
             let estimate = SEVEN.error(&Drag, &step, &GOAL) * GOAL.relative;
-            let own = error(&SEVEN, h);
-            assert!(estimate > 0.1 * own && estimate < 1e6 * own + 1e-15, "{h}: {estimate:e} {own:e}");
+            assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
+            assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");
+            before = estimate;
         }
     }
 }

@@ -8,11 +8,8 @@ use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, moving_plate_kg};
 use crate::model::scene::{InterfaceLaw, Scene, Stop};
-use crate::numerics::collocation::{Acceleration, Point, Slopes};
-use crate::numerics::{larger, smaller};
+use crate::numerics::larger;
 
-/// Part of the way to the zero of a steep law that an iteration may go at once.
-const OF_THE_WAY: f64 = 0.8;
 /// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
 const SLOPE_WIDTH: f64 = 1e-6;
 
@@ -157,7 +154,7 @@ impl Equations<'_> {
     }
 
     /// Its derivatives by travel and slip.
-    fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
+    pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         let (strength, drag) = self.pressure();
         if strength == 0.0 && drag == 0.0 {
             return (0.0, 0.0);
@@ -197,7 +194,7 @@ impl Equations<'_> {
     }
 
     /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
-    fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
+    pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let Setup { spring, damper, stop, .. } = self.setup;
         let (k, b) = match (self.mode.touch, stop) {
             (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
@@ -213,7 +210,11 @@ impl Equations<'_> {
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
     pub(super) fn moving_kg(&self) -> f64 {
-        if self.mode.contact == Contact::Joined { self.setup.joined_kg } else { self.setup.plate_kg }
+        if self.mode.contact == Contact::Joined {
+            self.setup.joined_kg
+        } else {
+            self.setup.plate_kg
+        }
     }
 
     /// Whether the plate stays where it is.
@@ -253,91 +254,7 @@ impl Equations<'_> {
     }
 }
 
-/// The derivative of an odd power law where it is not infinite.
-fn passed(law: PowerLaw, from: f64, to: f64) -> f64 {
-    let is_steep = !law.is_absent() && law.exponent < 1.0;
-    if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
-}
-
-/// Both bodies, apart or in contact: travel and displacement.
-pub(super) struct Both<'a>(pub(super) Equations<'a>);
-
-impl Acceleration<2> for Both<'_> {
-    fn at(&self, place: &[f64; 2], speed: &[f64; 2]) -> [f64; 2] {
-        let setup = self.0.setup;
-        let contact = self.0.contact_n(place[0], speed[0]);
-        let mechanism = self.0.mechanism_n(place[1], speed[1]);
-        let plate = (contact * setup.cos - mechanism) / setup.plate_kg;
-        [-contact / setup.projectile_kg - plate * setup.cos, plate]
-    }
-
-    fn slopes(&self, place: &[f64; 2], speed: &[f64; 2]) -> Slopes<2> {
-        let setup = self.0.setup;
-        let contact = self.0.contact_slopes(place[0], speed[0]);
-        let mechanism = self.0.mechanism_slopes(place[1], speed[1]);
-        let plate = 1.0 / setup.plate_kg;
-        let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
-        let rows = |contact: f64, mechanism: f64| {
-            [
-                [-contact * slip, mechanism * setup.cos * plate],
-                [contact * setup.cos * plate, -mechanism * plate],
-            ]
-        };
-        Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
-    }
-
-    fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
-        self.0.without_passing((from.0[1], from.1[1]), (to.0[1], to.1[1]))
-    }
-}
-
-/// The plate, with the projectile or without it: displacement.
-pub(super) struct Plate<'a>(pub(super) Equations<'a>);
-
-impl Acceleration<1> for Plate<'_> {
-    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
-        [-self.0.mechanism_n(place[0], speed[0]) / self.0.moving_kg()]
-    }
-
-    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
-        let (by_place, by_speed) = self.0.mechanism_slopes(place[0], speed[0]);
-        let kg = self.0.moving_kg();
-        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
-    }
-
-    fn without_passing(&self, from: Point<1>, to: Point<1>) -> f64 {
-        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
-    }
-}
-
-/// The projectile in a plate that rests: travel.
-pub(super) struct Projectile<'a>(pub(super) Equations<'a>);
-
-impl Acceleration<1> for Projectile<'_> {
-    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
-        [-self.0.contact_n(place[0], speed[0]) / self.0.setup.projectile_kg]
-    }
-
-    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
-        let (by_place, by_speed) = self.0.contact_slopes(place[0], speed[0]);
-        let kg = self.0.setup.projectile_kg;
-        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
-    }
-
-    fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
-        1.0
-    }
-}
-
 impl Equations<'_> {
-    fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
-        let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
-        smaller(
-            passed(self.setup.spring, from_x, to_x),
-            passed(self.setup.damper, from.1, to.1),
-        )
-    }
-
     fn first_moment_s(&self) -> f64 {
         FIRST_MOMENT * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
     }
@@ -375,7 +292,8 @@ impl Equations<'_> {
         if !setup.spring.is_steep_at_zero() || setup.start_m != 0.0 || setup.still {
             return false;
         }
-        let rate_n_s = self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
+        let rate_n_s =
+            self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
         let t_s = self.holding_n() / rate_n_s;
         let by_inertia_m = self.holding_n() * t_s * t_s / (6.0 * setup.plate_kg);
         t_s > self.first_moment_s() && by_inertia_m > FOLLOWS * self.held_m()

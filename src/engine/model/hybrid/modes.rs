@@ -348,3 +348,146 @@ pub(super) fn take_slips(setup: &Setup, mode: &mut Mode, state: &mut State, trav
     state.w_m_s = larger(left, 0.0).sqrt().copysign(state.w_m_s);
     mode.deepest_m = state.q_m;
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::variables::scene_with;
+
+    const PLASTIC: &str = "k=1e7 interface=plastic";
+
+    /// The mode and the state after an event in a hole of 5 mm of travel, from a state (q, u, x, w).
+    fn after_event(
+        pairs: &str,
+        contact: Contact,
+        event: Event,
+        [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
+    ) -> (Mode, State) {
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let (first, state) = first(&setup);
+        let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
+        if contact == Contact::PullingOut {
+            mode.piece = *setup.geometry.piece_behind(q_m).unwrap();
+        }
+        let mut state = State { q_m, u_m_s, x_m, w_m_s, ..state };
+        (after(&setup, &mode, event, &mut state), state)
+    }
+
+    /// Both bodies weigh 29.5 g: joined, the interface carries half of the spring's 50 kN at 5 mm, of 15 kN that it can push and
+    /// 1.5 kN that it can pull.
+    #[rustfmt::skip]
+    const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 13] = [
+        ("k=1e5", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Joined),
+        ("k=1e7", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Joined),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Joined),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
+        (PLASTIC, Contact::Closing, Event::SlipZero, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
+        (PLASTIC, Contact::Joined, Event::PushLimit, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::PullLimit, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
+        ("k=1e5", Contact::Closing, Event::Bottom, [5e-3, 9.0, 0.0, 1.0], Contact::Deepening),
+        ("k=1e5", Contact::PullingOut, Event::PieceStart, [1e-4, -9.0, 0.0, 1.0], Contact::Apart),
+        ("k=1e5", Contact::Apart, Event::Recontact, [0.0, 9.0, 0.0, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::SpeedZero, [5e-3, 0.0, 1e-4, 1e-17], Contact::Joined),
+    ];
+
+    #[test]
+    fn each_event_leads_to_its_contact() {
+        for (pairs, contact, event, state, expected) in TRANSITIONS {
+            let (found, _) = after_event(pairs, contact, event, state);
+            assert_eq!(found.contact, expected, "{pairs} {contact:?} {event:?} {state:?}");
+        }
+    }
+
+    #[test]
+    fn the_last_piece_leads_through_the_plate_and_the_others_to_the_next() {
+        let (mode, state) =
+            after_event("k=1e5", Contact::Deepening, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
+        assert_eq!(mode.contact, Contact::Deepening);
+        assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
+        let setup = Setup::of(&scene_with("k=1e5")).unwrap();
+        let mut last = first(&setup).0;
+        last.piece = *setup.geometry.pieces().last().unwrap();
+        let mut state = State { u_m_s: 9.0, ..State::default() };
+        let gone = after(&setup, &last, Event::PieceEnd, &mut state);
+        assert_eq!(gone.contact, Contact::Gone);
+        assert_eq!(state.q_m.to_bits(), setup.geometry.exit_m.to_bits());
+    }
+
+    /// Alone the plate comes back with e times its speed, and the projectile keeps its own: the slip grows by what the plate loses.
+    #[test]
+    fn valid_a_rigid_stop_reverses_the_plate_and_leaves_the_projectile_its_velocity() {
+        let hit = |pairs: &str, contact| {
+            after_event(pairs, contact, Event::StopReached, [4e-3, 7.0, 1e-3, 2.0])
+        };
+        let (mode, state) = hit("k=1e5 x_stop=0.001 e=0.5", Contact::Deepening);
+        assert_eq!((mode.hold, mode.w_side.to_bits()), (Hold::Free, (-1.0f64).to_bits()));
+        assert!((state.w_m_s + 1.0).abs() < 1e-15 && (state.u_m_s - 10.0).abs() < 1e-15);
+        assert_eq!((mode.origin_m.to_bits(), state.x_m.to_bits()), (1e-3f64.to_bits(), 0));
+        // Without restitution the contact's 15 kN hold it there against the spring's 100 N; gone, nothing does.
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Deepening).0.hold, Hold::OnStop);
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Gone).0.hold, Hold::Free);
+    }
+
+    #[test]
+    fn a_joined_body_is_stopped_whole_where_it_is_fused_and_slips_where_it_is_plastic() {
+        for (law, contact, slip) in
+            [("fused", Contact::Joined, 0.0), ("plastic", Contact::Deepening, 2.0)]
+        {
+            let pairs = format!("k=1e5 x_stop=0.001 e=0 interface={law}");
+            let state = [5e-3, 0.0, 1e-3, 2.0];
+            let (mode, state) = after_event(&pairs, Contact::Joined, Event::StopReached, state);
+            assert_eq!(mode.contact, contact, "{law}");
+            assert!((state.u_m_s - slip).abs() < 1e-15, "{law}: {state:?}");
+        }
+    }
+
+    /// Flights of t = 2 w/a, each e times the one before, add up to a way of 2 w² /(a (1 - e)): with the contact's 15 kN on 29.5 g
+    /// that of 1 mm/s is 8e-12 m, that of 1 um/s 8e-18 m.
+    #[test]
+    fn valid_a_plate_that_is_pressed_bounces_until_its_flights_are_too_short() {
+        let pairs = "k=1e5 x_stop=0.001 e=0.5";
+        for (speed, hold) in [(1e-3, Hold::Free), (1e-6, Hold::OnStop)] {
+            let state = [5e-3, 0.0, 1e-3, speed];
+            let (mode, _) = after_event(pairs, Contact::Deepening, Event::StopReached, state);
+            assert_eq!(mode.hold, hold, "{speed}");
+        }
+    }
+
+    #[test]
+    fn an_elastic_stop_presses_lets_go_and_is_left() {
+        let pairs = "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e6 b_stop=1e3";
+        let touch = |event, x_m, w_m_s| {
+            after_event(pairs, Contact::Deepening, event, [5e-3, 7.0, x_m, w_m_s]).0.touch
+        };
+        assert_eq!(touch(Event::StopReached, 1e-3, 2.0), Touch::Pressed);
+        assert_eq!(touch(Event::StopSlack, 2e-3, -1.0), Touch::Slack);
+        assert_eq!(touch(Event::StopSlack, 1e-3, -1.0), Touch::Away);
+        assert_eq!(touch(Event::StopCleared, 1e-3, -1.0), Touch::Away);
+        assert_eq!(touch(Event::StopPressed, 2e-3, -1.0), Touch::Pressed);
+    }
+
+    #[test]
+    fn sides_follow_the_plate_through_the_zeros_of_its_laws() {
+        let pairs = "k=1e5 n=1.5";
+        let state = [5e-3, 7.0, 1e-20, -2.0];
+        let (mode, state) = after_event(pairs, Contact::Deepening, Event::PlaceZero, state);
+        assert_eq!((mode.x_side.to_bits(), state.x_m.abs().to_bits()), ((-1.0f64).to_bits(), 0));
+        let state = [5e-3, 7.0, 1e-3, 1e-20];
+        let (mode, state) = after_event(pairs, Contact::Deepening, Event::SpeedZero, state);
+        assert_eq!((mode.w_side.to_bits(), state.w_m_s.to_bits()), ((-1.0f64).to_bits(), 0));
+    }
+
+    /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
+    #[test]
+    fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
+        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs)).unwrap()).0.hold;
+        assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
+        assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
+        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001"] {
+            assert_eq!(hold(pairs), Hold::Free, "{pairs}");
+        }
+        assert_eq!(hold("mount=rigid"), Hold::Mount);
+    }
+}

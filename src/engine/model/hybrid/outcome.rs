@@ -155,8 +155,7 @@ impl Equations<'_> {
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
-        let friction_j =
-            setup.grip * setup.strength_pa * setup.geometry.swept_m3(state.q_m);
+        let friction_j = setup.grip * setup.strength_pa * setup.geometry.swept_m3(state.q_m);
         // What is left can neither deepen the hole noticeably nor pull the projectile out of it.
         let is_nothing = |energy_j: f64| {
             energy_j < NEGLIGIBLE * mode.deepest_m * strength_n && energy_j < friction_j
@@ -186,9 +185,7 @@ impl Equations<'_> {
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
         let friction_n = setup.grip * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
-        way_m > 0.0
-            && !self.stops_rigidly()
-            && carries(larger(left_j, 0.0), friction_n, friction_n)
+        way_m > 0.0 && !self.stops_rigidly() && carries(larger(left_j, 0.0), friction_n, friction_n)
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the
@@ -287,4 +284,100 @@ fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
         return f64::INFINITY;
     }
     kg * w_m_s.powf(power) / (damper.coefficient * power)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::hybrid::equations::Setup;
+    use crate::model::hybrid::modes::{Mode, first};
+    use crate::model::variables::scene_with;
+
+    /// Looks at a state (q, u, x, w) in a hole of 5 mm of travel.
+    fn look<T>(
+        pairs: &str,
+        contact: Contact,
+        [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
+        look: impl Fn(&Equations<'_>, &State) -> T,
+    ) -> T {
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
+        let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
+        look(&Equations { setup: &setup, mode: &mode }, &state)
+    }
+
+    /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
+    #[rustfmt::skip]
+    const OUTCOMES: [(&str, Contact, [f64; 4], Option<Outcome>); 11] = [
+        ("k=1e5", Contact::Gone, [0.1, 50.0, 0.0, 10.0], Some(Outcome::Perforated)),
+        ("k=1e5", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e5", Contact::Deepening, [5e-3, 9.0, 0.0, 50.0], None),
+        // At 50 m/s the interface carries 1.4 kN of a spring of 5e4 N/m at most, 19 kN of one of 1e7.
+        ("k=5e4 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e7 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e7 interface=plastic g=2", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e5 interface=plastic x_stop=1mm", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        // The projectile flies back at 60 m/s, the plate can at most at 50; at 40 they may meet again.
+        ("k=1e5", Contact::Apart, [-1e-3, -10.0, 0.0, -50.0], Some(Outcome::Separated)),
+        ("k=1e5", Contact::Apart, [-1e-3, -90.0, 0.0, 50.0], None),
+        ("k=0", Contact::Apart, [-1e-3, -1.0, 0.0, 50.0], Some(Outcome::Separated)),
+        ("k=0", Contact::Apart, [-1e-3, 1.0, 0.0, 50.0], None),
+    ];
+
+    #[test]
+    fn an_outcome_is_decided_where_no_energy_is_left_to_change_it() {
+        for (pairs, contact, state, expected) in OUTCOMES {
+            let found = look(pairs, contact, state, |equations, state| equations.outcome(state));
+            assert_eq!(found, expected, "{pairs} {contact:?} {state:?}");
+        }
+    }
+
+    /// 59 g at 50 m/s: x = w (M/k)^(1/2) on a spring, M w/b on a damper, less on both.
+    #[test]
+    fn valid_the_greatest_displacement_is_where_the_energy_is_spent() {
+        let state = [5e-3, 0.0, 0.0, 50.0];
+        let far = |pairs: &str| {
+            look(pairs, Contact::Joined, state, |equations, state| equations.farthest(state, 0.0))
+        };
+        let is_near = |found, exact: f64| matches!(found, Farthest::Known(x_m) if (x_m / exact - 1.0).abs() < 1e-14);
+        assert!(is_near(far("k=1e5 gamma=1"), 50.0 * (0.059f64 / 1e5).sqrt()));
+        assert!(is_near(far("k=0 b=100 gamma=1"), 0.059 * 50.0 / 100.0));
+        assert_eq!(far("k=1e5 b=100"), Farthest::Pending);
+        assert_eq!(far("k=1e5 x_stop=1mm"), Farthest::Pending);
+        assert_eq!(far("k=0"), Farthest::Unbounded);
+        assert_eq!(far("k=0 b=100 m=2"), Farthest::Unbounded);
+        assert_eq!(far("k=0 b=100 x_stop=1mm"), Farthest::Pending);
+    }
+
+    /// k x²/2 + k_stop (x - x_stop)²/2 = E.
+    #[test]
+    fn valid_an_elastic_stop_takes_what_the_spring_does_not() {
+        let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";
+        let reach_m = |energy_j: f64| {
+            look(pairs, Contact::Joined, [5e-3, 0.0, 0.0, 0.0], |it, _| it.reach_m(energy_j))
+        };
+        let (x, stop) = (3e-3, 2e-3);
+        let energy_j = 0.5 * (1e5 * x * x + 1e6 * stop * stop);
+        assert!((reach_m(energy_j) / x - 1.0).abs() < 1e-14);
+        assert!((reach_m(0.5 * 1e5 * 1e-8) / 1e-4 - 1.0).abs() < 1e-14);
+        // A rigid stop gives way to nothing.
+        let rigid = look("k=1e5 x_stop=1mm", Contact::Joined, [0.0; 4], |it, _| it.reach_m(10.0));
+        assert!((rigid - 1e-3).abs() < 1e-18);
+    }
+
+    /// Along the cylinder behind the nose A S stays what it is: the slips take all energy above 2 (A S)²/k, over the path E/(A S).
+    #[test]
+    fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
+        let pairs = "k=1e7 gamma=1 interface=plastic g=2";
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
+        let holding_j = 2.0 * strength_n * strength_n / 1e7;
+        let energy_j = 1.005 * 1.005 * holding_j;
+        let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
+        let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
+        let state = State { q_m: 0.012, w_m_s, ..State::default() };
+        let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state).unwrap();
+        let expected_m = (energy_j - holding_j) / strength_n;
+        assert!((travel_m / expected_m - 1.0).abs() < 1e-10, "{travel_m} {expected_m}");
+    }
 }

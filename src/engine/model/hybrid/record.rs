@@ -70,7 +70,13 @@ impl Record {
     }
 
     /// Notes an event and what it led to.
-    pub(super) fn event(&mut self, event: Event, before: &Equations<'_>, after: &Mode, state: &State) {
+    pub(super) fn event(
+        &mut self,
+        event: Event,
+        before: &Equations<'_>,
+        after: &Mode,
+        state: &State,
+    ) {
         let setup = before.setup;
         self.events += 1;
         self.reach(after.origin_m + state.x_m);
@@ -89,7 +95,8 @@ impl Record {
         if after.contact == Contact::Apart && before.mode.contact != Contact::Apart {
             self.separation = Some(departure);
         }
-        let turns_back = matches!(event, Event::SpeedZero | Event::StopReached) && after.w_side < 0.0;
+        let turns_back =
+            matches!(event, Event::SpeedZero | Event::StopReached) && after.w_side < 0.0;
         self.swings += usize::from(turns_back && after.contact == Contact::Joined);
         if after.contact == Contact::Joined {
             let now = Equations { setup, mode: after };

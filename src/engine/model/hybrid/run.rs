@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::model::hybrid::equations::{Both, Equations, Plate, Projectile, Setup, State};
+use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::events::{Events, gap};
 use crate::model::hybrid::modes::{self, Contact, Event, Hold, Mode};
+use crate::model::hybrid::moving::{Both, Moving, Plate, Projectile};
 use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
 use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
 use crate::model::scene::{Scene, Stop, StopKind};
-use crate::numerics::collocation::{Acceleration, Member, Point, Tolerances};
+use crate::numerics::collocation::{Member, Tolerances};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::step::Step;
 use crate::numerics::{larger, smaller};
@@ -63,78 +64,6 @@ struct Progress<'a, const S: usize> {
     /// Length of the next step, s.
     h_s: f64,
     horizon_s: f64,
-}
-
-/// The places that move in a mode.
-trait Moving<const D: usize>: Acceleration<D> {
-    fn equations(&self) -> &Equations<'_>;
-    fn point(&self, state: &State) -> Point<D>;
-    /// The state at a time and a point, from that at the start of the step.
-    fn state(&self, start: &State, t_s: f64, point: &Point<D>) -> State;
-    /// The sizes of places and speeds among those of travel, slip, displacement and velocity.
-    fn sizes(&self, sizes: [f64; 4]) -> Point<D>;
-}
-
-impl Moving<2> for Both<'_> {
-    fn equations(&self) -> &Equations<'_> {
-        &self.0
-    }
-
-    fn point(&self, state: &State) -> Point<2> {
-        ([state.q_m, state.x_m], [state.u_m_s, state.w_m_s])
-    }
-
-    fn state(&self, _: &State, t_s: f64, ([q_m, x_m], [u_m_s, w_m_s]): &Point<2>) -> State {
-        State { t_s, q_m: *q_m, u_m_s: *u_m_s, x_m: *x_m, w_m_s: *w_m_s }
-    }
-
-    fn sizes(&self, [q, u, x, w]: [f64; 4]) -> Point<2> {
-        ([q, x], [u, w])
-    }
-}
-
-impl Moving<1> for Plate<'_> {
-    fn equations(&self) -> &Equations<'_> {
-        &self.0
-    }
-
-    fn point(&self, state: &State) -> Point<1> {
-        ([state.x_m], [state.w_m_s])
-    }
-
-    /// A projectile that is through keeps its velocity.
-    fn state(&self, start: &State, t_s: f64, ([x_m], [w_m_s]): &Point<1>) -> State {
-        let cos = self.0.setup.cos;
-        let (mut q_m, mut u_m_s) = (start.q_m, 0.0);
-        if self.0.mode.contact != Contact::Joined {
-            let v = self.0.setup.projectile_m_s(start);
-            q_m += v * (t_s - start.t_s) - cos * (x_m - start.x_m);
-            u_m_s = v - cos * w_m_s;
-        }
-        State { t_s, q_m, u_m_s, x_m: *x_m, w_m_s: *w_m_s }
-    }
-
-    fn sizes(&self, [_, _, x, w]: [f64; 4]) -> Point<1> {
-        ([x], [w])
-    }
-}
-
-impl Moving<1> for Projectile<'_> {
-    fn equations(&self) -> &Equations<'_> {
-        &self.0
-    }
-
-    fn point(&self, state: &State) -> Point<1> {
-        ([state.q_m], [state.u_m_s])
-    }
-
-    fn state(&self, start: &State, t_s: f64, ([q_m], [u_m_s]): &Point<1>) -> State {
-        State { t_s, q_m: *q_m, u_m_s: *u_m_s, ..*start }
-    }
-
-    fn sizes(&self, [q, u, _, _]: [f64; 4]) -> Point<1> {
-        ([q], [u])
-    }
 }
 
 /// One impact by a member of the family. A run whose work is used up ends early, with what is known.
@@ -372,7 +301,8 @@ impl<const S: usize> Progress<'_, S> {
             }
             let state = at(theta);
             let comes_first = events.list().iter().filter(|other| **other != event).any(|other| {
-                let (before, now) = (gap(equations, *other, &start), gap(equations, *other, &state));
+                let (before, now) =
+                    (gap(equations, *other, &start), gap(equations, *other, &state));
                 before > 0.0 && now < -AT_ONCE * before
             });
             if comes_first {
