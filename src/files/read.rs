@@ -12,7 +12,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
-use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
+use crate::files::{clean, read_stack, read_sweep, read_table};
 use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -44,12 +44,27 @@ pub fn text_file(path: &Path, accepts: Accepts, bytes_max: u64) -> Result<String
     let found = fs::metadata(path).map_err(failed)?;
     let is_refused = match accepts {
         Accepts::Ordinary => !found.is_file() && !found.is_dir(),
-        Accepts::Handed => atomic::is_named_pipe(path, &found),
+        Accepts::Handed => {
+            !is_handed(path) && (!found.is_file() && !found.is_dir() || is_of_system(path))
+        }
     };
     if is_refused {
         return Err(FileError::special(path));
     }
     text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
+}
+
+/// Whether a shell hands this over: standard input, or `<(...)`.
+fn is_handed(path: &Path) -> bool {
+    path == Path::new("/dev/stdin")
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc") && path.iter().any(|part| part == "fd")
+}
+
+/// Whether the system itself answers here: such a file has no end, or waits for one.
+fn is_of_system(path: &Path) -> bool {
+    fs::canonicalize(path)
+        .is_ok_and(|real| ["/proc", "/sys"].iter().any(|folder| real.starts_with(folder)))
 }
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
@@ -401,7 +416,9 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Integer(integer) => {
-            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|whole| whole as f64)
+            let radix = integer.radix();
+            let mut digits = integer.as_str().chars().map(|digit| digit.to_digit(radix));
+            digits.try_fold(0.0, |all, digit| Some(all * f64::from(radix) + f64::from(digit?)))
         }
         _ => None,
     }

@@ -13,6 +13,8 @@ mod crush;
 #[cfg(test)]
 mod decided;
 #[cfg(test)]
+mod engines;
+#[cfg(test)]
 mod estimate;
 #[cfg(test)]
 mod extremes;
@@ -34,6 +36,8 @@ mod models;
 mod monte_carlo;
 #[cfg(test)]
 mod mount_loads;
+#[cfg(test)]
+mod next_engine;
 #[cfg(test)]
 mod optimise;
 #[cfg(test)]

@@ -1,21 +1,16 @@
 //! A sweep as a page of text: charts over one axis, maps over two, where every output is least and greatest, how points ended.
 
 use std::fmt::Write as _;
-use std::ops::Range;
 
 use crate::cli::draw;
 use crate::cli::text::{chart_size, width};
-use crate::files::export;
-use crate::files::preset::Preset;
 use crate::model::units::{self, engineering};
 use crate::report::figures::sweeps::picture;
 use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
 use crate::report::table::Table;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{
-    Axis, Design, Plan, PointOutcome, Sampling, Spacing, Summary, USUAL_OUTPUTS,
-};
+use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, Summary, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -29,11 +24,9 @@ pub(super) struct Head<'a> {
     pub(super) took_s: f64,
 }
 
-/// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
-pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
-    let whole = *points == (0..plan.points());
-    let drawable = plan.design().is_full() && plan.axes().len() <= 2;
-    whole && drawable && plan.points() <= KEPT_MAX
+/// Whether a whole sweep can be drawn: a grid of one or two axes.
+pub(super) fn is_drawable(plan: &Plan) -> bool {
+    plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
 }
 
 /// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
@@ -48,23 +41,17 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
 /// Why a sweep cannot be drawn.
 pub(super) fn undrawable() -> String {
     format!(
-        "--svg: a picture shows one or two axes, every combination of their values, and at most {KEPT_MAX} points; omit --svg \
+        "--svg: a picture shows one or two axes and at most {KEPT_MAX} points; omit --svg \
          or use fewer points"
     )
 }
 
 pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option<&Grid>) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
-    let Design { sampling, seed, .. } = plan.design();
-    let design = match sampling {
-        Sampling::Factorial => "every combination".to_owned(),
-        Sampling::LatinHypercube => format!("Latin hypercube, seed {seed}"),
-        Sampling::Sobol => format!("Sobol's sequence, seed {seed}"),
-    };
     let mut page = format!("{}: {}\n", head.name, axes.join("; "));
     let (points, took, threads) = (summary.points(), duration(head.took_s), head.threads);
     let plural = if threads == 1 { "" } else { "s" };
-    let _ = writeln!(page, "{points} points ({design}) in {took} on {threads} thread{plural}\n");
+    let _ = writeln!(page, "{points} points in {took} on {threads} thread{plural}\n");
     if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
         for output in 0..plan.outputs().len() {
             drawn(&mut page, grid, output);
@@ -162,18 +149,4 @@ pub(in crate::cli) fn duration(seconds: f64) -> String {
         s => (s / 86_400.0, "days"),
     };
     format!("{} {unit}", units::significant(value, 2))
-}
-
-/// The held variables and the axes as comment lines `# key: value (unit)`.
-pub(super) fn comments(preset: &Preset, plan: &Plan) -> String {
-    let axes = plan.axes();
-    let held = |key: &str| axes.iter().all(|axis| axis.variable().key != key);
-    let mut text =
-        export::inline_scene(("sweep of", &preset.name), &preset.scene, |one| held(one.key));
-    for axis in axes {
-        let unit = export::unit_behind(axis.variable());
-        let _ = writeln!(text, "# over {}: {}{unit}", axis.variable().key, axis.range());
-    }
-    let _ = writeln!(text, "# design: {}", plan.design());
-    text
 }

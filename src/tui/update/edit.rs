@@ -9,11 +9,11 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
-use crate::tui::pages::explore::state::SamplingPlan;
+use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::{WIDE, shown_value};
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
-use crate::tui::pages::{LabelledScene, explore, limit};
+use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
 use crate::tui::update::jobs;
 
@@ -87,7 +87,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 }
 
 /// Make another scene current, compare it with another preset, and sweep it by this plan, as one edit.
-pub(crate) fn load(app: &mut App, base: Base, plan: SamplingPlan) {
+pub(crate) fn load(app: &mut App, base: Base, plan: PicturePlan) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.charts.zoom_s = None;
@@ -149,15 +149,10 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         app.pages.search.setup = to.search;
         (app.pages.search.problem, app.pages.search.zoomed) = Default::default();
     }
-    if from.limit != to.limit {
-        app.pages.limit.setup = to.limit;
-        limit::after_edit(app);
-    }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
         explore::after_edit(app);
     }
-    app.pages.thesis.weights = to.weights;
 }
 
 /// Take the last edit back.

@@ -432,16 +432,6 @@ fn the_second_axis_is_named_with_its_unit() {
 }
 
 #[test]
-fn numerics_names_the_method_of_auto_with_its_reason() {
-    for size in [(60, 16), (80, 24), (120, 40)] {
-        let bench = accuracy::open(GlyphSet::Ascii, size);
-        let screen = bench.screen();
-        let sentence = "auto uses Taylor 16 for this scene: smooth and not stiff";
-        assert!(screen.contains(sentence), "{screen}");
-    }
-}
-
-#[test]
 fn threads_are_chosen_in_the_options_and_used() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("ojjjjl<Esc>");

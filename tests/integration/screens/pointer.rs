@@ -5,10 +5,8 @@ use super::sweep::{answer, open_map};
 use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
-use cmra::study::principles::PRINCIPLES;
 use cmra::tui::dialogs::{Dialog, List, Purpose};
 use cmra::tui::message::{Message, Target};
-use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::{Tab, explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
@@ -149,33 +147,6 @@ fn held_words_are_listed_as_in_the_editor() {
 }
 
 #[test]
-fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
-    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
-    // Along: the row below the spacing chooses the points.
-    bench.press("2<Tab>jjjjjl<Tab>");
-    answer(&mut bench);
-    let grid = bench.app.pages.explore.found(Picture::Surface).unwrap().grid.clone();
-    assert!(!grid.is_full() && grid.counts() == (21, 1));
-    let scenes = |bench: &Bench| {
-        (bench.app.scene.plate.mass_ratio, bench.app.scene.mechanism.spring.coefficient)
-    };
-    let points: Vec<(f64, f64)> =
-        (0..21).map(|at| (grid.coordinate((at, 0), 0), grid.coordinate((at, 0), 1))).collect();
-    bench.keys("l<Enter>");
-    let first = scenes(&bench);
-    assert!(points.contains(&first), "{first:?}");
-    bench.keys("l<Enter>");
-    let next = scenes(&bench);
-    assert!(points.contains(&next) && next.0 > first.0);
-    let between = |point: &&(f64, f64)| first.0 < point.0 && point.0 < next.0;
-    assert_eq!(points.iter().filter(between).count(), 0);
-    bench.keys("k<Enter>");
-    let above = scenes(&bench);
-    assert!(points.contains(&above) && above.1 > next.1);
-    insta::assert_snapshot!("surface_dots", bench.screen());
-}
-
-#[test]
 fn a_map_without_values_gives_the_reason_and_the_cure() {
     let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
     bench.press("/v_i<Enter><Enter>2000<Enter><Esc>2");
@@ -246,27 +217,6 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
     assert_eq!(bench.app.pages.limit.cursor, Some(far - 1));
     bench.send(Message::Wheel(false, None));
     assert_eq!(bench.app.pages.limit.cursor, Some(far));
-}
-
-#[test]
-fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("6<Tab>");
-    let at = find(&bench, "Obliquity");
-    click(&mut bench, at);
-    assert_eq!(PRINCIPLES[bench.app.pages.thesis.principle].name, "Obliquity");
-    // A family is a heading.
-    let heading = find(&bench, "Energy minimization");
-    assert_eq!(target(&bench.app, heading), None);
-    bench.keys("<Tab>");
-    let at = find(&bench, "mass efficiency");
-    click(&mut bench, at);
-    assert_eq!(bench.app.pages.thesis.criterion, 4);
-    bench.keys("<Tab><Tab>");
-    let at = find(&bench, "Ricochet induction");
-    click(&mut bench, at);
-    click(&mut bench, at);
-    assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
 }
 
 #[test]

@@ -12,7 +12,7 @@ const FAR: Bounds = Bounds { horizon_s: 1.0, to_horizon: false, tolerance: 1e-12
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = super::run(&scene, FAR, &mut |_| ControlFlow::Continue(())).unwrap();
+    let found = run(&scene, FAR, &mut |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -125,7 +125,7 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = super::run(&scene, FAR, &mut |_| {
+    let found = run(&scene, FAR, &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });

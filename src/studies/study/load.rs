@@ -1,0 +1,142 @@
+//! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
+
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
+use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::numerics::larger;
+
+/// The load of a shot on the mechanism and its mount; `None` where there is no such thing, or where it is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Load {
+    /// Greatest displacement of the plate, m.
+    pub max_displacement_m: Option<f64>,
+    /// Greatest displacement plus cocking distance, m.
+    pub stroke_m: Option<f64>,
+    /// Greatest energy in the springs, J.
+    pub stored_j: Option<f64>,
+    /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
+    pub mount_force_n: Option<f64>,
+    /// Impulse into the mount up to the greatest displacement, N s.
+    pub impulse_n_s: Option<f64>,
+    /// Energy in the cocked spring, J.
+    pub preload_j: Option<f64>,
+}
+
+impl Load {
+    /// Of a run that kept its series; the plates of a stack share no mechanism, and it has none.
+    pub fn of(run: &Run) -> Self {
+        if run.stack.is_some() {
+            return Self::default();
+        }
+        let has_spring = !Mechanism::of(&run.scene).is_absent();
+        Self {
+            max_displacement_m: run.max_plate_displacement_m,
+            stroke_m: run.stroke_m(),
+            stored_j: run.mechanism.stored_j,
+            mount_force_n: peak_n(run),
+            impulse_n_s: impulse_n_s(run),
+            preload_j: has_spring.then_some(run.ledger.initial_spring_j),
+        }
+    }
+}
+
+/// The greatest force into the mount, N.
+///
+/// A rigid mount takes all of the contact force along the plate's normal. The greatest force of a power law is at the greatest
+/// displacement, where the damper is at rest; that of a curve, or with a damper or a stop, the run finds, way back included. Of the
+/// listing of Appendix A the rows are searched. `None` where the run ended before the greatest displacement.
+pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
+    peak_so_far_n(run).filter(|_| run.at_least.plate_displacement_m.is_none())
+}
+
+/// The same up to the end of a run that ended before the plate's greatest displacement, N.
+pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
+    if !run.end.is_complete() {
+        return None;
+    }
+    if run.scene.plate.mount == Mount::Rigid
+        || holds_still(&run.scene, run.max_plate_displacement_m)
+    {
+        return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
+    }
+    let mechanism = Mechanism::of(&run.scene);
+    let hit = |kind| run.events.iter().any(|event| event.kind == kind);
+    if mechanism.rigid_stop().is_some() && hit(EventKind::StopHit) {
+        // It stops the plate in no time.
+        return None;
+    }
+    if mechanism.is_absent() && mechanism.stop.is_none() {
+        return None;
+    }
+    let force = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
+    let rows = || run.series.iter().map(force).fold(0.0, larger);
+    let on_the_way = run.mechanism.peak_mount_n.unwrap_or_else(rows);
+    let spring = &mechanism.spring;
+    let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
+    let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
+    Some(larger(larger(on_the_way, turn), spring.force(run.scene.start_m()).abs()))
+        .filter(|f| f.is_finite())
+}
+
+/// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.
+pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f64>) -> bool {
+    let mechanism = Mechanism::of(scene);
+    scene.plate.mount == Mount::Sprung
+        && !mechanism.is_absent()
+        && mechanism.spring.force(scene.start_m()) == 0.0
+        && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
+}
+
+/// The impulse into the mount along the plate's normal, N s: the momentum that projectile and plate have lost when the plate has its
+/// greatest displacement, or at the end of the run where nothing stops it.
+pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
+    let scene = &run.scene;
+    // The other models do not all keep the momentum of the projectile.
+    let is_over = run.end.is_complete() && run.at_least.plate_displacement_m.is_none();
+    if !is_over || scene.contact.model != ContactModel::Hydrodynamic {
+        return None;
+    }
+    let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
+    let struck = scene.projectile.velocity_m_s;
+    if scene.plate.mount == Mount::Rigid {
+        let left = match run.outcome {
+            Outcome::Arrested => 0.0,
+            Outcome::Perforated => run.residual_velocity_m_s?,
+            Outcome::Separated => run.separation?.velocity_m_s,
+            Outcome::Moving => return None,
+        };
+        return Some(m_p * cos * (struck - left));
+    }
+    let mechanism = Mechanism::of(scene);
+    if mechanism.is_absent() && mechanism.stop.is_none() {
+        return None;
+    }
+    let turn = run.events.iter().find(|event| event.kind == EventKind::GreatestDisplacement);
+    let row = match turn {
+        Some(event) => run.series.iter().rfind(|row| row.t_s <= event.t_s)?,
+        None => run.series.last()?,
+    };
+    let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
+    let left = moving_plate_kg(scene) * row.plate_velocity_m_s;
+    // A plate whose greatest displacement is known comes to rest there, with a projectile that is in it. It still moves on in the row
+    // in which it meets a rigid stop.
+    let known_m = run.max_plate_displacement_m.filter(|_| turn.is_none());
+    let moves_on = row.plate_velocity_m_s > 0.0;
+    if known_m.is_none_or(|far_m| far_m <= row.plate_displacement_m && !moves_on) {
+        return Some(lost - left);
+    }
+    Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost })
+}
+
+/// Greatest energy in the springs between where the plate starts and its greatest displacement, J.
+pub(in crate::study) fn spring_energy_j(
+    scene: &Scene,
+    start_m: f64,
+    max_displacement_m: Option<f64>,
+) -> Option<f64> {
+    let spring = Mechanism::of(scene).spring;
+    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
+        return Some(0.0);
+    }
+    Some(spring.greatest_energy(start_m, max_displacement_m?))
+}
