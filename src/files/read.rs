@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
 use crate::files::{clean, read_stack, read_sweep, read_table};
-use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
+use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
@@ -171,7 +171,7 @@ impl<'t> Reader<'t> {
                 name => self.entry(scene, name, key.span(), value),
             }
         }
-        self.measured_curves(scene, document);
+        self.measured_curve(scene, document);
         // After gamma, which follows from them.
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
@@ -194,7 +194,7 @@ impl<'t> Reader<'t> {
         {
             // Every value has passed by itself: what is left concerns several together.
             let text = error.to_string();
-            let named = VARIABLES.iter().map(|variable| variable.key).chain(read_table::KEYS);
+            let named = VARIABLES.iter().map(|variable| variable.key).chain([read_table::KEY]);
             let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
             let span = key.unwrap_or(0..0);
             self.problem(span, error.to_string());
@@ -202,20 +202,17 @@ impl<'t> Reader<'t> {
     }
 
     /// A spring that is a table needs its points: the example in their place was not measured.
-    fn measured_curves(&mut self, scene: &Scene, document: &DeTable<'_>) {
-        for (which, key) in WhichSpring::ALL.into_iter().zip(read_table::KEYS) {
-            let spring = scene.mechanism.one(which);
-            let kind = format!("{}.kind", which.key());
-            let Some(span) = find(document, &kind) else { continue };
-            if spring.kind == SpringKind::Table && find(document, key).is_none() {
-                self.problem(
-                    span,
-                    format!(
-                        "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] \
-                         in m and N"
-                    ),
-                );
-            }
+    fn measured_curve(&mut self, scene: &Scene, document: &DeTable<'_>) {
+        let (kind, key) = ("mechanism.spring.kind", read_table::KEY);
+        let Some(span) = find(document, kind) else { return };
+        if scene.mechanism.spring.kind == SpringKind::Table && find(document, key).is_none() {
+            self.problem(
+                span,
+                format!(
+                    "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] in m \
+                     and N"
+                ),
+            );
         }
     }
 
@@ -250,9 +247,9 @@ impl<'t> Reader<'t> {
         if self.is_full() {
             return;
         }
-        if let Some((which, "table")) = WhichSpring::of_key(path) {
+        if path == read_table::KEY {
             if let Some(points) = read_table::points(self, path, value) {
-                scene.mechanism.one_mut(which).table.points = points;
+                scene.mechanism.spring.table.points = points;
             }
             return;
         }
@@ -495,6 +492,6 @@ fn keys_below(table: &str) -> String {
     let own: &[&str] = if table.is_empty() { &["format", "title", "notes", "sweep"] } else { &[] };
     let rest = VARIABLES.iter().filter_map(|variable| variable.key.strip_prefix(&prefix));
     let names = rest.filter_map(|rest| rest.split('.').next());
-    let points = WhichSpring::WORDS.contains(&table).then_some("table");
+    let points = (table == read_table::SPRING).then_some("table");
     once_each(own.iter().copied().chain(names).chain(points)).join(", ")
 }

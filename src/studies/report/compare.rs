@@ -242,7 +242,7 @@ pub fn reasons(report: &Report) -> Vec<String> {
 
 /// What a crushed absorber is taken to be: its energy per mass alone does not stop a shot.
 fn crushed(scene: &Scene) -> Option<String> {
-    let spring = scene.mechanism.acting().find(|spring| spring.kind == SpringKind::Crush)?;
+    let spring = Some(&scene.mechanism.spring).filter(|it| it.kind == SpringKind::Crush)?;
     Some(format!(
         "the absorber is crushed at {} kN over {} mm at most (F_crush, x_crush)",
         significant(1e-3 * spring.crush.force_n, 4),

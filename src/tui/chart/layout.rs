@@ -66,7 +66,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
 
     let y = map(&chart.y, height);
     let right = chart.right.as_ref().map(|axis| map(axis, height));
-    let along = Along::Column(half_rows_apart(height));
+    let along = Along::Rows(half_rows_apart(height));
     let y_ticks = chart.y.ticks(height, along);
     let right_ticks =
         chart.right.as_ref().map(|axis| axis.ticks(height, along)).unwrap_or_default();

@@ -162,7 +162,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     bench.reply(study.id, ended(Finding::new(report)));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
     bench.keys("e");
-    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+    assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
 }
 
 /// The study is that of `cmra montecarlo --outputs limit_velocity_m_s`, with the known error of the model.

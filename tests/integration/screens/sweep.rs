@@ -394,3 +394,15 @@ fn curves_are_repeated_for_any_variable_that_is_typed() {
         assert!(bench.screen().contains("curves"), "{}", bench.screen());
     }
 }
+
+/// The plate's size is given by gamma: the cursor of a sweep over its mass stands at the mass that it has all the same.
+#[test]
+fn the_cursor_of_a_sweep_over_the_mass_of_the_plate_begins_at_the_scene() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, "2<Tab>l<Tab>");
+    let message = bench.message();
+    let near = message.strip_prefix("near m_2 ").and_then(|rest| rest.split_once(' '));
+    let mass_kg: f64 = near.expect(&message).0.parse().unwrap();
+    // Half a step of the axis.
+    assert!((mass_kg - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
+}

@@ -178,7 +178,7 @@ impl App {
         }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            nearest(axis, axis.get(&self.scene)?)
+            nearest(axis, here(axis, &self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
@@ -210,7 +210,7 @@ impl App {
         };
         let mut parts: Vec<String> = values().map(at).collect();
         let away = values().any(|(axis, value)| {
-            axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+            here(axis, &self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
         parts.clear();
@@ -276,6 +276,15 @@ impl Detail {
             _ => output.title(),
         }
     }
+}
+
+/// The value that a scene has of an axis, also where another variable gives the plate its size.
+fn here(axis: &Axis, scene: &Scene) -> Option<f64> {
+    axis.get(scene).or_else(|| match axis.variable().key {
+        "plate.mass_kg" => Some(scene.plate_mass_kg()),
+        "plate.face_m" => Some(scene.plate_face_m()),
+        _ => None,
+    })
 }
 
 /// The axes of a grid with their values at a point.

@@ -1,6 +1,6 @@
 //! The list of variables: which rows there are, which is selected, and how a value is shown.
 
-use crate::model::scene::{SpringKind, WhichSpring};
+use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
 use crate::tui::app::find::{rank_variable, ranked};
@@ -262,9 +262,9 @@ fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
 
 /// The points of the spring whose kind this is, where it is a table.
 fn measured<'a>(variable: &Variable, app: &'a App) -> Option<&'a [[f64; 2]]> {
-    let (which, row) = WhichSpring::of_key(variable.key)?;
-    let spring = app.scene.mechanism.one(which);
-    (row == "kind" && spring.kind == SpringKind::Table).then_some(&spring.table.points)
+    let spring = &app.scene.mechanism.spring;
+    let is_kind = variable.key == "mechanism.spring.kind";
+    (is_kind && spring.kind == SpringKind::Table).then_some(&spring.table.points)
 }
 
 /// Below the list: the selected variable's range of Table 9.2 with its bar, or what it may be.
