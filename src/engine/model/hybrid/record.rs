@@ -3,8 +3,8 @@
 use crate::model::hybrid::equations::{Equations, State};
 use crate::model::hybrid::modes::{Contact, Event, Mode};
 use crate::model::run::{Arrest, Departure};
+use crate::numerics::larger;
 use crate::numerics::maximum::greatest;
-use crate::numerics::{larger, smaller};
 
 /// What is recorded of a run.
 #[derive(Clone, Debug, Default)]
@@ -13,9 +13,8 @@ pub(super) struct Record {
     pub(super) exit: Option<Departure>,
     pub(super) separation: Option<Departure>,
     pub(super) peak_contact_n: f64,
-    /// Greatest and least displacement, m.
+    /// Greatest displacement, m.
     pub(super) farthest_m: f64,
-    pub(super) nearest_m: f64,
     /// Greatest force forwards through the joined interface over its strength in compression.
     pub(super) demand_ratio: Option<f64>,
     pub(super) steps: usize,
@@ -66,7 +65,6 @@ impl Record {
 
     fn reach(&mut self, x_m: f64) {
         self.farthest_m = larger(x_m, self.farthest_m);
-        self.nearest_m = smaller(x_m, self.nearest_m);
     }
 
     /// Notes an event and what it led to.

@@ -84,7 +84,7 @@ pub(super) fn run<const S: usize>(
         tolerance: bounds.tolerance,
         mode,
         state,
-        record: Record { farthest_m: setup.start_m, nearest_m: setup.start_m, ..Record::default() },
+        record: Record { farthest_m: setup.start_m, ..Record::default() },
         decided: None,
         last: None,
         h_s: FIRST_STEP * passage_s,
