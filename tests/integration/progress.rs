@@ -1,4 +1,4 @@
-//! A person at a terminal sees how far a long command is, and an interrupt keeps what is finished.
+//! Progress of long commands on a terminal: a person sees how far one is, and an interrupt keeps what is finished.
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -76,7 +76,6 @@ fn a_long_run_reports_the_time_it_has_reached() {
 #[test]
 fn every_long_computation_reports_its_progress() {
     for (words, said) in [
-        ("limit", " shots or so"),
         ("accuracy --set interface=plastic", " of 89 points"),
         ("montecarlo --samples 1000000 --set n=0.7", " runs"),
     ] {
