@@ -283,7 +283,7 @@ fn a_title_stays_one_line_wherever_it_is_shown() {
     let path = place.path().join("scene.toml");
     let title = r"a\rb\nx = 1\u202ec\u009b31md\u2028e";
     fs::write(&path, format!("format = 1\ntitle = \"{title}\"\n")).unwrap();
-    let path = path.to_str().unwrap();
+    let _path = path.to_str().unwrap();
     let shown = "a\u{fffd}b\u{fffd}x = 1\u{fffd}c\u{fffd}31md\u{fffd}e";
     // By a short path: a line is as long as a page is wide.
     let mut command = cmra("run", &["scene.toml"]);

@@ -2,18 +2,19 @@
 
 mod accuracy;
 mod bench;
+mod charts;
 mod curve;
+mod edits;
 mod exports;
-mod faults;
 mod filters;
-mod findings;
-mod kept;
+mod jobs;
 mod keys;
 mod libraries;
 mod limit;
+mod lists;
 mod maps;
 mod models;
-mod newcomer;
+mod panes;
 mod pointer;
 mod search;
 mod stability;
