@@ -14,7 +14,6 @@ use crate::files::{atomic, config};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
-use crate::tui::pages::run::charts::Window;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
@@ -22,7 +21,6 @@ use crate::tui::update;
 /// The words of the session's view table.
 const GLYPHS: &str = "glyphs";
 const COLOURS: &str = "colours";
-const WINDOW: &str = "window";
 const AUTO_RUN: &str = "auto_run";
 const THREADS: &str = "threads";
 
@@ -150,9 +148,6 @@ pub(super) fn session(app: &App) -> Session {
     if app.theme.depth != detected.depth {
         keep(COLOURS, app.theme.depth.word());
     }
-    if app.charts.window == Window::Whole {
-        keep(WINDOW, "whole");
-    }
     if !app.auto_run {
         keep(AUTO_RUN, "off");
     }
@@ -237,9 +232,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     }
     if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
         app.theme.depth = depth;
-    }
-    if word(WINDOW) == Some("whole") {
-        app.charts.window = Window::Whole;
     }
     app.auto_run = word(AUTO_RUN) != Some("off");
     app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
@@ -341,7 +333,6 @@ mod tests {
         });
         app.auto_run = false;
         app.threads = Some(1);
-        app.charts.window = Window::Whole;
         app.theme.glyphs = app.theme.glyphs.next();
         app.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);

@@ -238,6 +238,7 @@ fn pair(app: &App, action: Action) -> String {
         Action::Down => Some((Action::Up, true)),
         Action::ZoomIn => Some((Action::ZoomOut, true)),
         Action::EventNext => Some((Action::EventPrevious, true)),
+        Action::Window => Some((Action::FullPane, true)),
         _ => None,
     };
     let own = app.keymap.label(action);

@@ -189,18 +189,6 @@ fn made_up_runs_are_runs_of_their_scene() {
 }
 
 #[test]
-fn a_second_axis() {
-    for (columns, rows) in [(80, 24), (120, 40)] {
-        for glyphs in BOTH {
-            let mut bench = Bench::open(glyphs, (columns, rows));
-            bench.keys("<Tab>www<Right>");
-            let name = format!("second_axis_{columns}x{rows}_{glyphs}");
-            assert_snapshot!(name, bench.screen());
-        }
-    }
-}
-
-#[test]
 fn the_accuracy_tab_at_every_size() {
     for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
         for (columns, rows) in [(60, 16), (80, 24), (120, 40), (200, 60)] {

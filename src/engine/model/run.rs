@@ -90,6 +90,8 @@ pub struct Run {
     pub mechanism: MechanismLoad,
     /// The outcome of the shot behind this plate, where the scene is a stack.
     pub stack: Option<Arc<StackRun>>,
+    /// The same shot with a plastic interface, where this one has a fused one and whoever ran it asked for both.
+    pub plastic: Option<Arc<Self>>,
     /// The cost of the computation.
     pub cost: Cost,
     /// The terms that this scene did not need.

@@ -96,10 +96,9 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     let mut lines = vec![("would change:".to_owned(), Role::Text)];
     for index in differing {
         let variable = &VARIABLES[index];
-        let brief = |scene| shown_value(variable, scene, 24);
+        let brief = |scene| shown_value(variable, scene);
         let (old, new) = (brief(&app.scene), brief(&scene));
-        let unit = variable.unit();
-        let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
+        let text = format!("  {:<9} {old} -> {new}", variable.symbol);
         lines.push((clip(&text, usize::from(width)), Role::Text));
     }
     lines

@@ -81,11 +81,8 @@ pub struct Lines {
     pub horizontal: char,
     pub vertical: char,
     pub bottom_left: char,
-    pub bottom_right: char,
     /// Tick of an axis at the left of a plot.
     pub tick_left: char,
-    /// Tick of an axis at the right of a plot.
-    pub tick_right: char,
     /// Labelled tick of an axis below a plot.
     pub tick_below: char,
     /// Smaller tick between two labelled ones.
@@ -113,9 +110,7 @@ const ASCII_LINES: Lines = Lines {
     horizontal: '-',
     vertical: '|',
     bottom_left: '+',
-    bottom_right: '+',
     tick_left: '+',
-    tick_right: '+',
     tick_below: '+',
     tick_minor: '\'',
     event: ':',
@@ -127,9 +122,7 @@ const BLOCK_LINES: Lines = Lines {
     horizontal: '─',
     vertical: '│',
     bottom_left: '└',
-    bottom_right: '┘',
     tick_left: '┤',
-    tick_right: '├',
     tick_below: '┬',
     tick_minor: '┴',
     event: ':',

@@ -193,10 +193,10 @@ fn escape_leaves_the_jobs_of_other_tabs_alone() {
 fn zoom_on_a_logarithmic_axis_goes_by_decades() {
     let mut bench = Bench::ascii(120, 40);
     bench.keys("<Tab>X");
-    let (from, to) = bench.app.time_range_s();
+    let (from, to) = bench.app.time_range_s(0);
     bench.keys("l+");
     let cursor = bench.app.charts.cursor_s.unwrap();
-    let (near, far) = bench.app.time_range_s();
+    let (near, far) = bench.app.time_range_s(0);
     let decades = |a: f64, b: f64| (b / a).log10();
     assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
     let before = decades(from, cursor) / decades(from, to);
@@ -378,7 +378,7 @@ fn the_crosshair_goes_column_by_column() {
             bench.press("H");
         }
         let columns = plot_columns(&bench.app);
-        let (from, to) = bench.app.time_range_s();
+        let (from, to) = bench.app.time_range_s(0);
         assert_eq!(bench.app.charts.cursor_s, Some(from));
         for _ in 1..columns {
             assert!(bench.app.charts.cursor_s < Some(to));
@@ -412,23 +412,6 @@ fn counters_do_not_pass_their_totals() {
     let study = bench.studies().pop().expect("a search");
     bench.progress(study.id, 2500, 2400);
     assert!(bench.screen().contains("2400 of 2400 runs"), "{}", bench.screen());
-}
-
-/// The quantity at the right is named with its unit, whichever it is.
-#[test]
-fn the_second_axis_is_named_with_its_unit() {
-    let mut bench = Bench::ascii(120, 40);
-    bench.keys("<Tab>");
-    for _ in 0..8 {
-        bench.keys("w");
-        let Some(quantity) = bench.app.charts.second[0] else { continue };
-        let screen = bench.screen();
-        let title = screen.lines().find(|line| line.contains("right: ")).expect("it is named");
-        let unit = quantity.unit();
-        let (_, right) = title.split_once("right: ").expect("as found");
-        let shown = right.split([']', '[']).nth(1).unwrap_or_default();
-        assert!(right.starts_with(quantity.symbol()) && shown.ends_with(unit), "{title}");
-    }
 }
 
 #[test]

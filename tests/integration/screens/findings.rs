@@ -230,14 +230,6 @@ fn another_spacing_keeps_the_cursor_at_its_value() {
 }
 
 #[test]
-fn the_readout_of_a_run_gives_values_first() {
-    let mut bench = Bench::ascii(80, 24);
-    assert!(bench.screen().contains("| now 4.565 mm  first arrest"), "{}", bench.screen());
-    bench.keys("/h<Enter><Enter>5mm<Enter>");
-    assert!(!bench.screen().contains("  first arrest"), "{}", bench.screen());
-}
-
-#[test]
 fn a_goal_begins_at_the_value_of_the_scene() {
     let mut bench = Bench::ascii(80, 24);
     keys(&mut bench, &["4", "k", "<Enter>", "stroke<Enter>"]);
@@ -334,19 +326,6 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     let go_on = &mut |_| ControlFlow::Continue(());
     bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
     assert!(is_marked(&bench), "{}", bench.screen());
-}
-
-#[test]
-fn the_readouts_of_the_chart_have_the_value_of_every_run_at_80_columns() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("jjl l <Tab>l");
-    let screen = bench.screen();
-    let readouts = screen.lines().filter(|line| line.starts_with('|') && line.contains("now "));
-    let readouts: Vec<&str> = readouts.filter(|line| line.contains(" mm ")).collect();
-    assert_eq!(readouts.len(), 2, "{screen}");
-    for row in readouts {
-        assert!(["now ", "  A ", "  B "].iter().all(|name| row.contains(name)), "{row}");
-    }
 }
 
 #[test]

@@ -225,7 +225,6 @@ fn no_text_has_a_key_that_is_not_in_force() {
         ("previous-event", vec!["F2"]),
         ("far-left", vec!["F3"]),
         ("far-right", vec!["F4"]),
-        ("second-axis", vec!["F5"]),
         ("difference", vec!["F6"]),
         ("tab-limit", vec!["F7"]),
         ("window", vec![]),

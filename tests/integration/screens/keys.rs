@@ -375,7 +375,7 @@ fn differences_need_a_pin() {
     assert!(bench.message().contains("no pinned run"));
     bench.keys(" D");
     assert!(bench.app.charts.difference);
-    let curves = bench.app.curves(bench.app.charts.quantities[0]);
+    let curves = bench.app.curves(0);
     let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     assert!(values.clone().count() > 100 && values.clone().all(|value| value == 0.0));
 }
@@ -389,7 +389,7 @@ fn the_crosshair_reads_out_and_goes_to_events() {
     assert_eq!(bench.app.event_at_cursor(), Some("first arrest"));
     assert!(bench.message().starts_with("t 113.0 us | p 4.565 mm"), "{}", bench.message());
     bench.keys("n");
-    let (from, to) = bench.app.time_range_s();
+    let (from, to) = bench.app.time_range_s(0);
     assert!(from < 1.3e-3 && 1.3e-3 < to, "the event comes into view");
     bench.keys("NN");
     assert_eq!(bench.app.charts.cursor_s, Some(55e-6));
@@ -399,18 +399,18 @@ fn the_crosshair_reads_out_and_goes_to_events() {
 fn zoom_keeps_the_crosshair_and_fit_shows_everything() {
     let mut bench = bench();
     bench.keys("<Tab>nn");
-    let whole = bench.app.time_range_s();
+    let whole = bench.app.time_range_s(0);
     bench.keys("+++");
-    let (from, to) = bench.app.time_range_s();
+    let (from, to) = bench.app.time_range_s(0);
     let cursor = bench.app.charts.cursor_s.unwrap();
     assert!(from < cursor && cursor < to && (to - from) < 0.2 * (whole.1 - whole.0));
     bench.keys("]]]]]][[[[[[[[[[");
-    assert!(bench.app.time_range_s().0 >= 0.0);
+    assert!(bench.app.time_range_s(0).0 >= 0.0);
     bench.keys("0");
-    assert_eq!(bench.app.time_range_s(), whole);
+    assert_eq!(bench.app.time_range_s(0), whole);
     bench.keys("c");
-    assert_eq!(bench.app.charts.window, Window::Whole);
-    assert_eq!(bench.app.time_range_s(), (0.0, 1.3e-3));
+    assert_eq!(bench.app.charts.windows[0], Window::Whole);
+    assert_eq!(bench.app.time_range_s(0), (0.0, 1.3e-3));
 }
 
 #[test]
@@ -572,7 +572,7 @@ fn the_palette_and_help_execute() {
     bench.keys(":auto-run<Enter>");
     assert!(!bench.app.auto_run);
     bench.keys("<Tab>?/whole response<Enter>");
-    assert_eq!(bench.app.charts.window, Window::Whole);
+    assert_eq!(bench.app.charts.windows[0], Window::Whole);
     bench.keys(":log tab<Enter>");
     assert_eq!(bench.app.tab, Tab::Log);
 }
@@ -674,31 +674,6 @@ fn popups_close_by_q_and_escape() {
             !bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })),
             "{keys}"
         );
-    }
-}
-
-#[test]
-fn the_second_axis_goes_through_the_other_quantities_and_off() {
-    let mut bench = bench();
-    bench.keys("<Tab>");
-    let first = bench.app.charts.quantities[0];
-    let mut seen = HashSet::new();
-    // What is drawn over the displacement has no time axis to share.
-    let over_time = Channel::ALL.iter().filter(|one| one.is_over_time()).count();
-    for _ in 1..over_time {
-        bench.keys("w");
-        let second = bench.app.charts.second[0].expect("a quantity");
-        assert_ne!(second, first);
-        assert!(seen.insert(second.symbol()));
-        assert!(bench.message().contains("after the last none"), "{}", bench.message());
-    }
-    bench.keys("w");
-    assert_eq!(bench.app.charts.second[0], None);
-    // The same quantity never stands on both axes.
-    for _ in 0..9 {
-        bench.keys("wv");
-        let charts = &bench.app.charts;
-        assert_ne!(charts.second[0], Some(charts.quantities[0]));
     }
 }
 
@@ -844,7 +819,7 @@ fn a_chart_between_two_points_shows_its_curve() {
     let series = &bench.app.shown.as_ref().unwrap().run.series;
     let (before, after) = (series[50].t_s, series[51].t_s);
     let (from, to) = (0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after);
-    bench.app.charts.zoom_s = Some(ViewRange::new(from, to));
+    bench.app.charts.zoom_s[0] = Some(ViewRange::new(from, to));
     let curves = bench.app.curves(Channel::Penetration);
     let middle = f64::midpoint(from, to);
     let value = Channel::Penetration.at(curves[0].view.run, middle).unwrap();

@@ -84,6 +84,7 @@ pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReas
         ledger,
         mechanism,
         stack: None,
+        plastic: None,
         cost,
         omitted,
         warnings,
