@@ -7,6 +7,7 @@ use ratatui::widgets::{Clear, Widget};
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::status::{clip, fitting};
 use crate::tui::dialogs::{self, Dialog, List, Purpose};
+use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
@@ -238,10 +239,12 @@ fn pair(app: &App, action: Action) -> String {
         Action::Down => Some((Action::Up, true)),
         Action::ZoomIn => Some((Action::ZoomOut, true)),
         Action::EventNext => Some((Action::EventPrevious, true)),
-        Action::Window => Some((Action::FullPane, true)),
         _ => None,
     };
     let own = app.keymap.label(action);
+    if action == Action::Window && app.pane() == VARIABLES && !own.is_empty() {
+        return format!("{own}/{}", app.keymap.label(Action::FullPane));
+    }
     let other = opposite.map(|(other, _)| app.keymap.label(other)).filter(|it| !it.is_empty());
     match (other, opposite) {
         (Some(other), _) if own.is_empty() => other,

@@ -170,7 +170,8 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
     let outcome = |it: &Compared<'_>| it.run.map_or("running", |run| run.shot_outcome().word());
     let table = Table::of(runs).with("name", "run", "", |it| it.name.clone());
     let table = table.with("outcome", "outcome", "", outcome);
-    let table = column(table, "final_penetration_m", "depth mm", 1e3, |run| is_through(run).then(through));
+    let table =
+        column(table, "final_penetration_m", "depth mm", 1e3, |run| is_through(run).then(through));
     let table = column(table, "percent_of_baseline", "%", 1.0, |run| {
         Some(format!("{:.0}", run.percent_of_baseline()?))
     });
@@ -211,7 +212,9 @@ fn through() -> String {
 /// The depth by the plastic law and its part of that on a rigid mount.
 fn plastic(run: &Arc<Run>) -> String {
     let depth = run.final_penetration_m.filter(|_| !is_through(run));
-    let Some(depth_m) = depth else { return if is_through(run) { through() } else { "-".to_owned() } };
+    let Some(depth_m) = depth else {
+        return if is_through(run) { through() } else { "-".to_owned() };
+    };
     let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }

@@ -15,8 +15,7 @@ use crate::tui::theme::columns;
 
 const MESSAGE_LINES: usize = 4;
 /// How to begin, at the first start.
-const FIRST_LINE: &str =
-    "Move <down>/<up>, change <left>/<right>, type <enter>, <tab-explore> explore, <tab-limit> limit, <help> help.";
+const FIRST_LINE: &str = "Move <down>/<up>, change <left>/<right>, type <enter>, <tab-explore> explore, <tab-limit> limit, <help> help.";
 
 impl App {
     /// The message area: what stands under the cursor or what the selected row means, and below it the newest message; wrapped.
@@ -42,8 +41,11 @@ impl App {
             return lines;
         };
         let mut lines = wrapped(&text);
-        if lines.len() > MESSAGE_LINES {
-            lines.truncate(MESSAGE_LINES);
+        // On Run a message leaves the meaning of the row and the results in sight; what is refused says why in full.
+        let is_brief = self.tab == Tab::Run && severity != Severity::Error && self.dialog.is_none();
+        let most = if is_brief { (area - 1).max(1) } else { MESSAGE_LINES };
+        if lines.len() > most {
+            lines.truncate(most);
             let end = self.keymap.shown(" ...: <tab-log>:Log");
             if let Some(last) = lines.last_mut() {
                 *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()
@@ -67,10 +69,16 @@ impl App {
         if self.first_run {
             return Some(clip(&self.keymap.shown(FIRST_LINE), room));
         }
-        let hint = self.keymap.shown("<mark> pins this run to compare, <presets> presets, <export> export");
+        let hint = self
+            .keymap
+            .shown("<mark> pins this run to compare, <presets> presets, <export> export");
         let omitted = &run.omitted;
         let left_out = |count: usize| {
-            let more = if count < omitted.len() { format!(" +{}", omitted.len() - count) } else { String::new() };
+            let more = if count < omitted.len() {
+                format!(" +{}", omitted.len() - count)
+            } else {
+                String::new()
+            };
             format!("{hint}; left out: {}{more}", omitted[..count].join(", "))
         };
         let texts = (1..=omitted.len()).rev().map(left_out).chain([hint.clone()]);

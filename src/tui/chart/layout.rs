@@ -65,7 +65,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let y = map(&chart.y, height);
     let along = Along::Column(half_rows_apart(height));
     let mut y_ticks = chart.y.ticks(height, along);
-    if is_stacked && y_ticks.labelled.len() < 2 && chart.y.scale == Scale::Linear {
+    if is_stacked && (2..LOW).contains(&height) && chart.y.scale == Scale::Linear {
         y_ticks = ends(chart, y);
     }
 
@@ -111,18 +111,21 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     }
 }
 
-/// Labels at the lowest and the highest row, where a low chart has no room for two round numbers.
+/// Stacked charts with fewer rows have no room for round numbers.
+const LOW: u16 = 6;
+
+/// Labels at the lowest and the highest row of a low chart, and at zero where that is between them.
 fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let tick = |cell: u16| {
         let value = rows.value(cell) * chart.y.unit.factor;
         let value = if value.abs() < 1e-9 * rows.view().span() { 0.0 } else { value };
-        Tick { cell, value, label: significant(value, 2) }
+        Tick { cell, value, label: significant(value, 3) }
     };
     let top = rows.cells().saturating_sub(1);
-    let zero = rows.cell(0.0).map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
-    let zero = zero.filter(|zero| zero.cell < top);
-    let labelled = vec![zero.unwrap_or_else(|| tick(0)), tick(top)];
-    Ticks { labelled, ..Ticks::default() }
+    let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
+    let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
+    let labelled = [Some(tick(0)), zero, Some(tick(top))];
+    Ticks { labelled: labelled.into_iter().flatten().collect(), ..Ticks::default() }
 }
 
 /// Half rows from one label to the next.
@@ -196,10 +199,12 @@ fn stacked<'a>(
 ) -> Plan<'a> {
     let unit = &*chart.y.unit.name;
     let has_unit = unit.is_empty() || chart.title.split([' ', ',']).any(|word| word == unit);
-    let title = if has_unit && layout.y_ticks.exponent == 0 {
+    let full = title_text(chart, &layout);
+    let is_whole = Span::raw(&full).width() <= room + 3;
+    let title = if (has_unit && layout.y_ticks.exponent == 0) || !is_whole {
         chart.title.clone().into_owned()
     } else {
-        title_text(chart, &layout)
+        full
     };
     let title = title + &hidden(left_out(chart));
     let room = room.saturating_sub(Span::raw(&title).width());

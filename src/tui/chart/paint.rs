@@ -131,8 +131,7 @@ impl Painter<'_> {
         let latest = i32::from(inner.right()) - i32::from(taken) - length;
         let earliest = i32::from(inner.left());
         let start = label_start(centre, length).min(latest).max(earliest);
-        let room =
-            start >= free_from && start <= centre && start <= latest;
+        let room = start >= free_from && start <= centre && start <= latest;
         match u16::try_from(start) {
             Ok(x) if room => {
                 let style = self.theme.style(Role::Text);

@@ -260,7 +260,7 @@ pub(crate) fn panes(app: &App, body: Rect) -> Panes {
     let width = match body.width {
         0..NARROW => 24,
         NARROW..WIDE => 31,
-        WIDE..ROOMY => 36,
+        WIDE..ROOMY => 38,
         ROOMY.. => 42,
     };
     let (variables, charts) = split_left(upper, width);

@@ -96,7 +96,10 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && self.title.width() + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2 && self.keeps_right && self.stacked.is_none() && right.width() <= room
+        } else if right.width() > 2
+            && self.keeps_right
+            && self.stacked.is_none()
+            && right.width() <= room
         {
             block = block.title_bottom(right.right_aligned());
         }

@@ -18,7 +18,7 @@ fn a_threat_changes_its_part_of_the_scene_and_undo_takes_it_back() {
     let mut bench = listing(80);
     bench.keys("p/m80");
     let screen = bench.screen();
-    for words in ["m80-ball", "threat", "m_p       0.0295 -> 0.0095 kg", "v_i       100 -> 847 m/s"]
+    for words in ["m80-ball", "threat", "m_p       29.5 g -> 9.5 g", "v_i       100 m/s -> 847 m/s"]
     {
         assert!(screen.contains(words), "{words} is missing from\n{screen}");
     }

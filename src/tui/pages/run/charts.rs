@@ -137,12 +137,7 @@ impl App {
     }
 
     /// The points of a run that are in view, and one on either side of it.
-    fn curve<'a>(
-        &self,
-        view: RunView<'a>,
-        chart: usize,
-        reference: Option<&Run>,
-    ) -> Curve<'a> {
+    fn curve<'a>(&self, view: RunView<'a>, chart: usize, reference: Option<&Run>) -> Curve<'a> {
         let (run, quantity) = (view.run, self.charts.quantities[chart]);
         let over_time = quantity.is_over_time();
         // Over the displacement the whole way is drawn.
@@ -245,7 +240,8 @@ impl App {
         let (from, to) = self.time_range_s(self.charts.selected);
         if t_s < from || t_s > to {
             let width = to - from;
-            *self.zoom_mut() = Some(ViewRange::new((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
+            *self.zoom_mut() =
+                Some(ViewRange::new((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
         }
     }
 

@@ -229,7 +229,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     canvas.pane(area, PANE);
     if is_folded && below == Below::End {
         let line = Rect { y: area.bottom() - 1, height: 1, ..area };
-        let room = usize::from(area.width.saturating_sub(5));
+        let room = usize::from(area.width.saturating_sub(4));
         canvas.put(line, (1, 0), &format!(" {} ", more_words(app, room)), Role::Text);
         canvas.rows(line, (0, 1), |_| Some(Target::Row(PANE, DESIGN.len() + ANALYSIS.len())));
     }
@@ -305,7 +305,9 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     let flag = if warned { start.saturating_sub(2) } else { start };
     let from = LABEL.max(end + 1);
     let mut labels = [Some(variable.label), short_label(variable)].into_iter().flatten();
-    if let Some(label) = labels.find(|label| from + columns(label) < flag) {
+    if let Some(label) =
+        labels.find(|label| from + columns(label) < flag && *label != variable.symbol)
+    {
         canvas.put(line, (from, 0), label, Role::Dim);
     }
     canvas.put(line, (start, 0), &text, role);
@@ -323,10 +325,11 @@ fn value_text(app: &App, index: usize, room: usize) -> String {
     let (variable, unit) = (&VARIABLES[index], app.editor.unit(index));
     let digits = (2..=6).rev();
     let plain = digits.map(|digits| shown_in(variable, &app.scene, unit, digits));
-    let mass = (variable.symbol == "gamma" && variables::is_used(variable, &app.scene)).then(|| {
-        let mass = units::engineering(app.scene.plate_mass_kg(), "kg", 3);
-        format!("{} ({mass})", shown_in(variable, &app.scene, unit, 6))
-    });
+    let mass =
+        (variable.symbol == "gamma" && variables::is_used(variable, &app.scene)).then(|| {
+            let mass = units::engineering(app.scene.plate_mass_kg(), "kg", 3);
+            format!("{} ({mass})", shown_in(variable, &app.scene, unit, 6))
+        });
     fitting(mass.into_iter().chain(plain), room)
 }
 

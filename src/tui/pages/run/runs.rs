@@ -159,7 +159,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let role = if focused { Role::Focus } else { Role::Title };
     canvas.put(area, (LEAD, 0), &grid.line(None), role);
     if !app.runs.filter.is_empty() {
-        canvas.put(area, (1, 0), "/", Role::Key);
+        canvas.put(area, (1, 0), &format!("/{} ", app.runs.filter), Role::Key);
     }
     let order = app.run_order();
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
@@ -168,21 +168,26 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     }
     let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
     let rows = RowList { count: order.len(), selected, painted: focused };
-    rows.render(canvas, list, |row| Some(Target::Row(RUNS, row)), |canvas, row, at| {
-        let index = order[at];
-        let pin = index.checked_sub(1).map(|at| &app.pins[at]);
-        let visible = pin.map_or(app.current_visible, |pin| pin.visible);
-        let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
-        let role = |role| if visible { role } else { Role::Dim };
-        let label = format!("{marker}{}", app.run_label(index));
-        canvas.put(row, (0, 0), &label, role(Role::Curve(index)));
-        let line = grid.line(Some(index));
-        canvas.put(row, (LEAD, 0), &line, role(Role::Text));
-        let through = line.find("perforated").map(|at| LEAD + columns(&line[..at]));
-        if let Some(at) = through {
-            canvas.put(row, (at, 0), "perforated", role(Role::Warning));
-        }
-    });
+    rows.render(
+        canvas,
+        list,
+        |row| Some(Target::Row(RUNS, row)),
+        |canvas, row, at| {
+            let index = order[at];
+            let pin = index.checked_sub(1).map(|at| &app.pins[at]);
+            let visible = pin.map_or(app.current_visible, |pin| pin.visible);
+            let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
+            let role = |role| if visible { role } else { Role::Dim };
+            let label = format!("{marker}{}", app.run_label(index));
+            canvas.put(row, (0, 0), &label, role(Role::Curve(index)));
+            let line = grid.line(Some(index));
+            canvas.put(row, (LEAD, 0), &line, role(Role::Text));
+            let through = line.find("perforated").map(|at| LEAD + columns(&line[..at]));
+            if let Some(at) = through {
+                canvas.put(row, (at, 0), "perforated", role(Role::Warning));
+            }
+        },
+    );
 }
 
 /// What the current run gained on the selected pin, or on the first one, and what was changed for it.

@@ -127,7 +127,8 @@ fn absence(app: &App, chart: usize) -> Option<String> {
     let quantity = app.charts.quantities[chart];
     let of = |run: &Run| {
         if quantity == Channel::PlateDisplacement && is_held(run) {
-            let farthest = run.max_plate_displacement_m.filter(|_| run.scene.plate.mount == Mount::Sprung);
+            let farthest =
+                run.max_plate_displacement_m.filter(|_| run.scene.plate.mount == Mount::Sprung);
             return Some(farthest.map_or_else(
                 || "plate held".to_owned(),
                 |farthest| format!("{}, held", engineering(farthest, "m")),
@@ -168,7 +169,9 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     let frame = Frame::Stacked { begins: place.begins, below: place.below };
     // A corner, a line and blanks around the title.
     let room = usize::from(place.area.width.saturating_sub(5));
-    let title = title(app, index, room);
+    let alike = alike(data);
+    let taken = if alike.is_empty() { 0 } else { alike.len() + 4 };
+    let title = title(app, index, room.saturating_sub(taken));
     if !quantity.is_over_time() {
         return Chart { frame, ..over_displacement(app, index, title, data, curves.collect()) };
     }
@@ -185,7 +188,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
         levels: levels(app, quantity),
         crosshair: app.charts.cursor_s,
         frame,
-        note: note(app, index, data, left).into(),
+        note: note(app, index, alike, left).into(),
         ..Chart::new(title, x, value_axis(app, data, index).scale(scale), curves.collect())
     }
 }
@@ -207,14 +210,18 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
     }
 }
 
-/// At the right of a title: which pins coincide with the current run here, and what the letters of the events mean.
-fn note(app: &App, chart: usize, data: &[Data<'_>], room: usize) -> String {
+/// The pins that coincide with the current run in a chart: `A = now`.
+fn alike(data: &[Data<'_>]) -> String {
     let now = data.iter().find(|curve| curve.view.letter.is_none());
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
         now.filter(|now| coincide(now, curve)).map(|_| format!("{letter} = now"))
     });
-    let alike = alike.collect::<Vec<_>>().join(", ");
+    alike.collect::<Vec<_>>().join(", ")
+}
+
+/// At the right of a title, beside those: what the letters of the events mean.
+fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
     let gap = if alike.is_empty() { "" } else { "  " };
     [format!("{alike}{gap}{}", event_words(app, chart)), alike]
         .into_iter()
@@ -227,20 +234,25 @@ const APART: f64 = 0.01;
 
 /// Whether two curves are one on the screen.
 fn coincide(one: &Data<'_>, other: &Data<'_>) -> bool {
-    let values = |curve: &Data<'_>| curve.points.iter().map(|it| it.1).filter(|it| it.is_finite()).collect::<Vec<_>>();
-    let (a, b) = (values(one), values(other));
-    let size = a.iter().chain(&b).fold(0.0_f64, |most, value| most.max(value.abs()));
-    let at = |points: &[(f64, f64)], t: f64| {
+    let all = || one.points.iter().chain(&other.points).filter(|point| point.1.is_finite());
+    let size = all().fold(0.0_f64, |most, point| most.max(point.1.abs()));
+    let lies_on = |points: &[(f64, f64)], (t, value): (f64, f64)| {
         let after = points.partition_point(|point| point.0 < t);
-        let (right, left) = (points.get(after)?, points.get(after.saturating_sub(1))?);
+        let right = points.get(after)?;
+        let left = points.get(after.saturating_sub(1))?;
         let width = right.0 - left.0;
-        Some(if width > 0.0 { left.1 + (right.1 - left.1) * (t - left.0) / width } else { right.1 })
+        let share = if width > 0.0 { (t - left.0) / width } else { 1.0 };
+        let there = left.1 + share * (right.1 - left.1);
+        let near = |there: f64| (there - value).abs() <= APART * size;
+        // Where it jumps, either value will do.
+        let mut same = points[after..].iter().take_while(|point| point.0.total_cmp(&t).is_eq());
+        Some(near(there) || near(left.1) || same.any(|point| near(point.1)))
     };
-    let near = |point: &(f64, f64)| {
-        let there = at(&other.points, point.0);
-        !point.1.is_finite() || there.is_some_and(|value| (value - point.1).abs() <= APART * size)
+    let on = |curve: &Data<'_>, other: &Data<'_>| {
+        let mut points = curve.points.iter().filter(|point| point.1.is_finite());
+        points.all(|point| lies_on(&other.points, *point).unwrap_or(false))
     };
-    !one.points.is_empty() && one.points.iter().all(near)
+    all().next().is_some() && on(one, other) && on(other, one)
 }
 
 /// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
@@ -280,7 +292,7 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let (scale, unit) = (app.charts.value_scales[chart], app.charts.quantities[chart].unit());
     let (low, high) = app.value_range(data, chart);
     let values = match scale {
-        Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
+        Scale::Linear => ViewRange::new(low, high),
         Scale::Log10 => ViewRange::new(low, high).on(scale),
     };
     // Rates at or above zero begin at zero: the eye takes the axis for it.
@@ -312,12 +324,19 @@ fn title(app: &App, chart: usize, room: usize) -> String {
         Window::Whole | Window::Contact => "",
     };
     let Some(shown) = &app.shown else { return name.to_owned() };
+    if app.shows_old() {
+        return format!("{name} (old)");
+    }
     let run = &*shown.run;
     let name = format!("{name}{}{window}", of_first(run));
     match quantity {
         Channel::Penetration => fitting(depth_titles(&name, run), room),
         Channel::ContactForce => fitting([format!("{name}, {}", peak(run)), name], room),
-        Channel::PlateDisplacement => fitting([format!("{name}: {}", travel(run)), name], room),
+        Channel::PlateDisplacement => {
+            let travel = travel(run);
+            let brief = format!("Plate{window}: {travel}");
+            fitting([format!("{name}: {travel}"), brief, format!("Plate: {travel}"), name], room)
+        }
         _ => {
             let values = run.series.iter().map(|sample| quantity.of(sample).abs());
             let most = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
@@ -339,13 +358,12 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
     let short = percent.map_or_else(String::new, |it| format!(" ({it})"));
     let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
     let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
-    let brief = plastic.replace("at ", "");
     [
         format!("{name}{colon} {depth}{long}{plastic}"),
         format!("{name}{colon} {depth}{short}{plastic}"),
         format!("{name}{colon} {depth}{plastic}"),
         format!("Depth {depth}{plastic}"),
-        format!("Depth {depth}{brief}"),
+        format!("{depth}{plastic}"),
     ]
     .into()
 }
@@ -359,9 +377,9 @@ fn depth(run: &Run) -> Option<String> {
     let depth = engineering(depth_m, "m");
     let first_m = run.first_arrest.map(|arrest| arrest.penetration_m);
     let is_later = first_m.is_some_and(|first_m| depth_m > first_m * 1.001);
-    let leaves = run.separation.map_or_else(String::new, |it| {
-        format!(", leaves at {}", engineering(it.velocity_m_s.abs(), "m/s"))
-    });
+    let leaves = run
+        .separation
+        .map_or_else(String::new, |it| format!(", leaves at {}", speed(it.velocity_m_s.abs())));
     let shows_first = contact_window_s(run) < 1.2 * run.contact_end_s();
     Some(match first_m.filter(|_| is_later && shows_first) {
         Some(first_m) => format!("{}, later {depth}{leaves}", engineering(first_m, "m")),
@@ -370,11 +388,20 @@ fn depth(run: &Run) -> Option<String> {
 }
 
 /// That a shot is through, and how fast it goes on.
-pub(crate) fn through(run: &Run) -> String {
+fn through(run: &Run) -> String {
     match run.residual_velocity_m_s {
-        Some(speed) if speed < 0.0 => format!("through, back at {}", engineering(-speed, "m/s")),
-        Some(speed) => format!("through, leaves at {}", engineering(speed, "m/s")),
+        Some(left) if left < 0.0 => format!("through, back at {}", speed(-left)),
+        Some(left) => format!("through, leaves at {}", speed(left)),
         None => "through".to_owned(),
+    }
+}
+
+/// A velocity with one decimal, of a slow one with the figures that say something.
+fn speed(velocity_m_s: f64) -> String {
+    if velocity_m_s < 1.0 {
+        engineering(velocity_m_s, "m/s")
+    } else {
+        format!("{velocity_m_s:.1} m/s")
     }
 }
 
@@ -384,7 +411,10 @@ fn plastic(run: &Run) -> Option<String> {
     let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
     let fails = exceeds(run.interface_demand_ratio) || exceeds(run.interface_tension_ratio);
     let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
-    depth(plastic)
+    if plastic.outcome == Outcome::Perforated {
+        return Some(through(plastic));
+    }
+    plastic.final_penetration_m.map(|depth_m| engineering(depth_m, "m"))
 }
 
 fn peak(run: &Run) -> String {
@@ -405,8 +435,8 @@ fn travel(run: &Run) -> String {
         (Some(most), _) => format!("greatest {}{stroke}", engineering(most, "m")),
         (None, Some(least)) => format!("at least {}", engineering(least, "m")),
         (None, None) if is_free(run) => {
-            let speed = run.series.last().map_or(0.0, |last| last.plate_velocity_m_s);
-            format!("leaves at {}, no greatest", engineering(speed, "m/s"))
+            let last = run.series.last().map_or(0.0, |last| last.plate_velocity_m_s);
+            format!("leaves at {}, no greatest", speed(last))
         }
         (None, None) => "greatest not known".to_owned(),
     }
