@@ -79,7 +79,7 @@ impl App {
             } else {
                 String::new()
             };
-            format!("{hint}; left out: {}{more}", omitted[..count].join(", "))
+            format!("{hint}; omitted: {}{more}", omitted[..count].join(", "))
         };
         let texts = (1..=omitted.len()).rev().map(left_out).chain([hint.clone()]);
         Some(fitting(texts, room))

@@ -7,7 +7,6 @@ use super::canvas::left_out_of;
 use super::{
     Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, cell_marker, frame_of, role,
 };
-use crate::model::units::significant;
 use crate::report::chart::spaced;
 use crate::report::chart::ticks::{Along, Tick, Ticks};
 use crate::tui::theme::Theme;
@@ -119,7 +118,8 @@ fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
     let tick = |cell: u16| {
         let value = rows.value(cell) * chart.y.unit.factor;
         let value = if value.abs() < 1e-9 * rows.view().span() { 0.0 } else { value };
-        Tick { cell, value, label: significant(value, 3) }
+        let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+        Tick { cell, value, label: short.to_string() }
     };
     let top = rows.cells().saturating_sub(1);
     let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));

@@ -180,6 +180,6 @@ fn unused_variables_stay_in_the_list_and_more_unfolds() {
     assert!(bench.screen().contains(", 1 changed"), "{}", bench.screen());
     bench.press("/S_y<Enter>");
     assert!(bench.message().contains("S_y (no effect here)"), "{}", bench.message());
-    bench.press("<Esc>G");
+    bench.press("<Esc>/C_d<Enter><Esc>j");
     assert!(bench.screen().contains("+- More: "), "{}", bench.screen());
 }

@@ -299,7 +299,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
         return open_field(app.editor.unit(index), field, line, canvas);
     }
     // A blank at the right end, so that the frame is not taken for a part of the unit.
-    let room = line.width.saturating_sub(end + 2);
+    let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
     let text = value_text(app, index, usize::from(room));
     let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
     let flag = if warned { start.saturating_sub(2) } else { start };
