@@ -10,6 +10,7 @@ use clap::{Parser, ValueEnum};
 
 use crate::files::clean;
 use crate::tui::plain as draw;
+use crate::worker::clock::Clock;
 
 mod accuracy;
 mod again;
@@ -20,18 +21,14 @@ mod completions;
 mod design;
 mod error;
 mod explain;
-mod fit;
 mod help;
 mod install;
-mod join;
 mod keys;
 mod libraries;
 mod limit;
-mod man;
 mod monte_carlo;
 mod optimise;
 mod output;
-mod paths;
 mod pictures;
 mod presets;
 mod progress;
@@ -48,7 +45,6 @@ mod table;
 mod text;
 mod usage;
 mod validate;
-mod variables;
 mod workbench;
 
 pub use error::CliError;
@@ -87,6 +83,18 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
+/// The same as [`run`], with the clock that decides when the progress of a long computation is shown.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn run_by(
+    clock: Clock,
+    arguments: impl Iterator<Item = OsString>,
+) -> Result<ExitCode, CliError> {
+    progress::use_clock(clock);
+    run(arguments)
+}
+
 /// Carry out a command line; the first argument is the program's name.
 ///
 /// # Errors
@@ -94,6 +102,7 @@ pub(crate) enum Glyphs {
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
+    again::note(&written);
     let matches = match help::command().try_get_matches_from(&written) {
         Ok(matches) => matches,
         Err(error) => {

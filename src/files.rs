@@ -9,16 +9,13 @@ pub mod bundled;
 pub mod config;
 pub mod error;
 pub mod export;
-pub mod join;
 pub mod library;
 pub mod paths;
 pub mod preset;
 pub mod read;
 pub mod report;
 pub mod session;
-pub mod shard;
-pub mod shots;
-pub mod style;
+pub mod sweep;
 pub mod validation;
 
 pub mod write;

@@ -16,8 +16,9 @@ use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use clock::Clock;
 use quiet::Quiet;
 use runs::Cache;
 use study::{Lane, Reporter, Study};
@@ -113,6 +114,7 @@ struct Shared {
     quiet: Quiet,
     /// The last few runs.
     runs: Mutex<Cache>,
+    clock: Clock,
     sink: Box<Sink>,
 }
 
@@ -165,8 +167,16 @@ impl Queue {
 impl Worker {
     /// Start the threads; `sink` is given every report.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
+        Self::with_clock(clock::wall(), sink)
+    }
+
+    /// The same with another clock: progress and parts come by its time.
+    pub fn with_clock(
+        clock: Clock,
+        sink: impl Fn(Report) + Send + Sync + 'static,
+    ) -> std::io::Result<Self> {
         let (quiet, runs, sink) = (Quiet::default(), Mutex::default(), Box::new(sink));
-        let shared = Arc::new(Shared { lanes: Default::default(), quiet, runs, sink });
+        let shared = Arc::new(Shared { lanes: Default::default(), quiet, runs, clock, sink });
         for (lane, name) in Lane::ALL {
             let shared = Arc::clone(&shared);
             let serve = move || shared.serve(lane);
@@ -225,7 +235,7 @@ impl Shared {
     fn serve(&self, lane: Lane) {
         let queue = &self.lanes[lane as usize];
         while let Some((task, cancel)) = queue.next() {
-            let begun = Instant::now();
+            let begun = (self.clock)();
             let send = |body| (self.sink)(Report { id: task.id, body });
             let reporter = Reporter::new(self, &task, &send, &cancel);
             let work = || reporter.finish(|| task.study.make(&task.scene, &reporter));
@@ -238,7 +248,7 @@ impl Shared {
             // Free before the report: its receiver may submit at once.
             queue.lock().running = None;
             send(body);
-            if begun.elapsed() > LONG {
+            if (self.clock)().saturating_sub(begun) > LONG {
                 give_back();
             }
         }

@@ -78,8 +78,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     }
     let (page, json) = (page(&reports), accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
-    let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));
-    let table = arguments.table.of_scene(name, &arguments.changes, scene);
+    let table = arguments.table.of_scene(&arguments.changes, only.map(|it| &it.scene));
     table.deliver_report(&page, json, accuracy::table(&reports))?;
     let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
     for failure in &failures {

@@ -1,6 +1,7 @@
 //! The command line that makes a table again, with the scene read from the file beside it.
 
-use std::path::Path;
+use std::ffi::OsString;
+use std::sync::OnceLock;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
@@ -15,34 +16,40 @@ const CHANGES: [&str; 4] = ["set", "threat", "material", "absorber"];
 /// What a goal seek would choose by itself.
 const LAW: &str = "interface.law";
 /// Options that say where results go.
-const RESULTS: [&str; 7] = ["csv", "force", "meta", "json", "svg", "plain", "glyphs"];
+const RESULTS: [&str; 6] = ["csv", "force", "json", "svg", "plain", "glyphs"];
 
-/// The comment line with the command that was typed. `scene` takes the place of SCENE; without one the scene and its changes stay as
-/// they were typed.
-pub(super) fn comment(scene: Option<&str>) -> String {
+/// The command line that is carried out.
+static TYPED: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Notes the command line that is carried out.
+pub(super) fn note(typed: &[OsString]) {
+    TYPED.get_or_init(|| typed.to_vec());
+}
+
+/// The comment line with the command that was typed; `scene`, the file beside the table, takes the place of SCENE.
+pub(super) fn comment(scene: &str) -> String {
     let mut program = commands::whole();
     // The parser has accepted these words before.
-    let typed = program.try_get_matches_from_mut(std::env::args_os()).unwrap_or_default();
+    let typed = TYPED.get().map_or(&[][..], Vec::as_slice);
+    let typed = program.try_get_matches_from_mut(typed).unwrap_or_default();
     export::again(&line(&program, &typed, scene))
 }
 
 /// The command that makes the rows again on standard output: its name, its positional arguments, its options by their names of today
 /// with the values as they were typed.
-fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
+fn line(program: &Command, typed: &ArgMatches, scene: &str) -> String {
     let mut words = vec!["cmra".to_owned()];
     let (mut command, mut typed) = (program, typed);
     while let Some((name, inner)) = typed.subcommand() {
         words.push(name.to_owned());
         (command, typed) = (command.find_subcommand(name).unwrap_or(command), inner);
     }
-    let is_elsewhere = scene.is_some() && has_folder(typed);
     for argument in command.get_positionals() {
         let is_scene = matches!(argument.get_id().as_str(), "scene" | "scenes");
-        match scene.filter(|_| is_scene) {
-            Some(scene) => words.push(shell_word(scene)),
-            None => words.extend(
-                occurrences(typed, argument).concat().iter().map(|it| found(it, is_elsewhere)),
-            ),
+        if is_scene {
+            words.push(shell_word(scene));
+        } else {
+            words.extend(occurrences(typed, argument).concat().iter().map(|it| shell_word(it)));
         }
     }
     let is_seek = command.get_name() == "seek";
@@ -50,7 +57,7 @@ fn line(program: &Command, typed: &ArgMatches, scene: Option<&str>) -> String {
     let option = |id| command.get_arguments().find(|it| it.get_id() == id && !it.is_positional());
     for option in typed.ids().filter_map(option) {
         let Some(long) = option.get_long() else { continue };
-        let is_dropped = RESULTS.contains(&long) || scene.is_some() && CHANGES.contains(&long);
+        let is_dropped = RESULTS.contains(&long) || CHANGES.contains(&long);
         // A goal seek takes the plastic interface unless it is told otherwise, whatever the scene beside has.
         let keeps = |values: &[String]| {
             let is_law = |it: &String| {
@@ -76,86 +83,39 @@ fn occurrences(typed: &ArgMatches, argument: &Arg) -> Vec<Vec<String>> {
     times.map(|all| all.map(|it| it.to_string_lossy().into_owned()).collect()).collect()
 }
 
-/// Whether the table goes into another folder, from which the command is to run again.
-fn has_folder(typed: &ArgMatches) -> bool {
-    let csv = typed.try_get_raw("csv").ok().flatten().and_then(|mut all| all.next());
-    csv.and_then(|csv| Path::new(csv).parent()).is_some_and(|folder| folder != Path::new(""))
-}
-
-/// A word, which is found from another folder where it names a file.
-fn found(word: &str, is_elsewhere: bool) -> String {
-    let path = Path::new(word);
-    let whole = std::path::absolute(path).ok().filter(|_| is_elsewhere && path.exists());
-    shell_word(&whole.map_or_else(|| word.into(), |whole| whole.to_string_lossy().into_owned()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn the_line_makes_the_rows_again_from_the_scene_beside() {
-        let line = |typed: &str, scene: Option<&str>| {
+        for (typed, expected) in [
+            (
+                "limit thin --criterion passage --set h=1mm --csv a.csv --force",
+                "limit ./a.toml --criterion passage",
+            ),
+            ("limit --csv=a.csv --set=h=1mm", "limit ./a.toml"),
+            // Names as they are today: another spelling, an old name.
+            (
+                "optimize --minimize stroke_m,steps --maximize=v_i --csv a.csv",
+                "optimise ./a.toml --minimise stroke_m,steps --maximise v_i",
+            ),
+            ("scatter --output steps --csv a.csv", "montecarlo ./a.toml --outputs steps"),
+            // Nothing else goes to standard output.
+            ("compare --map v_i,gamma --svg - --csv a.csv", "compare ./a.toml --map v_i,gamma"),
+            ("run thin --dt 1us --csv a.csv", "run ./a.toml --dt 1us"),
+            (
+                "seek --over d=0..1 --goal stroke_m=1 --set interface=fused --set h=1mm --csv a.csv",
+                "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
+            ),
+            ("design thin --set h=1mm --csv a.csv", "design ./a.toml"),
+            ("stability --quick --map k --csv a.csv", "stability ./a.toml --quick --map k"),
+        ] {
             let mut program = commands::whole();
             let words = std::iter::once("cmra").chain(typed.split(' '));
             let found = program.try_get_matches_from_mut(words).unwrap();
-            line(&program, &found, scene)
-        };
-        let shots = std::path::absolute("Cargo.toml").unwrap().display().to_string();
-        for (typed, scene, expected) in [
-            (
-                "limit thin --seed 4 --set h=1mm --csv a.csv --force",
-                "./a.toml",
-                "limit ./a.toml --seed 4",
-            ),
-            ("limit --csv=a.csv --set=h=1mm", "./a b.toml", "limit './a b.toml'"),
-            ("fit shots.csv thin --set h=1mm --csv a.csv", "./a.toml", "fit shots.csv ./a.toml"),
-            (
-                "limit thin --set h=1mm --set v_i=9 --csv a.csv",
-                "",
-                "limit thin --set h=1mm --set v_i=9",
-            ),
-            // Names as they are today: another spelling, an old name.
-            ("limit --scatter 5% --csv a.csv", "./a.toml", "limit ./a.toml --monte-carlo 5%"),
-            (
-                "optimize --minimize stroke_m,steps --maximize=v_i --csv a.csv",
-                "./a.toml",
-                "optimise ./a.toml --minimise stroke_m,steps --maximise v_i",
-            ),
-            (
-                "scatter --output steps --csv a.csv",
-                "./a.toml",
-                "montecarlo ./a.toml --outputs steps",
-            ),
-            // Nothing else goes to standard output.
-            (
-                "compare --map v_i,gamma --svg - --csv a.csv",
-                "./a.toml",
-                "compare ./a.toml --map v_i,gamma",
-            ),
-            (
-                "run thin --dt 1us --csv a.csv --csv-style crlf",
-                "./a.toml",
-                "run ./a.toml --dt 1us --csv-style crlf",
-            ),
-            (
-                "seek --over d=0..1 --goal stroke_m=1 --set interface=fused --set h=1mm --csv a.csv",
-                "./a.toml",
-                "seek ./a.toml --over d=0..1 --goal stroke_m=1 --set interface=fused",
-            ),
-            ("accuracy thin cocked --quick --csv a.csv", "", "accuracy thin cocked --quick"),
-            ("design shot thin --set h=1mm --csv a.csv", "", "design shot thin --set h=1mm"),
-            ("design principles --csv a.csv", "", "design principles"),
-            // Relative to the folder of the scene.
-            ("fit Cargo.toml thin --csv x/a.csv", "./a.toml", &format!("fit {shots} ./a.toml")),
-            (
-                "stability --quick --map k --csv a.csv",
-                "./a.toml",
-                "stability ./a.toml --quick --map k",
-            ),
-        ] {
-            let scene = Some(scene).filter(|it| !it.is_empty());
-            assert_eq!(line(typed, scene), format!("cmra {expected} --csv -"), "{typed}");
+            let line = line(&program, &found, "./a.toml");
+            assert_eq!(line, format!("cmra {expected} --csv -"), "{typed}");
         }
     }
 }

@@ -41,9 +41,7 @@ macro_rules! commands {
 commands! {
     "Run and explore" "run" "Run one scene and print what happened" run;
     "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
-    "Run and explore" "join" "Join the parts of a sweep that was computed with --shard" join;
     "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
-    "Decide" "fit" "Find V50 from shots of a test, and the strength that gives it" fit;
     "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
     "Decide" "seek" "Find the values of a variable that reach a goal" seek;
     "Decide" "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
@@ -52,24 +50,16 @@ commands! {
     "Decide" "report" "Write one file with scene, results, charts and warnings" report;
     "Check" "accuracy" "Compare the error and the run time of every method" accuracy;
     "Check" "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
-    "Check" "reproduce" "Check every claim of the thesis" reproduce;
+    "Check" "reproduce" "Compute again what the thesis prints" reproduce;
     "Check" "validate" "Compare the model with measurements from the literature" validate;
-    "Data" "presets" "List the presets, or show one" presets;
-    "Data" "variables" "List every variable of a scene: symbol, name, default, meaning" variables;
-    "Data" "explain" "Explain one variable or quantity" explain;
+    "Data" "presets" "List the presets and where your own lie, or show one" presets;
+    "Data" "explain" "Explain a variable or a quantity, or list all of them" explain;
     "Data" "libraries" "List threats, materials and absorbers with their sources" libraries;
-    "Data" "design" "Print formulas, the screening matrix and the design principles" design;
-    "Data" "keys" "Print every key of the workbench" keys;
+    "Data" "design" "Print a shot's formulas: ricochet, collisions, mass of a spring" design;
     "Data" "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
-    "Data" "paths" "Print where this program keeps presets, session and log" paths;
     "Data" "completions" "Print a completion script for a shell" completions;
-    "Data" "man" "Print the manual page, in roff" man;
     "Data" "install" "Install manual pages and shell completions" install;
 }
-
-/// Of a command that takes none.
-#[derive(Debug, Args)]
-pub(super) struct NoArguments {}
 
 /// A command with the arguments that its function takes.
 fn augmented<A: Args, T>(command: Command, _: fn(&A) -> T) -> Command {

@@ -52,7 +52,6 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
         "name" if owner == "show" => presets(),
         "name" if owner == "explain" => [symbols(""), quantities("")].concat(),
         "topic" => help::names().into_iter().map(str::to_owned).collect(),
-        "subcommand" => commands::names().into_iter().map(str::to_owned).collect(),
         "threat" => entries(Library::Threats),
         "material" => entries(Library::Materials),
         "absorber" => entries(Library::Absorbers),

@@ -1,49 +1,114 @@
-//! `cmra explain NAME`: one variable or quantity, or all quantities, as a page, CSV or JSON.
+//! `cmra explain [NAME]`: one variable or quantity, or all of them, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, variables};
+use crate::cli::text::hanging;
 use crate::model::scene::Scene;
 use crate::model::units::shortest;
-use crate::model::variables::{Variable, find, nearest, used_when};
+use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_when};
 use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
 
-/// The word for all quantities.
-const ALL: &str = "quantities";
-
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`), or `quantities` for all of them
-    name: String,
+    /// A variable by symbol, name or key (gamma, thickness), or a quantity (`limit_velocity_m_s`); without it: all of them
+    name: Option<String>,
     #[command(flatten)]
     table: TableArguments,
+}
+
+/// What can be explained.
+#[derive(Clone, Copy)]
+enum Named {
+    Variable(&'static Variable),
+    Quantity(&'static Quantity),
 }
 
 pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let table = &arguments.table;
     table.check()?;
-    let name = arguments.name.trim();
-    if name == ALL {
-        let all: Vec<&Quantity> = QUANTITIES.iter().collect();
-        return table.alone().deliver(&list(), quantity_rows(&all));
-    }
-    let spelled = name.replace([' ', '-'], "_");
-    let is_quantity = [name, &spelled].into_iter().any(|it| quantities::find(it).is_some());
-    let variable = find(name).or_else(|_| find(&spelled)).ok().filter(|_| !is_quantity);
-    let Some(variable) = variable else {
-        let quantity = quantities::named(name).map_err(|_unknown| {
-            CliError::Option(format!(
-                "`{name}` is neither a variable ({}) nor a quantity ({})",
-                nearest(name),
-                quantities::nearest(name)
-            ))
-        })?;
-        return table.alone().deliver(&quantity_page(quantity), quantity_rows(&[quantity]));
+    let (page, named) = match &arguments.name {
+        None => {
+            let variables = VARIABLES.iter().map(Named::Variable);
+            let all = variables.chain(QUANTITIES.iter().map(Named::Quantity)).collect();
+            (list(), all)
+        }
+        Some(name) => {
+            let named = named(name.trim())?;
+            (named.page(), vec![named])
+        }
     };
+    table.alone().deliver(&page, rows(named))
+}
+
+/// The quantity or variable of this name, which may be written with blanks.
+fn named(name: &str) -> Result<Named, CliError> {
+    let spelled = name.replace([' ', '-'], "_");
+    let quantity = quantities::find(name).or_else(|| quantities::find(&spelled));
+    let variable = || find(name).or_else(|_| find(&spelled)).ok();
+    let unknown = || {
+        CliError::Option(format!(
+            "`{name}` is neither a variable ({}) nor a quantity ({})",
+            nearest(name),
+            quantities::nearest(name)
+        ))
+    };
+    quantity
+        .map(Named::Quantity)
+        .or_else(|| variable().map(Named::Variable))
+        .or_else(|| quantities::named(name).ok().map(Named::Quantity))
+        .ok_or_else(unknown)
+}
+
+impl Named {
+    fn variable<T>(self, get: impl Fn(&Variable) -> T) -> Option<T> {
+        match self {
+            Self::Variable(it) => Some(get(it)),
+            Self::Quantity(_) => None,
+        }
+    }
+
+    fn page(self) -> String {
+        match self {
+            Self::Variable(it) => variable_page(it),
+            Self::Quantity(it) => quantity_page(it),
+        }
+    }
+}
+
+/// Everything that is known of them, a row each; null for what the other kind has.
+fn rows(named: Vec<Named>) -> Table<'static, Named> {
+    let of = |variable: fn(&Variable) -> String, quantity: fn(&Quantity) -> &str| {
+        move |it: &Named| match it {
+            Named::Variable(it) => variable(it),
+            Named::Quantity(it) => quantity(it).to_owned(),
+        }
+    };
+    Table::of(named)
+        .with("kind", "", "", of(|_| "variable".to_owned(), |_| "quantity"))
+        .with("key", "", "", of(|it| it.key.to_owned(), |it| it.name))
+        .with("symbol", "", "", |it| it.variable(|it| it.symbol))
+        .with("name", "", "", |it| it.variable(Variable::name))
+        .with("group", "", "", |it| it.variable(|it| it.group.title()))
+        .with("meaning", "", "", of(|it| it.meaning.to_owned(), |it| it.meaning))
+        .with("unit", "", "", of(|it| it.unit().to_owned(), |it| it.unit()))
+        .with("default", "", "", |it| it.variable(|it| it.show(&Scene::default())))
+        .with("allowed", "", "", |it| it.variable(Variable::allowed))
+        .with("thesis_low", "", "", |it| it.variable(|it| Some(it.thesis_range()?.0)).flatten())
+        .with("thesis_high", "", "", |it| it.variable(|it| Some(it.thesis_range()?.1)).flatten())
+        .with("used_when", "", "", |it| it.variable(used_when))
+        .with("source", "", "", |it| it.variable(|it| it.source))
+        .with("needs", "", "", |it| match it {
+            Named::Variable(_) => None,
+            Named::Quantity(it) => Some(it.needs().words()),
+        })
+}
+
+fn variable_page(variable: &Variable) -> String {
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
     let mut line = |label: &str, text: &str| {
         let _ = writeln!(page, "  {label:<12} {text}");
@@ -53,7 +118,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     if !variable.aliases.is_empty() {
         line("also", &variable.aliases.join(", "));
     }
-    line("default", &variables::default_of(variable));
+    line("default", &default_of(variable));
     line("allowed", &variable.allowed());
     if let Some((low, high)) = variable.thesis_range() {
         let unit = variable.unit();
@@ -62,7 +127,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     line("used", &used_when(variable));
     line("source", variable.source);
     line("for example", &format!("--set {}={}", variable.symbol, example(variable)));
-    table.alone().deliver(&page, variables::rows(std::slice::from_ref(variable)))
+    page
 }
 
 /// A value to write: the default, or the first word of a choice that is not.
@@ -85,23 +150,47 @@ fn quantity_page(quantity: &Quantity) -> String {
     page
 }
 
+/// Its default with the unit.
+fn default_of(variable: &Variable) -> String {
+    let value = variable.show(&Scene::default());
+    // A word in the place of a number has no unit.
+    let unit = if value.parse::<f64>().is_ok() { variable.unit() } else { "" };
+    format!("{value} {unit}").trim_end().to_owned()
+}
+
+/// Its name, then its meaning, without the words of the name where it begins with them.
+fn name_and_meaning(variable: &Variable) -> String {
+    let (name, meaning) = (variable.name(), variable.meaning);
+    let rest = meaning.strip_prefix(&name.replace('_', " "));
+    match rest.filter(|rest| !rest.starts_with(char::is_alphanumeric)) {
+        Some(rest) => format!("{name}{rest}"),
+        None => format!("{name}: {meaning}"),
+    }
+}
+
+/// All variables by their groups, then all quantities.
 fn list() -> String {
-    let mut page = "quantities: name, what has to be computed, meaning\n\n".to_owned();
+    let mut page = "VARIABLES: symbol, default, name and meaning\n".to_owned();
+    for group in Group::ALL {
+        let own: Vec<&Variable> = VARIABLES.iter().filter(|it| it.group == group).collect();
+        // As narrow as the group allows: the meaning has the rest of the line.
+        let widest = |text: fn(&Variable) -> String| {
+            own.iter().map(|it| text(it).chars().count()).max().unwrap_or(0)
+        };
+        let (symbols, defaults) = (widest(|it| it.symbol.to_owned()), widest(default_of));
+        let _ = writeln!(page, "\n{}", group.title());
+        for it in own {
+            let lead = format!("  {:symbols$}  {:defaults$}  ", it.symbol, default_of(it));
+            page += &hanging(&lead, &name_and_meaning(it), lead.chars().count());
+        }
+    }
+    page.push_str("\nQUANTITIES: name, what has to be computed, meaning\n\n");
     for quantity in QUANTITIES {
         let Quantity { name, meaning, .. } = quantity;
         let _ = writeln!(page, "  {name:<33} {:<7} {meaning}", quantity.needs().word());
     }
     page.push_str(
-        "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n",
+        "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n\n`cmra explain NAME` explains one.\n",
     );
     page
-}
-
-fn quantity_rows<'q>(quantities: &'q [&Quantity]) -> Table<'q, &'q Quantity> {
-    Table::of(quantities.iter().copied())
-        .with("key", "key", "", |it| it.name)
-        .with("label", "label", "", |it| it.title())
-        .with("unit", "unit", "", |it| it.unit())
-        .with("meaning", "meaning", "", |it| it.meaning)
-        .with("needs", "needs", "", |it| it.needs().words())
 }

@@ -1,11 +1,11 @@
 //! `cmra install`: manual pages and completion scripts, where `man` and the shells look for them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, Command};
 use clap_complete::Shell;
 
-use crate::cli::{CliError, completions, man, output};
+use crate::cli::{CliError, commands, completions, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::paths;
 
@@ -30,8 +30,9 @@ pub(super) fn run(arguments: &InstallArguments) -> Result<(), CliError> {
     };
     let pages = share.join("man/man1");
     let mut files = Vec::new();
-    for page in man::pages()? {
-        files.push((pages.join(format!("{}.1", page.title)), page.content));
+    let program = commands::whole();
+    for command in std::iter::once(&program).chain(program.get_subcommands()) {
+        files.push(manual_page(command.clone(), &pages)?);
     }
     let page_count = files.len();
     for (shell, path) in SCRIPTS {
@@ -48,4 +49,15 @@ pub(super) fn run(arguments: &InstallArguments) -> Result<(), CliError> {
     let zsh = share.join("zsh/site-functions");
     output::note(&format!("zsh needs `fpath+=({})` before `compinit` in ~/.zshrc", zsh.display()));
     Ok(())
+}
+
+/// The manual page of the program or of a command, in roff, made from its arguments.
+fn manual_page(command: Command, folder: &Path) -> Result<(PathBuf, Vec<u8>), CliError> {
+    let title = command.get_display_name().unwrap_or("cmra").to_owned();
+    let mut content = Vec::new();
+    clap_mangen::Man::new(command)
+        .title(title.clone())
+        .render(&mut content)
+        .map_err(CliError::Stdout)?;
+    Ok((folder.join(format!("{title}.1")), content))
 }

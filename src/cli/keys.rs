@@ -1,9 +1,7 @@
-//! `cmra keys`: every key of the workbench.
+//! `cmra help keys`: every key of the workbench.
 
 use std::fmt::Write as _;
 
-use crate::cli::commands::NoArguments;
-use crate::cli::{CliError, output};
 use crate::tui::app::status::wrap;
 use crate::tui::keymap::{Keymap, LINES, Scope};
 use crate::tui::pages::all_panes;
@@ -11,16 +9,12 @@ use crate::tui::pages::all_panes;
 /// Width of the text of a key, for a terminal of 80 columns.
 const HELP_WIDTH: usize = 52;
 
-pub(super) fn run(_: &NoArguments) -> Result<(), CliError> {
-    output::print(&page())
-}
-
 /// The table of keys: what each means in every pane, then what it does in particular in each.
 pub(super) fn page() -> String {
     let map = Keymap::default();
     let mut text = String::from(
         "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
-         focused pane first. Other keys: [keys] in config.toml (`cmra paths` names it),\n\
+         focused pane first. Other keys: [keys] in config.toml (see `cmra help scenes`),\n\
          each action by its name in brackets, as in `undo = \"U\"`.\n",
     );
     let line = |text: &mut String, keys: &str, help: &str| {

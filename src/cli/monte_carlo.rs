@@ -5,15 +5,18 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::amount::{deviation, part};
 use crate::cli::study::{Random, StudyArguments, StudyOutput};
 use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
 use crate::study::monte_carlo::{
-    Report, Task, Tolerance, USUAL_DEVIATION, sample, usual_tolerances,
+    LIMIT, Report, Task, Tolerance, USUAL_DEVIATION, model_error, sample, usual_samples,
+    usual_tolerances,
 };
 use crate::study::quantities;
+use crate::study::validation::ModelError;
 
 #[derive(Debug, Args)]
 #[command(
@@ -35,9 +38,16 @@ pub(super) struct MonteCarloArguments {
     /// Quantities, separated by commas [default: all but those about the computation]
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Number of samples
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 10_000)]
-    samples: usize,
+    /// Number of samples [default: 10000, or 200 where each takes a limit search]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
+    samples: Option<usize>,
+    /// Mean ratio of model to measurement, minus 1 (-0.04 or -4%); corrects limit_velocity_m_s [default: that of
+    /// the scene's class in `cmra validate`, else 0]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, allow_hyphen_values = true, value_parser = bias)]
+    model_bias: Option<f64>,
+    /// Standard deviation of that ratio (0.08 or 8%); widens limit_velocity_m_s [default: as for the bias]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, value_parser = deviation)]
+    model_spread: Option<f64>,
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
@@ -52,13 +62,31 @@ impl MonteCarloArguments {
             self.vary.iter().map(|text| vary(text, scene)).collect::<Result<_, _>>()?
         };
         let named = self.outputs.iter().map(|name| name.trim().to_owned());
-        let measures = if self.outputs.is_empty() {
+        let measures: Vec<String> = if self.outputs.is_empty() {
             quantities::usual().map(|it| it.name.to_owned()).collect()
         } else {
             named.collect()
         };
-        Ok(Task { tolerances, measures, samples: self.samples, seed: self.random.seed })
+        let is_corrected = measures.iter().any(|it| it == LIMIT);
+        if !is_corrected && (self.model_bias.is_some() || self.model_spread.is_some()) {
+            return Err(CliError::Option(format!(
+                "--model-bias and --model-spread correct {LIMIT}: add --outputs {LIMIT}, or omit them"
+            )));
+        }
+        let known = model_error(scene);
+        let model = ModelError {
+            bias: self.model_bias.unwrap_or(known.bias),
+            spread: self.model_spread.unwrap_or(known.spread),
+        };
+        let samples = self.samples.unwrap_or_else(|| usual_samples(&measures));
+        Ok(Task { tolerances, measures, samples, seed: self.random.seed, model })
     }
+}
+
+fn bias(text: &str) -> Result<f64, String> {
+    let bias = part(text)?;
+    let problem = || "must be above -1: -0.04 for 4 % low".to_owned();
+    (bias > -1.0 && bias.is_finite()).then_some(bias).ok_or_else(problem)
 }
 
 fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
@@ -103,6 +131,9 @@ fn page(name: &str, report: &Report) -> String {
     let _ = writeln!(page, "\n{}", report.outcomes);
     if let Some(perforation) = perforation(report) {
         let _ = writeln!(page, "{perforation}");
+    }
+    if let Some(error) = monte_carlo::model_error(report) {
+        let _ = writeln!(page, "{error}");
     }
     let mut table = table(name, report);
     table.rows.retain(|summary| summary.deviation.is_some());

@@ -65,15 +65,17 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
     let paths = Paths::of_user().ok();
     let preset::List { presets, unreadable } = preset::list(paths.as_ref());
     let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
-    let (mut text, mut own) = (String::new(), paths.as_ref());
-    for preset in &presets {
-        // The bundled ones come first.
-        if let Some(paths) = own.take_if(|_| preset.origin != Origin::Bundled) {
-            let _ = writeln!(text, "\nyour own, in {}", paths.presets.display());
-        }
+    let (bundled, own): (Vec<_>, Vec<_>) =
+        presets.iter().partition(|preset| preset.origin == Origin::Bundled);
+    let row = |preset: &&Preset| {
         let title = clean::line(&preset.scene.title);
-        let row = format!("{:width$}  {title}", preset.name);
-        let _ = writeln!(text, "{}", row.trim_end());
+        format!("{:width$}  {title}", preset.name).trim_end().to_owned() + "\n"
+    };
+    let mut text: String = bundled.iter().map(row).collect();
+    if let Some(paths) = &paths {
+        let none = if own.is_empty() { " (none yet)" } else { "" };
+        let _ = writeln!(text, "\nyour own, in {}{none}", paths.presets.display());
+        text.extend(own.iter().map(row));
     }
     table.alone().deliver(&text, table_of(&presets))?;
     for one in unreadable {

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
@@ -16,9 +16,13 @@ use signal_hook::flag;
 use crate::cli::output;
 use crate::cli::sweep::page::duration;
 use crate::study::context::{CancelFlag, Context, Progress};
+use crate::worker::clock::{Clock, wall};
 
 /// Set by the first interrupt. Global, as signals are.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+
+/// The clock that decides when progress is shown. Global, as the terminal is.
+static CLOCK: OnceLock<Clock> = OnceLock::new();
 
 /// How far the last study of the command came: `102 of 199 rows`.
 static REACHED: Mutex<String> = Mutex::new(String::new());
@@ -33,8 +37,8 @@ const LONG_S: f64 = 60.0;
 
 /// The line on the terminal that says how far a computation is.
 pub(super) struct ProgressLine {
-    start: Instant,
-    last_shown: Instant,
+    start: Duration,
+    last_shown: Duration,
     shown: bool,
     wanted: bool,
     stop: CancelFlag,
@@ -43,7 +47,7 @@ pub(super) struct ProgressLine {
 impl ProgressLine {
     /// Starts now; an interrupt is noted from now on.
     pub(super) fn begin() -> Self {
-        let now = Instant::now();
+        let now = now();
         let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
         let wanted = io::stderr().is_terminal() && !dumb;
         Self { start: now, last_shown: now, shown: false, wanted, stop: interruptible() }
@@ -52,14 +56,19 @@ impl ProgressLine {
     /// Shows the progress regularly, by a text made from the elapsed seconds; `Break` after an interrupt.
     pub(super) fn update(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
         if self.wanted
-            && self.start.elapsed() > SHOWN_AFTER
-            && self.last_shown.elapsed() > UPDATED_EVERY
+            && self.elapsed() > SHOWN_AFTER
+            && now().saturating_sub(self.last_shown) > UPDATED_EVERY
         {
-            self.last_shown = Instant::now();
+            self.last_shown = now();
             self.shown = true;
-            output::progress(&text(self.start.elapsed().as_secs_f64()));
+            output::progress(&text(self.elapsed().as_secs_f64()));
         }
         self.stop.flow()
+    }
+
+    /// How long the computation has lasted.
+    fn elapsed(&self) -> Duration {
+        now().saturating_sub(self.start)
     }
 
     /// Says above the line that all of these take long, if they do.
@@ -95,9 +104,9 @@ pub(super) fn study<P: ?Sized, T>(
         reached = now;
         let Progress { done, total } = now;
         let left_s = |elapsed_s: f64| elapsed_s * (total - done) as f64 / done.max(1) as f64;
-        if !judged && done > 0 && line.start.elapsed() > JUDGED_AFTER {
+        if !judged && done > 0 && line.elapsed() > JUDGED_AFTER {
             judged = true;
-            line.announce(total, what, left_s(line.start.elapsed().as_secs_f64()));
+            line.announce(total, what, left_s(line.elapsed().as_secs_f64()));
         }
         line.update(|elapsed_s| {
             let percent = 100.0 * done as f64 / total.max(1) as f64;
@@ -110,6 +119,15 @@ pub(super) fn study<P: ?Sized, T>(
     *REACHED.lock().unwrap_or_else(PoisonError::into_inner) =
         format!("{} of {} {what}", reached.done, reached.total);
     found
+}
+
+/// Lets this clock decide when progress is shown. The first one handed in stays.
+pub(super) fn use_clock(clock: Clock) {
+    let _ = CLOCK.set(clock);
+}
+
+fn now() -> Duration {
+    CLOCK.get_or_init(wall)()
 }
 
 /// What every result says that an interrupt has cut short; `None` for a complete one.

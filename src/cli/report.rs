@@ -10,11 +10,11 @@ use crate::cli::run::{self, Computed};
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::sweep::page::KEPT_MAX;
-use crate::cli::{CliError, draw, output, progress};
+use crate::cli::{CliError, output, progress};
 use crate::files::atomic::{self, Existing};
-use crate::files::report::{Format, Subject};
+use crate::files::report::{Subject, is_report};
 use crate::model::scene::Scene;
-use crate::study::limit::{self, Criterion, LimitOptions};
+use crate::study::limit;
 use crate::study::sweep::Plan;
 use crate::study::sweep::grid::{Grid, PIECE};
 
@@ -26,8 +26,7 @@ use crate::study::sweep::grid::{Grid, PIECE};
 pub(super) struct ReportArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Where to write the report: FILE.html has its charts as SVG, FILE.md as text; `-` writes Markdown to standard
-    /// output
+    /// Where to write the report, for example report.html; `-` writes it to standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Replace an existing file
@@ -42,22 +41,22 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
     let existing = Existing::replaced(arguments.force);
     let is_stdout = path.as_os_str() == "-";
-    let format = if is_stdout { Some(Format::Markdown) } else { Format::of(path) };
-    let format = format.ok_or_else(|| {
-        let (path, html) = (path.display(), path.with_extension("html"));
-        let example = html.display();
-        CliError::Option(format!("-o {path}: a report is .html or .md, for example -o {example}"))
-    })?;
     if !is_stdout {
+        if !is_report(path) {
+            let (path, html) = (path.display(), path.with_extension("html"));
+            let example = html.display();
+            let text = format!("-o {path}: a report is .html, for example -o {example}");
+            return Err(CliError::Option(text));
+        }
         atomic::check(path, existing)?;
     }
     let preset = arguments.scene.load()?;
     let scene = Arc::new(preset.scene.clone());
     let Computed { preset, run, .. } = run::compute(preset)?;
     let threads = arguments.threads.count();
-    let effort = LimitOptions { criterion: Criterion::Passage, sampling: None };
-    let limit =
-        progress::study(threads, "shots or so", |context| limit::find(&scene, effort, context))?;
+    let limit = progress::study(threads, "shots or so", |context| {
+        limit::find(&scene, limit::Request::default(), context)
+    })?;
     let sweep = own_sweep(&scene, threads)?;
     if progress::was_interrupted() {
         output::note("interrupted: no report was written");
@@ -65,7 +64,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     }
     let (name, sweep) = (preset.name.as_str(), sweep.as_ref());
     let subject = Subject { name, scene: &scene, run: &run, limit: &limit, sweep };
-    let text = subject.text(format, draw::picture);
+    let text = subject.html();
     if is_stdout {
         output::print(&text)?;
     } else {

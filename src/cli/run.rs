@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, TableDestination, at_top, choice, missing_line};
+use crate::cli::table::{TableArguments, TableDestination, at_top, choice};
 use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
@@ -138,17 +138,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         None => compute(arguments.scene.load()?)?,
         Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
     };
-    let table = || RunTable {
-        rows: Rows::Series,
-        runs: named(&computed),
-        columns: Vec::new(),
-        style: arguments.table.csv_style,
-        comments: missing_line() + &again::comment(None),
-    };
+    let table = || RunTable { rows: Rows::Series, runs: named(&computed), columns: Vec::new() };
     match arguments.table.target() {
         TableDestination::None => {}
         TableDestination::Stdout => {
-            output::print(&table().text(arguments.table.meta)?)?;
+            output::print(&table().text()?)?;
             return Ok(exit_code(&computed.run));
         }
         TableDestination::File(to) => {
@@ -156,9 +150,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
             let mut scenes = table.scenes();
             if let Some(first) = scenes.first_mut() {
                 let outcome = std::mem::replace(&mut first.notes, Box::new(|_| String::new()));
-                first.notes = Box::new(move |own| outcome(own) + &again::comment(Some(own)));
+                first.notes = Box::new(move |own| outcome(own) + &again::comment(own));
             }
-            let written = to.write(table.text(to.meta)?.as_bytes(), &scenes);
+            let written = to.write(table.text()?.as_bytes(), &scenes);
             output::note_written(&written?);
         }
     }

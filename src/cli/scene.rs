@@ -72,11 +72,6 @@ impl SceneArguments {
     pub(super) fn is_given(&self) -> bool {
         self.scene.is_some() || !self.changes.typed().is_empty()
     }
-
-    /// The scene as it was typed.
-    pub(super) fn name(&self) -> &str {
-        self.scene.as_deref().map_or(bundled::BASELINE, |name| name.to_str().unwrap_or("a file"))
-    }
 }
 
 impl Changes {

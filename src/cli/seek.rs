@@ -5,21 +5,19 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::study::{StudyArguments, StudyOutput, on_plastic};
+use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::sweep::axes::range;
-use crate::cli::{CliError, output, progress};
-use crate::model::scene::InterfaceLaw;
+use crate::cli::{CliError, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
-use crate::study::quantities::named;
-use crate::study::search::seek::{Goal, Report, SCAN, SCAN_USUAL, seek as solve};
+use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, seek as solve};
 use crate::study::sweep::Spacing;
 
 #[derive(Debug, Args)]
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is located by root finding. \
     Solutions closer together than the points of the scan may be missed: raise COUNT.\n\
-    QUANTITY is any quantity: `cmra explain quantities` lists all.\n\
+    QUANTITY is any quantity: `cmra explain` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
@@ -38,38 +36,23 @@ pub(super) struct SeekArguments {
     study: StudyArguments,
 }
 
-impl SeekArguments {
-    fn goal(&self) -> Result<Goal, CliError> {
-        let refuse = |why: &str| CliError::Option(format!("--goal {}: {why}", self.goal));
-        let (name, value) = self.goal.split_once('=').ok_or_else(|| {
-            refuse("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
-        })?;
-        let column = named(name)?;
-        let target = column.parse(value).map_err(|why| refuse(&why))?;
-        let axis = range(&self.over, Some(SCAN_USUAL), &SCAN)?;
-        Ok(Goal { axis, measure: column.name.to_owned(), target })
-    }
-}
-
 /// Runs the goal seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
-    let goal = arguments.goal()?;
-    let mut preset = arguments.study.load()?;
-    let law = on_plastic(&arguments.study.scene, &mut preset.scene);
-    let report = arguments.study.run("runs", |context| solve(&preset.scene, &goal, context))?;
+    let refuse = |why| CliError::Option(format!("--goal {}: {why}", arguments.goal));
+    let goal: Goal = arguments.goal.parse().map_err(refuse)?;
+    let request = Request { over: range(&arguments.over, Some(SCAN_USUAL), &SCAN)?, goal };
+    let preset = arguments.study.load()?;
+    let report = arguments.study.run("runs", |context| solve(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
-    if let Some(law) = &law {
-        output::note(law);
-    }
     let warnings = seek::warnings(&preset.scene, &report);
-    let (page, object) = (page(name, &report, law.is_some()), seek::json(name, &report));
+    let (page, object) = (page(name, &report), seek::json(name, &report));
     let answer = StudyOutput { warnings, page, object, rows: seek::table(name, &report) };
     arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }
 
-/// The page; of a search that has taken the plastic interface by itself, what runs a solution names that too.
-fn page(name: &str, report: &Report, is_plastic: bool) -> String {
+/// The page.
+fn page(name: &str, report: &Report) -> String {
     let axis = &report.axis;
     let (low, high) = axis.ends();
     let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
@@ -79,16 +62,14 @@ fn page(name: &str, report: &Report, is_plastic: bool) -> String {
     let mut page = format!(
         "{name}: which {symbol} gives {measure} = {target}?\n{points} points from {low} to {high}{spacing}, {runs} runs in all\n\n"
     );
-    let solutions = report.solutions().map(|found| solution(report, found));
-    let law = if is_plastic { InterfaceLaw::Plastic } else { InterfaceLaw::Fused };
-    let law = seek::other_law(law, InterfaceLaw::Fused);
-    for line in solutions.chain(law).chain(remarks(report).into_iter().map(|remark| remark.text)) {
+    let solutions = report.solutions().zip(&report.checked);
+    let solutions = solutions.map(|(found, checked)| solution(report, found, checked));
+    for line in solutions.chain(remarks(report).into_iter().map(|remark| remark.text)) {
         let _ = writeln!(page, "  {line}");
     }
     if let Some(solution) = report.solutions().next() {
         let set = format!("{symbol}={}", shortest(solution.place.at));
-        let law = if is_plastic { " --set interface=plastic" } else { "" };
-        let _ = writeln!(page, "\n`--set {set}{law}` runs it");
+        let _ = writeln!(page, "\n`--set {set}` runs it");
     }
     page
 }

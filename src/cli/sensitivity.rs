@@ -8,13 +8,14 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::amount::count;
-use crate::cli::study::{Random, StudyArguments, StudyOutput, bounds};
+use crate::cli::study::{Random, StudyArguments, StudyOutput, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
 use crate::study::quantities::usual_of;
 use crate::study::sensitivity::{Report, SCATTER, SamplingOptions, study, usual_axes};
+use crate::study::sweep::usual::or_usual;
 use crate::study::validity;
 
 /// Cells of the longest bar.
@@ -33,7 +34,7 @@ pub(super) struct SensitivityArguments {
         long,
         alias = "outputs",
         value_name = "NAME",
-        help = "The quantity: `cmra explain quantities` lists all [default: percent_of_baseline, of a stack stack_penetration_m]"
+        help = "The quantity: `cmra explain` lists all [default: percent_of_baseline, of a stack stack_penetration_m]"
     )]
     output: Option<String>,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
@@ -65,7 +66,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let axes = bounds(&arguments.over, &preset.scene, usual_axes)?;
+    let axes = or_usual(&axes(&arguments.over)?, || usual_axes(&preset.scene))?;
     let output = arguments.output.as_deref().unwrap_or_else(|| usual_of(&preset.scene));
     let report = arguments
         .study
@@ -83,8 +84,11 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
 
 fn page(name: &str, report: &Report, is_usual: bool) -> String {
     let own = report.output.show_any(report.own, 4);
-    let mut page =
-        format!("{name}: what {} depends on\nthe scene itself: {own}\n", report.output.title());
+    let mut page = format!("{name}: what {} depends on", report.output.title());
+    if let Some(condition) = sensitivity::condition(report) {
+        page = hanging("", &format!("{page}, {condition}"), 2).trim_end().to_owned();
+    }
+    let _ = writeln!(page, "\nthe scene itself: {own}");
     if is_usual {
         let varied = format!(
             "varied: the ranges of Table 9.2, and {:.0} % either way of what else a Monte Carlo study scatters; --over \
@@ -137,14 +141,6 @@ fn sobol(page: &mut String, report: &Report) {
     if found.inputs.iter().all(|input| input.first.is_none()) {
         page.push_str(
             "  no indices: the result does not vary, or has no value, over these bounds\n",
-        );
-    }
-    if found.used < found.rows {
-        let (lost, all) = (found.rows - found.used, found.rows);
-        let _ = writeln!(
-            page,
-            "  {lost} of {all} samples have a point without a value (perforated, moving or failed) and are not counted: the indices \
-             are those of the rest"
         );
     }
 }

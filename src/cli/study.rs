@@ -8,12 +8,11 @@ use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
 use crate::cli::{CliError, progress};
 use crate::files::preset::Preset;
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::Scene;
 use crate::report::table::Table;
 use crate::study::context::Context;
 use crate::study::parallel::cores;
-use crate::study::search::seek::has_unlimited_interface;
-use crate::study::sweep::{Axis, COUNTS, SweepError};
+use crate::study::sweep::{Axis, COUNTS};
 
 /// What every study of a scene takes.
 #[derive(Debug, Args)]
@@ -64,21 +63,6 @@ impl StudyArguments {
     }
 }
 
-/// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
-/// loaded beyond what it can carry. Gives the note to print.
-pub(super) fn on_plastic(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
-    let chosen = arguments.changes.set_of(|key| key == "interface.law").is_some();
-    if chosen || !has_unlimited_interface(scene) {
-        return None;
-    }
-    scene.interface.law = InterfaceLaw::Plastic;
-    Some(
-        "searched with interface=plastic: a fused interface has no limit of strength; --set interface=fused \
-         searches with fused"
-            .to_owned(),
-    )
-}
-
 /// `--threads`.
 #[derive(Debug, Args)]
 pub(super) struct Threads {
@@ -102,21 +86,7 @@ pub(super) struct Random {
     pub(super) seed: u64,
 }
 
-/// Variables and their bounds; without any the usual ones of the scene.
-pub(super) fn bounds(
-    texts: &[String],
-    scene: &Scene,
-    usual: fn(&Scene) -> Result<Vec<Axis>, SweepError>,
-) -> Result<Vec<Axis>, CliError> {
-    if !texts.is_empty() {
-        return texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect();
-    }
-    let axes = usual(scene)?;
-    if axes.is_empty() {
-        return Err(CliError::Option(
-            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
-                .to_owned(),
-        ));
-    }
-    Ok(axes)
+/// Variables and their bounds.
+pub(super) fn axes(texts: &[String]) -> Result<Vec<Axis>, CliError> {
+    texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect()
 }

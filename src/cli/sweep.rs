@@ -18,12 +18,12 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::table::{TableArguments, TableDestination, at_top};
 use crate::cli::text::fitted;
-use crate::cli::{CliError, again, output, progress};
+use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
 use crate::files::error::FileError;
-use crate::files::export::Meta;
+use crate::files::export::Beside;
 use crate::files::preset::Preset;
-use crate::files::shard::{Checksum, Part, Written};
+use crate::files::sweep::notes;
 use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, Piece, Sheet, json_tail};
 use crate::study::context::{Context, Work};
@@ -40,8 +40,8 @@ use axes::PointArguments;
         Columns: the axes' values, then every quantity of a run that needs neither its time series nor a limit search; \
         with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
         keeps its row and says why.\n\
-        Shards: part I of N is a contiguous block of rows, and only part 1 has the header line. `cmra join` checks the parts and \
-        makes one file of them; `cmra help sweeps` shows it on many cores and in a cluster.\n\n\
+        Shards: part I of N has every N-th row, beginning with row I. `cmra help sweeps` shows parts on many cores and in a cluster, \
+        and how to put them together.\n\n\
         --outputs takes any of these:\n{}",
         quantities::listing()
     )
@@ -51,7 +51,7 @@ pub(super) struct SweepArguments {
     scene: SceneArguments,
     #[command(flatten)]
     points: PointArguments,
-    /// Compute only part I of N
+    /// Compute only every N-th row, beginning with row I
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
     #[command(flatten)]
@@ -82,7 +82,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let plan = Arc::new(plan);
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
-    if draws && !page::is_drawable(&plan, &shard.of(plan.points())) {
+    if draws && !(shard == Shard::WHOLE && page::is_drawable(&plan)) {
         return Err(CliError::Option(page::undrawable()));
     }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
@@ -95,9 +95,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         TableDestination::File(to) => Some(to.begin()?),
         TableDestination::None | TableDestination::Stdout => None,
     };
-    let points = job.points();
     let start = Instant::now();
-    let keeps = (draws || !rows_wanted) && page::is_drawable(&plan, &points);
+    let keeps = (draws || !rows_wanted) && shard == Shard::WHOLE && page::is_drawable(&plan);
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
@@ -117,28 +116,14 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    fn points(&self) -> Range<u64> {
-        self.shard.of(self.plan.points())
-    }
-
     fn count(&self) -> u64 {
-        let points = self.points();
-        points.end - points.start
+        self.shard.count(self.plan.points())
     }
 
     /// That points are missing after an interrupt, in words; `None` where every point was computed.
     fn missing(&self, ended: &Summary) -> Option<String> {
         let (done, all) = (ended.points(), self.count());
         (done < all).then(|| format!("not complete: {done} of {all} points"))
-    }
-
-    /// The lines at the head of the table, with `--meta inline`.
-    fn comments(&self) -> String {
-        let part = match self.shard {
-            Shard::WHOLE => String::new(),
-            shard => format!("# shard: {shard}\n"),
-        };
-        again::comment(None) + &page::comments(self.preset, self.plan) + &part
     }
 
     /// Say what it came to beside the result; 0 where every point was computed.
@@ -198,21 +183,18 @@ impl Job<'_> {
         let (has_csv, has_json) = (!matches!(target, TableDestination::None), arguments.table.json);
         let scene = self.preset.name.as_str();
         let sheet = Sheet { plan: self.plan, scene, columns, has_csv, has_json };
-        let (style, is_inline) = (arguments.table.csv_style, arguments.table.meta == Meta::Inline);
-        let mut checksum = Checksum::default();
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
-            checksum.add(csv);
             match &mut file {
                 Some(file) => file.add(csv)?,
                 None => output::print_bytes(csv)?,
             }
             output::print_bytes(json.as_bytes())
         };
-        if self.shard.is_first() && has_csv {
-            let comments = if is_inline { self.comments() } else { String::new() };
-            write(style.file(&comments, &sheet.header())?.as_bytes(), "")?;
-        }
-        write(b"", &if has_json { sheet.json_head(self.shard) } else { String::new() })?;
+        let head = if has_csv { sheet.header() } else { String::new() };
+        write(
+            head.as_bytes(),
+            &if has_json { sheet.json_head(self.shard) } else { String::new() },
+        )?;
         let mut is_first = true;
         let streamed = self.stream(&sheet, |piece| {
             if let Some(grid) = kept {
@@ -221,7 +203,7 @@ impl Job<'_> {
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
                 write(b"", ",\n")?;
             }
-            write(&style.rows(piece.csv.as_bytes())?, &piece.json)
+            write(piece.csv.as_bytes(), &piece.json)
         });
         let summary = match (streamed, &target) {
             (Err(CliError::File(problem)), TableDestination::File(to)) => {
@@ -230,24 +212,16 @@ impl Job<'_> {
             (streamed, _) => streamed?,
         };
         let missing = self.missing(&summary);
-        if let Some(missing) = missing.as_ref().filter(|_| has_csv && is_inline) {
-            // The head was written before anybody knew.
-            write(&style.rows(format!("# {missing}\n").as_bytes())?, "")?;
-        }
         if has_json {
             write(b"", &json_tail(summary.points(), missing.is_none()))?;
         }
         output::print("")?;
         if let (Some(file), TableDestination::File(to)) = (file, target) {
-            let part = Part {
-                shard: self.shard,
-                design: self.plan.design(),
-                name: self.preset.name.clone(),
-                style,
-            };
             let sweep = Some(columns.sweep(self.plan));
             let scene = Scene { sweep, ..self.preset.scene.clone() };
-            let beside = part.beside(&scene, Written { missing: missing.as_deref(), checksum });
+            let part = (self.plan.design(), self.shard);
+            let notes = |own: &str| notes(own, &scene, part, missing.as_deref());
+            let beside = Beside { run: None, scene: &scene, notes: Box::new(notes) };
             // Another program may have taken the name meanwhile.
             let taken = if missing.is_none() { to.check().err() } else { None };
             let placed = to.placed(missing.is_none() && taken.is_none());
@@ -267,20 +241,20 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs());
         let mut problem = None;
-        let all = self.points();
-        let (first, count) = (all.start, all.end - all.start);
+        let (shard, count) = (self.shard, self.count());
         let stop = interruptible();
         let worker = || {
             let mut evaluator = Evaluator::new(self.plan, &stop);
             move |piece: Range<u64>| {
-                sheet.piece(&mut evaluator, first + piece.start..first + piece.end)
+                let points: Vec<u64> = piece.map(|row| shard.point(row)).collect();
+                sheet.piece(&mut evaluator, &points)
             }
         };
         let work = Work { count, at_once: PIECE };
         progress::study(self.threads, "points", |context: &mut Context<'_>| {
             context.expect(usize::try_from(count).unwrap_or(usize::MAX));
             context.each(work, worker, |context, piece, found| {
-                summary.add(first + piece.start, &found.rows);
+                summary.add(piece.clone().map(|row| shard.point(row)), &found.rows);
                 context.count(found.rows.len());
                 let is_whole = found.rows.len() as u64 == piece.end - piece.start;
                 problem = take(&found).err();

@@ -12,8 +12,7 @@ use crate::cli::scene::{Changes, SceneArguments};
 use crate::cli::{CliError, again, output, text};
 use crate::files::atomic::Existing;
 use crate::files::error::FileError;
-use crate::files::export::{self, Beside, Destination, Meta};
-use crate::files::style::Style;
+use crate::files::export::{Beside, Destination};
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
 use crate::tui::app::status::wrap;
@@ -31,12 +30,6 @@ pub(super) struct TableArguments {
     /// Replace an existing file
     #[arg(long, requires = "files")]
     force: bool,
-    /// CSV dialect
-    #[arg(long, default_value = "plain", value_name = "STYLE", requires = "csv", value_parser = choice(&Style::ALL, Style::word, Style::words))]
-    pub(super) csv_style: Style,
-    /// Where to write the scene and the command that reproduce the table
-    #[arg(long, default_value = "beside", value_name = "WHERE", requires = "csv", value_parser = choice(&Meta::ALL, Meta::word, Meta::words))]
-    pub(super) meta: Meta,
 }
 
 /// Reads one of these choices by its word; `--help` says what each is.
@@ -66,7 +59,7 @@ impl TableArguments {
             Some(path) => TableDestination::File(Destination {
                 path: path.clone(),
                 existing: self.existing(),
-                meta: self.meta,
+                has_scene: true,
             }),
         }
     }
@@ -83,19 +76,19 @@ impl TableArguments {
 
     /// Whether the table can be written where it is to go: checked before a long computation, not after it.
     pub(super) fn check(&self) -> Result<(), CliError> {
-        self.check_with(Meta::Inline)
+        self.check_with(false)
     }
 
     /// The same, and whether the scene can be written beside it.
     pub(super) fn check_beside(&self) -> Result<(), CliError> {
-        self.check_with(self.meta)
+        self.check_with(true)
     }
 
-    fn check_with(&self, meta: Meta) -> Result<(), CliError> {
+    fn check_with(&self, has_scene: bool) -> Result<(), CliError> {
         self.check_stdout()?;
         match self.target() {
             TableDestination::None | TableDestination::Stdout => Ok(()),
-            TableDestination::File(to) => Ok(Destination { meta, ..to }.check()?),
+            TableDestination::File(to) => Ok(Destination { has_scene, ..to }.check()?),
         }
     }
 
@@ -111,17 +104,16 @@ impl TableArguments {
 
     /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
     pub(super) fn of<'a>(&'a self, typed: &'a SceneArguments, scene: &'a Scene) -> Delivery<'a> {
-        self.of_scene(typed.name(), &typed.changes, Some(scene))
+        self.of_scene(&typed.changes, Some(scene))
     }
 
-    /// The same of a scene by its name and changes; of several scenes there is none to go beside the file.
+    /// The same of a scene by its changes; of several scenes there is none to go beside the file.
     pub(super) fn of_scene<'a>(
         &'a self,
-        name: &'a str,
         changes: &'a Changes,
         scene: Option<&'a Scene>,
     ) -> Delivery<'a> {
-        Delivery { table: self, source: Some(Source { name, changes, scene }) }
+        Delivery { table: self, source: Some(Source { changes, scene }) }
     }
 
     /// The same without a scene.
@@ -138,7 +130,6 @@ pub(super) struct Delivery<'a> {
 /// The scene, and the arguments that made it.
 #[derive(Clone, Copy)]
 struct Source<'a> {
-    name: &'a str,
     changes: &'a Changes,
     scene: Option<&'a Scene>,
 }
@@ -172,11 +163,10 @@ impl Delivery<'_> {
         csv: &dyn Fn() -> String,
     ) -> Result<(), CliError> {
         let table = self.table;
-        let text = || table.csv_style.file(&self.comments(), &csv());
         let written = match table.target() {
             TableDestination::None => Ok(()),
-            TableDestination::Stdout => return output::print(&text()?),
-            TableDestination::File(to) => self.write(to, &text()?),
+            TableDestination::Stdout => return output::print(&csv()),
+            TableDestination::File(to) => self.write(to, &csv()),
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
@@ -186,17 +176,6 @@ impl Delivery<'_> {
         Ok(written?)
     }
 
-    /// The lines at the head of the table, with `--meta inline`.
-    fn comments(&self) -> String {
-        if self.table.meta == Meta::Beside {
-            return String::new();
-        }
-        let scene = self.source.and_then(|source| Some((source.name, source.scene?)));
-        let scene =
-            scene.map(|(name, scene)| export::inline_scene(("scene", name), scene, |_| true));
-        missing_line() + &again::comment(None) + &scene.unwrap_or_default()
-    }
-
     /// The name of an incomplete table after an interrupt.
     fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
         let missing = missing_line();
@@ -204,7 +183,7 @@ impl Delivery<'_> {
         let beside = scene.map(|scene| Beside {
             run: None,
             scene,
-            notes: Box::new(|own| missing.clone() + &again::comment(Some(own))),
+            notes: Box::new(|own| missing.clone() + &again::comment(own)),
         });
         let to = to.placed(missing.is_empty());
         output::note_written(&to.write(text.as_bytes(), beside.as_slice())?);

@@ -9,17 +9,13 @@ use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use cmra_studies::enumeration;
-
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::style::Style;
 use crate::files::write;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables::{VARIABLES, Variable, is_used};
 use crate::report::run::{self, NamedRun, Rows};
 use crate::study::quantities::of_runs;
 
@@ -33,8 +29,8 @@ pub struct Destination {
     pub path: PathBuf,
     /// The handling of an existing file.
     pub existing: Existing,
-    /// Where the scene goes.
-    pub meta: Meta,
+    /// Whether its scene goes beside it.
+    pub has_scene: bool,
 }
 
 /// A scene that goes beside a table.
@@ -56,26 +52,6 @@ pub struct RunTable {
     pub runs: Vec<NamedRun>,
     /// Names of the columns to write, in order; empty: all.
     pub columns: Vec<String>,
-    /// CSV dialect.
-    pub style: Style,
-    /// Comment lines at the head of a table with its scene in it.
-    pub comments: String,
-}
-
-enumeration! {
-    /// Where the scene of an export goes.
-    #[derive(Default)]
-    pub enum Meta in MetaRow {
-        /// The word of the command line.
-        word: &'static str,
-        /// Its description.
-        words: &'static str,
-    }
-    /// Into a scene file beside the table, which runs it again to the same digits.
-    #[default]
-    Beside { word: "beside", words: "in a .toml file beside it, which runs it again" }
-    /// Into comment lines at the head of the table.
-    Inline { word: "inline", words: "in # lines at the top of the table" }
 }
 
 impl Destination {
@@ -106,7 +82,7 @@ impl Destination {
     /// A device or a pipe has no place beside it.
     fn has_beside(&self) -> bool {
         let is_ordinary = || fs::metadata(&self.path).map_or(true, |found| found.is_file());
-        self.meta == Meta::Beside && is_ordinary()
+        self.has_scene && is_ordinary()
     }
 
     /// Where a table goes that may be incomplete: such a table has a name of its own, and takes the place of no other.
@@ -198,16 +174,8 @@ impl RunTable {
     ///
     /// # Errors
     /// [`FileError::Refused`] when a wanted column does not exist.
-    pub fn text(&self, meta: Meta) -> Result<String, FileError> {
-        let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
-        let comments = match meta {
-            Meta::Beside => String::new(),
-            Meta::Inline => {
-                let runs = self.runs.iter().map(|(name, run)| inline(name, run));
-                std::iter::once(self.comments.clone()).chain(runs).collect()
-            }
-        };
-        self.style.file(&comments, &table)
+    pub fn text(&self) -> Result<String, FileError> {
+        Ok(run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?)
     }
 
     /// The scene of each run, with what came out of it.
@@ -217,51 +185,19 @@ impl RunTable {
             scenes.push(Beside {
                 run: (index > 0).then_some(name.as_str()),
                 scene: &run.scene,
-                notes: Box::new(|_| outcome(run, " =")),
+                notes: Box::new(|_| outcome(run)),
             });
         }
         scenes
     }
 }
 
-/// What gave a run and what came out, as comment lines `# key: value (unit)`.
-fn inline(name: &str, run: &Run) -> String {
-    inline_scene(("run", name), &run.scene, |_| true) + &outcome(run, ":")
-}
-
-/// A scene as comment lines `# key: value (unit)`, after what the table is (`run`, `sweep of`) and its name. Only those of its
-/// variables that are wanted.
-pub fn inline_scene(
-    (what, name): (&str, &str),
-    scene: &Scene,
-    wanted: impl Fn(&Variable) -> bool,
-) -> String {
-    let version = env!("CARGO_PKG_VERSION");
-    let mut text = format!("{MARK} {version}\n# {what}: {}\n", clean::line(name));
-    if !scene.title.is_empty() {
-        let _ = writeln!(text, "# title: {}", clean::line(&scene.title));
-    }
-    for variable in VARIABLES.iter().filter(|one| is_used(one, scene) && wanted(one)) {
-        let (value, unit) = (variable.show(scene), unit_behind(variable));
-        let _ = writeln!(text, "# {}: {value}{unit}", variable.key);
-    }
-    text
-}
-
-/// A variable's unit behind its value: ` (kg)`; nothing for a pure number.
-pub fn unit_behind(variable: &Variable) -> String {
-    match variable.unit() {
-        "" => String::new(),
-        unit => format!(" ({unit})"),
-    }
-}
-
-/// What came out of a run, as comment lines; the sign stands between a result's name and its value.
-fn outcome(run: &Run, sign: &str) -> String {
+/// What came out of a run, as comment lines.
+fn outcome(run: &Run) -> String {
     let mut text = format!("# outcome: {} ({})\n", run.shot_outcome().word(), run.end.words());
     for column in of_runs() {
         if let Some(value) = column.value(run) {
-            let _ = writeln!(text, "# {}{sign} {}", column.name, units::shortest(value));
+            let _ = writeln!(text, "# {} = {}", column.name, units::shortest(value));
         }
     }
     let _ = writeln!(text, "# method: {}", run.cost.method);
@@ -354,7 +290,7 @@ mod tests {
     fn a_table_that_is_not_complete_replaces_none() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let whole = Destination { path, existing: Existing::Replace, meta: Meta::Beside };
+        let whole = Destination { path, existing: Existing::Replace, has_scene: true };
         assert_eq!(whole.clone().placed(true), whole);
         let partial = whole.placed(false);
         assert_eq!(partial.path, folder.path().join("a.partial.csv"));
@@ -365,7 +301,7 @@ mod tests {
     fn whole_rows_of_a_table_that_cannot_grow_are_kept() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Keep, meta: Meta::Beside };
+        let to = Destination { path, existing: Existing::Keep, has_scene: true };
         let mut file = to.begin().unwrap();
         file.add(b"1\n2\n").unwrap();
         let error = to.kept(Some(file), FileError::NoHome).to_string();
@@ -378,12 +314,12 @@ mod tests {
     fn the_files_of_a_table_are_known_by_any_path() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        let to = Destination { path, existing: Existing::Keep, meta: Meta::Beside };
+        let to = Destination { path, existing: Existing::Keep, has_scene: true };
         for (name, is_own) in [("./a.csv", true), ("a.toml", true), ("a.svg", false)] {
             assert_eq!(to.has(&folder.path().join(name)), is_own, "{name}");
         }
-        let inline = Destination { meta: Meta::Inline, ..to };
-        assert!(!inline.has(&folder.path().join("a.toml")));
+        let alone = Destination { has_scene: false, ..to };
+        assert!(!alone.has(&folder.path().join("a.toml")));
     }
 
     #[test]
@@ -391,7 +327,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
         fs::write(&own, "format = 1").unwrap();
-        let to = Destination { path, existing: Existing::Replace, meta: Meta::Beside };
+        let to = Destination { path, existing: Existing::Replace, has_scene: true };
         let scene = Scene::default();
         let beside = Beside { run: None, scene: &scene, notes: Box::new(again) };
         assert!(to.write(b"1\n", &[beside]).is_err() && !to.path.exists());

@@ -1,4 +1,4 @@
-//! Where this program keeps its own files, by the conventions of the platform (XDG on Linux). `cmra paths` prints them.
+//! Where this program keeps its own files, by the conventions of the platform (XDG on Linux).
 
 use std::path::{Path, PathBuf};
 

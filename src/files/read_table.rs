@@ -53,9 +53,9 @@ pub(super) fn points(
     found.map_err(|(span, text)| reader.problem(span, text)).ok()
 }
 
-/// The points of a measured curve in a CSV file: displacement and force, the first two columns; a line of names may come first. They
-/// are in m and N unless the names end in other units: `x_mm,F_kN` or `travel (in),force (lbf)`. An end in brackets or after `_` or `/`
-/// must be a unit.
+/// The points of a measured curve in a CSV file; see [`Csv`] for how it may be written. Displacement and force stand in the columns
+/// whose headings have a unit of their kind or such a name, `time_s,displacement_mm,force_N` for example, else in the first two. They
+/// are in m and N where no unit is given. An end of a heading in brackets or after `_` or `/` must be a unit.
 ///
 /// # Errors
 /// [`FileError`] when the file cannot be read, or names the file, the line, what is wrong and the cure.
@@ -88,78 +88,158 @@ fn unit(heading: &str, quantity: Dimension) -> Option<f64> {
     units::parse(&format!("1 {unit}"), quantity, Bare::Stored).ok().filter(|_| !unit.is_empty())
 }
 
-/// The rows of a CSV text, each with its line, with any number of fields; `name` is that of the file, for errors.
-///
-/// # Errors
-/// In words, what cannot be read.
-pub(super) fn csv_rows(text: &str, name: &str) -> Result<Vec<(u64, csv::StringRecord)>, String> {
-    // The line after a row is known where each ends in LF.
-    let text: String =
-        text.trim_start_matches('\u{feff}').lines().flat_map(|line| [line, "\n"]).collect();
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
-    let (mut rows, mut row) = (Vec::new(), csv::StringRecord::new());
-    let broken = |error| format!("cannot read `{name}` as CSV: {error}");
-    while reader.read_record(&mut row).map_err(broken)? {
-        rows.push((reader.position().line() - 1, row.clone()));
+/// A CSV text as programs and test machines write it: values separated by commas, semicolons or tabs, decimal commas where commas do
+/// not separate, comment lines after `#`, the units in the headings or in a line of their own below them.
+struct Csv {
+    /// The headings, each with its unit, and their line; none where the first line has a number.
+    headings: Option<(u64, Vec<String>)>,
+    /// The fields of the other lines, each with its line.
+    rows: Vec<(u64, Vec<String>)>,
+    has_decimal_commas: bool,
+}
+
+impl Csv {
+    /// Read a text; in words, what cannot be read.
+    fn read(text: &str) -> Result<Self, String> {
+        // The line after a row is known where each ends in LF.
+        let text: String =
+            text.trim_start_matches('\u{feff}').lines().flat_map(|line| [line, "\n"]).collect();
+        let is_row = |line: &&str| !line.starts_with('#');
+        let separates =
+            |sign: &u8| text.lines().filter(is_row).any(|line| line.contains(char::from(*sign)));
+        let separator = [b';', b'\t'].into_iter().find(separates).unwrap_or(b',');
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .comment(Some(b'#'))
+            .delimiter(separator)
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut rows = Vec::new();
+        let mut row = csv::StringRecord::new();
+        while reader.read_record(&mut row).map_err(|error| error.to_string())? {
+            let fields = row.iter().map(str::to_owned).collect();
+            rows.push((reader.position().line() - 1, fields));
+        }
+        let mut csv = Self { headings: None, rows, has_decimal_commas: separator != b',' };
+        csv.headings = csv.words();
+        if csv.headings.is_some()
+            && let Some((_, units)) = csv.words()
+            && let Some((_, headings)) = &mut csv.headings
+        {
+            for (heading, unit) in headings.iter_mut().zip(units) {
+                *heading = format!("{heading} ({})", unit.trim_matches(['(', ')', '[', ']']));
+            }
+        }
+        Ok(csv)
     }
-    Ok(rows)
+
+    /// The first line, taken away, if it has no number.
+    fn words(&mut self) -> Option<(u64, Vec<String>)> {
+        let (_, first) = self.rows.first()?;
+        let is_words = first.iter().all(|field| self.number(field).is_none());
+        is_words.then(|| self.rows.remove(0))
+    }
+
+    fn number(&self, field: &str) -> Option<f64> {
+        let field =
+            if self.has_decimal_commas { field.replace(',', ".") } else { field.to_owned() };
+        field.parse().ok().filter(|number: &f64| number.is_finite())
+    }
+}
+
+/// A column of a curve: its quantity, and the words that its heading may have instead of a unit.
+struct Measured {
+    quantity: Dimension,
+    letter: &'static str,
+    words: &'static [&'static str],
+}
+
+const DISPLACEMENT: Measured = Measured {
+    quantity: Dimension::Length,
+    letter: "x",
+    words: &["displacement", "travel", "extension", "stroke", "deflection", "position"],
+};
+const FORCE: Measured =
+    Measured { quantity: Dimension::Force, letter: "F", words: &["force", "load"] };
+
+impl Measured {
+    /// The column that these headings give it, by a unit before a name.
+    fn column(&self, headings: &[String]) -> Option<usize> {
+        let is_named = |heading: &String| {
+            let lower = heading.to_lowercase();
+            let first = heading.split(|c: char| !c.is_alphanumeric()).next();
+            self.words.iter().any(|word| lower.contains(word))
+                || first.is_some_and(|first| first.eq_ignore_ascii_case(self.letter))
+        };
+        let has_unit = |heading: &String| unit(heading, self.quantity).is_some();
+        headings.iter().position(has_unit).or_else(|| headings.iter().position(is_named))
+    }
+
+    /// The unit of its heading in the stored one; in words, what is wrong with it.
+    fn factor(&self, heading: &str) -> Result<f64, String> {
+        let found = unit(heading, self.quantity);
+        match end(heading).filter(|_| found.is_none()) {
+            Some((word, true)) => Err(format!(
+                "`{}` is not a unit of `{}`: write mm, m, N, kN or lbf, or no unit for m and N",
+                clean::line(word),
+                clean::line(heading)
+            )),
+            _ => Ok(found.unwrap_or(1.0)),
+        }
+    }
+}
+
+/// The columns of displacement and force, and their units in m and N.
+fn columns(headings: &[String]) -> Result<[(usize, f64); 2], String> {
+    let found = [DISPLACEMENT, FORCE].map(|measured| measured.column(headings));
+    let places = match found {
+        [Some(x), Some(force)] if x != force => [x, force],
+        [Some(x), _] if headings.len() == 2 => [x, 1 - x],
+        [_, Some(force)] if headings.len() == 2 => [1 - force, force],
+        [None, None] if headings.len() >= 2 => [0, 1],
+        _ => {
+            return Err(format!(
+                "of the columns `{}` one must be a displacement and one a force: name them so, or give them units, as in \
+                 `displacement_mm,force_N`",
+                clean::line(&headings.join("`, `"))
+            ));
+        }
+    };
+    let [x, force] = places;
+    Ok([(x, DISPLACEMENT.factor(&headings[x])?), (force, FORCE.factor(&headings[force])?)])
 }
 
 fn points_in(text: &str, path: &Path) -> Result<Arc<[[f64; 2]]>, String> {
     const SHOWN_MAX: usize = 80;
-    let name = path.to_string_lossy();
-    let shown = clean::line(&name);
-    let mut points = Vec::new();
-    let mut units = [1.0; 2];
-    for (index, (line, row)) in csv_rows(text, &shown)?.iter().enumerate() {
-        let finite = |number: &f64| number.is_finite();
-        let field = |at: usize| row.get(at).and_then(|field| field.parse().ok()).filter(finite);
-        match (field(0), field(1)) {
-            (Some(x), Some(force)) => points.push([units[0] * x, units[1] * force]),
-            (None, None) if index == 0 => {
-                let [x, force] = [0, 1].map(|at| row.get(at).unwrap_or_default());
-                let swapped = unit(x, Dimension::Force).or_else(|| unit(force, Dimension::Length));
-                if swapped.is_some() {
-                    return Err(format!(
-                        "`{shown}`, line {line}: `{}` names a force before a displacement: write displacement first, then force",
-                        clean::line(&format!("{x},{force}"))
-                    ));
-                }
-                for (at, heading, quantity) in
-                    [(0, x, Dimension::Length), (1, force, Dimension::Force)]
-                {
-                    let found = unit(heading, quantity);
-                    if let Some((word, true)) = end(heading).filter(|_| found.is_none()) {
-                        return Err(format!(
-                            "`{shown}`, line {line}: `{}` is not a unit of `{}`: write mm, m, N, kN or lbf, or no unit for m \
-                             and N",
-                            clean::line(word),
-                            clean::line(heading)
-                        ));
-                    }
-                    units[at] = found.unwrap_or(1.0);
-                }
-            }
-            _ => {
-                return Err(format!(
-                    "`{shown}`, line {line}: `{}` is not a point: write displacement in m and force in N, separated by a comma, \
-                     as in 0.01,1000",
-                    clean::line(
-                        &row.iter()
-                            .collect::<Vec<_>>()
-                            .join(",")
-                            .chars()
-                            .take(SHOWN_MAX)
-                            .collect::<String>()
-                    )
-                ));
-            }
+    let name = clean::line(&path.to_string_lossy()).into_owned();
+    let csv = Csv::read(text).map_err(|error| format!("cannot read `{name}` as CSV: {error}"))?;
+    let at = |line: u64, problem: String| format!("`{name}`, line {line}: {problem}");
+    let [x, force] = match &csv.headings {
+        None => [(0, 1.0), (1, 1.0)],
+        Some((line, headings)) => columns(headings).map_err(|problem| at(*line, problem))?,
+    };
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for (line, row) in &csv.rows {
+        let value = |(column, factor): (usize, f64)| Some(factor * csv.number(row.get(column)?)?);
+        let Some(point) = value(x).zip(value(force)).map(<[f64; 2]>::from) else {
+            let shown: String = row.join(",").chars().take(SHOWN_MAX).collect();
+            let problem = format!(
+                "`{}` is not a point: write displacement in m and force in N, as in 0.01,1000",
+                clean::line(&shown)
+            );
+            return Err(at(*line, problem));
+        };
+        if let Some([before, _]) = points.last().filter(|[before, _]| point[0] < *before) {
+            let problem = format!(
+                "the displacement falls from {} to {} m, an unloading branch: a spring has one force at each displacement; keep \
+                 only the rows of loading",
+                units::shortest(*before),
+                units::shortest(point[0])
+            );
+            return Err(at(*line, problem));
         }
+        points.push(point);
     }
     Ok(points.into())
 }
@@ -194,6 +274,39 @@ mod tests {
         let wrong = "# measured\r\nx_mm,F_kN\r\n\r\n1,2\r\n3,four\r\n";
         let error = points_in(wrong, Path::new("F.csv")).unwrap_err();
         assert!(error.contains("line 5: `3,four`"), "{error}");
-        assert!(points("F_kN,x_mm").unwrap_err().contains("write displacement first"));
+    }
+
+    /// 2 mm and 3 kN, as several programs write them.
+    #[test]
+    fn a_curve_is_read_as_test_machines_export_it() {
+        for text in [
+            "time_s,displacement_mm,force_N\n0.1,2,3000\n",
+            "F_kN,x_mm\n3,2\n",
+            "Time;Displacement;Force\ns;mm;kN\n0,1;2,0;3,0\n",
+            "Time\tExtension\tLoad\n(s)\t(mm)\t(N)\n0.1\t2.0\t3e3\n",
+            "\u{feff}Travel [mm];Mount force [kN]\r\n2,0;3,0\r\n",
+            "0,002;3000\n",
+        ] {
+            let [x, force] = points_in(text, Path::new("F.csv")).unwrap()[0];
+            assert!((x - 2e-3).abs() < 1e-17 && (force - 3e3).abs() < 1e-9, "{text}: {x} {force}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_curve_is_refused_by_name() {
+        for (text, told) in [
+            (
+                "x_mm,F_N\n0,0\n1,10\n0.5,2\n",
+                "line 4: the displacement falls from 0.001 to 0.0005 m, an unloading branch",
+            ),
+            (
+                "time_s,strain,force_N\n0,0,0\n",
+                "line 1: of the columns `time_s`, `strain`, `force_N` one must be a displacement",
+            ),
+            ("1.000,5;3\n", "line 1: `1.000,5,3` is not a point"),
+        ] {
+            let error = points_in(text, Path::new("F.csv")).unwrap_err();
+            assert!(error.contains(told), "{error}");
+        }
     }
 }

@@ -38,30 +38,15 @@ pub struct Subject<'a> {
     pub sweep: Option<&'a Grid>,
 }
 
-/// The format of a report, by the ending of its file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// With its charts as SVG.
-    Html,
-    /// With its charts as text.
-    Markdown,
-}
-
-impl Format {
-    /// That of a file; `None` where its ending is of no report.
-    pub fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_string_lossy().to_lowercase();
-        match ending.as_str() {
-            "html" | "htm" | "xhtml" => Some(Self::Html),
-            "md" | "markdown" => Some(Self::Markdown),
-            _ => None,
-        }
-    }
+/// Whether the ending of a file is that of a report.
+pub fn is_report(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    matches!(ending.as_str(), "html" | "htm" | "xhtml")
 }
 
 impl Subject<'_> {
-    /// The text of the report; `draw` makes text of a picture.
-    pub fn text(&self, format: Format, draw: impl Fn(&Picture) -> String) -> String {
+    /// The text of the report, as HTML.
+    pub fn html(&self) -> String {
         let mut document = self.head();
         results(&mut document, self.run);
         let charts = selected(self.run).into_iter().map(Picture::Chart).map(block);
@@ -69,11 +54,7 @@ impl Subject<'_> {
         section(&mut document, "Ballistic limit", ballistic_limit(self.limit));
         section(&mut document, "Sweep", self.sweep.map(own_sweep).unwrap_or_default());
         section(&mut document, "Run it again", self.again());
-        let text = match format {
-            Format::Html => document.html(),
-            Format::Markdown => document.markdown(draw),
-        };
-        clean::page(&text).into_owned()
+        clean::page(&document.html()).into_owned()
     }
 
     /// The title, the warnings, and the changed inputs.

@@ -1,6 +1,6 @@
 //! The results of studies for people: tables, charts, maps and whole reports, each from one description.
 //!
-//! A description knows neither screen nor file; the renderers make SVG, HTML and Markdown of it, `tui::plain` lines of text.
+//! A description knows neither screen nor file; the renderers make SVG and HTML of it, `tui::plain` lines of text.
 
 pub mod accuracy;
 pub mod chart;
@@ -8,7 +8,6 @@ pub mod clean;
 pub mod compare;
 pub mod document;
 pub mod figures;
-pub mod fit;
 pub mod front;
 pub mod law;
 pub mod limit;

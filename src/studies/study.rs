@@ -6,14 +6,12 @@
 pub mod accuracy;
 pub mod compare;
 pub mod context;
-pub mod fit;
 pub mod limit;
 pub mod models;
 pub mod monte_carlo;
 pub mod parallel;
 pub mod principles;
 pub mod quantities;
-pub mod screening;
 pub mod search;
 pub mod sensitivity;
 pub mod stability;
@@ -34,15 +32,7 @@ use serde::Deserialize;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
-use crate::model::variables::{self, Value, VariableError, changed, changed_free_plate};
-
-/// A scene with numbers changed, by symbol and in the stored units.
-fn with_numbers(mut scene: Scene, changes: &[(&str, f64)]) -> Result<Scene, VariableError> {
-    for (name, value) in changes {
-        variables::find(name)?.set(&mut scene, Value::Number(*value))?;
-    }
-    Ok(scene)
-}
+use crate::model::variables::{changed, changed_free_plate};
 
 /// A run without its course in time and without an estimate of its error; `None` for a scene that makes no physical sense.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {

@@ -134,9 +134,7 @@ impl App {
             scene: Arc::clone(&self.scene),
             base: self.base.clone(),
             search: Arc::clone(&self.pages.search.setup),
-            limit: self.pages.limit.setup,
             plan: self.pages.explore.plan,
-            weights: self.pages.thesis.weights,
         }
     }
 

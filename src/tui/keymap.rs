@@ -1,5 +1,5 @@
 //! The key table: keys and the one meaning each has in every pane, what a key does in particular in a pane, and every action by
-//! name. `cmra keys`, `?`, the footer, `:` and the routing of keys all read it. Knows no state and no screen.
+//! name. `cmra help keys`, `?`, the footer, `:` and the routing of keys all read it. Knows no state and no screen.
 
 use std::collections::BTreeMap;
 
@@ -228,7 +228,7 @@ impl Keymap {
         for (name, keys) in wanted {
             let Some((action, _, _)) = bound().find(|(_, id, _)| id == name) else {
                 return Err(format!(
-                    "[keys] {name}: no action has this name; `cmra keys` lists the names"
+                    "[keys] {name}: no action has this name; `cmra help keys` lists the names"
                 ));
             };
             let read = |text: &String| {
@@ -523,7 +523,7 @@ mod tests {
         assert_eq!(none.shown("<undo> undoes, <redo> redoes"), ":undo undoes, Ctrl-r redoes");
         let refused = Keymap::remapped(&wanted("undo", "r")).unwrap_err();
         assert!(refused.contains("both") && refused.contains("undo"), "{refused}");
-        assert!(Keymap::remapped(&wanted("undoo", "U")).unwrap_err().contains("cmra keys"));
+        assert!(Keymap::remapped(&wanted("undoo", "U")).unwrap_err().contains("cmra help keys"));
         assert!(Keymap::remapped(&wanted("undo", "hyper")).unwrap_err().contains("no such key"));
     }
 }

@@ -9,7 +9,7 @@ use crossterm::event::KeyEvent;
 
 use crate::files::clean;
 use crate::files::error::FileError;
-use crate::files::export::{self, Beside, Destination, Meta, RunTable};
+use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::{Scene, WhichSpring};
 use crate::model::variables::{self, VariableError};
@@ -227,7 +227,7 @@ impl PageTable {
         Self { title, file: file.into(), is_complete, csv: Arc::new(csv), source: None }
     }
 
-    /// The same as a table of a scene, which a command makes again: `limit --monte-carlo 0`.
+    /// The same as a table of a scene, which a command makes again: `limit --criterion protrusion`.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
         let (name, options) = command.split_once(' ').unwrap_or((command, ""));
         let (name, options) = (format!("cmra {name} "), format!(" {options}"));
@@ -267,9 +267,9 @@ impl Content {
     }
 
     /// The text of the file.
-    pub fn text(&self, meta: Meta) -> Result<String, FileError> {
+    pub fn text(&self) -> Result<String, FileError> {
         match self {
-            Self::Runs(runs) => runs.text(meta),
+            Self::Runs(runs) => runs.text(),
             Self::Page(table) => Ok((table.csv)(table.source.as_ref().map_or("", |it| &it.name))),
             Self::Text(text) => Ok(text.clone()),
         }

@@ -317,7 +317,7 @@ pages! {
     Limit, limit::LimitTab, "tab-limit", "3", "The ballistic limit, and the comparison at equal areal mass.", limit: limit::state::Ballistic;
     Search, search::SearchTab, "tab-search", "4", "Goal seek, Pareto front, sensitivity, Monte Carlo.", search: search::state::Searching;
     Numerics, numerics::NumericsTab, "tab-numerics", "5", "Accuracy and stability of the methods.", numerics: numerics::Numerics;
-    Thesis, thesis::ThesisTab, "tab-thesis", "6", "The thesis: its claims, its principles, its screening matrix.", thesis: thesis::Thesis;
+    Thesis, thesis::ThesisTab, "tab-thesis", "6", "The thesis: what is computed of it, its principles, its concepts.", thesis: thesis::Thesis;
     Log, log::LogTab, "tab-log", "7", "Warnings, events, energy, cost and messages.", log: log::Log;
 }
 

@@ -17,11 +17,6 @@ pub(crate) type Size = (u16, u16);
 const CHART: Size = (78, 16);
 pub(crate) const MAP: Size = (78, 26);
 
-/// A picture as wide as a page of 80 columns.
-pub(crate) fn picture(picture: &Picture) -> String {
-    within(picture, CHART.0)
-}
-
 /// A picture of at most this width.
 pub(crate) fn within(picture: &Picture, width: u16) -> String {
     match picture {

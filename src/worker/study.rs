@@ -9,8 +9,9 @@ use std::ops::ControlFlow;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use super::clock::Clock;
 use super::quiet::Quiet;
 use super::runs::Cache;
 use super::{JobProgress, ReportBody, Shared, Slot, Task};
@@ -127,7 +128,8 @@ pub struct Reporter<'a> {
     measured: Option<&'a Quiet>,
     /// The last few runs.
     pub(super) runs: &'a Mutex<Cache>,
-    started: Instant,
+    clock: &'a Clock,
+    started: Duration,
     /// How long the computation took, where that is not the time since the start.
     pub(super) took: Cell<Option<Duration>>,
     /// When progress was reported last, and a part, counted from the start.
@@ -150,7 +152,8 @@ impl<'a> Reporter<'a> {
             tempo: task.study.tempo(),
             measured: task.study.measures().then_some(&shared.quiet),
             runs: &shared.runs,
-            started: Instant::now(),
+            clock: &shared.clock,
+            started: (shared.clock)(),
             took: Cell::new(None),
             told: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
@@ -164,13 +167,13 @@ impl<'a> Reporter<'a> {
 
     /// How long it has been running.
     pub(super) fn elapsed(&self) -> Duration {
-        self.started.elapsed()
+        (self.clock)().saturating_sub(self.started)
     }
 
     /// The time it has been running, s, for all of its threads.
     pub fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
-        let started = self.started;
-        move || started.elapsed().as_secs_f64()
+        let (clock, started) = (Arc::clone(self.clock), self.started);
+        move || clock().saturating_sub(started).as_secs_f64()
     }
 
     pub(super) fn goes_on(&self) -> ControlFlow<()> {

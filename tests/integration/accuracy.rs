@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
-use assert_cmd::Command;
 use serde_json::Value;
 
 fn cmra(arguments: &[&str]) -> std::process::Output {
-    Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap()
+    crate::support::program().args(arguments).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {

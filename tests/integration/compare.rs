@@ -95,7 +95,7 @@ fn a_limit_beyond_the_range_is_reported_without_a_number() {
 #[test]
 fn oblique_limits_come_with_a_caution() {
     let oblique = ["--set", "theta=30deg"];
-    let limit = says("limit", &["--json", "--scatter", "0", oblique[0], oblique[1]], 0).0;
+    let limit = says("limit", &["--json", oblique[0], oblique[1]], 0).0;
     let limit: Value = serde_json::from_str(&limit).unwrap();
     let caution = limit["caution"].as_str().unwrap();
     assert!(output(&oblique).contains("caution: "), "{}", output(&oblique));

@@ -240,86 +240,9 @@ proptest! {
 }
 
 #[test]
-fn a_table_has_the_chosen_dialect_and_its_scene_beside_or_inline() {
-    let table = |arguments: &[&str]| says("run", &[&["--csv", "-"], arguments].concat(), 0).0;
-    let plain = table(&[]);
-    assert!(plain.starts_with("time_s,mode,penetration_m,") && !plain.contains('\r'));
-    assert_eq!(table(&["--csv-style", "crlf"]), plain.replace('\n', "\r\n"));
-    // Reading decimal commas back gives the same numbers.
-    let excel = table(&["--csv-style", "excel-eu"]);
-    let body = excel.strip_prefix('\u{feff}').unwrap();
-    for (row, spelt) in plain.lines().zip(body.split("\r\n")) {
-        let spelt: Vec<String> = spelt.split(';').map(|field| field.replace(',', ".")).collect();
-        assert_eq!(spelt.join(","), row);
-    }
-    // The lines before the table say what was run; a reader that skips them finds the plain table.
-    let inline = table(&["--meta", "inline", "--set", "gamma=2"]);
-    let (comments, rows): (Vec<&str>, Vec<&str>) =
-        inline.lines().partition(|line| line.starts_with('#'));
-    assert_eq!(rows.join("\n") + "\n", table(&["--set", "gamma=2"]));
-    for start in [
-        "# plate.mass_ratio: 2",
-        "# projectile.velocity_m_s: 100 (m/s)",
-        "# outcome: arrested (",
-        "# first_arrest_penetration_m: 0.00",
-    ] {
-        let found = comments.iter().any(|line| line.starts_with(start));
-        assert!(found, "{start} is not in\n{}", comments.join("\n"));
-    }
-    // A file with its scene within has none beside it.
-    let place = tempfile::tempdir().unwrap();
-    let path = place.path().join("a.csv");
-    says("run", &["--meta", "inline", "--csv", path.to_str().unwrap()], 0);
-    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
-    // Sweeps are rewritten as they are made.
-    let sweep = |style: &str| {
-        says("sweep", &["--over", "gamma=1..2:300", "--csv", "-", "--csv-style", style], 0).0
-    };
-    assert_eq!(sweep("crlf"), sweep("plain").replace('\n', "\r\n"));
-    let excel = sweep("excel-eu");
-    assert_eq!(excel.matches('\u{feff}').count(), 1);
-    assert_eq!(excel.lines().count(), 301);
-}
-
-#[test]
-fn the_head_of_a_sweep_lists_held_and_varied_variables() {
-    let table = |meta: &[&str]| {
-        let over = ["--over", "gamma=1..2:3", "--over", "k=1e3..1e5:2:log", "--set", "d=0.01"];
-        says("sweep", &[&over[..], &["--outputs", "stroke_m", "--csv", "-"], meta].concat(), 0).0
-    };
-    let inline = table(&["--meta", "inline"]);
-    let (comments, rows): (Vec<&str>, Vec<&str>) =
-        inline.lines().partition(|line| line.starts_with('#'));
-    assert_eq!(rows.join("\n") + "\n", table(&[]));
-    for line in [
-        "# sweep of: thesis-baseline",
-        "# plate.cocking_m: 0.01 (m)",
-        "# over plate.mass_ratio: 1..2:3",
-        "# over mechanism.spring.coefficient: 1000..1e5:2:log (N/m^n)",
-        "# design: factorial",
-    ] {
-        assert!(comments.contains(&line), "{line} is not in\n{}", comments.join("\n"));
-    }
-    // What varies has no one value.
-    assert!(!comments.iter().any(|line| line.starts_with("# plate.mass_ratio")));
-    // Only the first part has a head; a file with its scene within has none beside it.
-    let second = table(&["--meta", "inline", "--shard", "2/2"]);
-    assert!(!second.contains('#') && !second.is_empty(), "{second}");
-    let place = tempfile::tempdir().unwrap();
-    let path = place.path().join("a.csv");
-    let path = path.to_str().unwrap();
-    says("sweep", &["--over", "d=0..0.1:2", "--meta", "inline", "--csv", path], 0);
-    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
-}
-
-#[test]
 fn an_unknown_result_gets_the_nearest_names_in_a_short_line() {
     for (command, arguments, hint) in [
-        (
-            "sweep",
-            ["--over", "d=0..1:2", "--outputs", "foo"],
-            "`cmra explain quantities` lists all",
-        ),
+        ("sweep", ["--over", "d=0..1:2", "--outputs", "foo"], "`cmra explain` lists all"),
         ("sweep", ["--over", "d=0..1:2", "--outputs", "strok"], "did you mean `stroke_m`?"),
         (
             "seek",

@@ -35,6 +35,8 @@ mod monte_carlo;
 #[cfg(test)]
 mod mount_loads;
 #[cfg(test)]
+mod next_engine;
+#[cfg(test)]
 mod optimise;
 #[cfg(test)]
 mod oracle;

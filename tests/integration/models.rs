@@ -1,9 +1,8 @@
 //! `cmra run --compare`, and models set by name.
 
-use assert_cmd::Command;
 
 fn cmra(arguments: &[&str]) -> (String, i32) {
-    let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+    let output = crate::support::program().args(arguments).output().unwrap();
     let text =
         String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap();
     (text, output.status.code().unwrap())

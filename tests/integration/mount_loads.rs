@@ -51,7 +51,9 @@ fn valid_a_preloaded_plate_that_only_goes_back_does_not_stand_still() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("preloaded.csv");
     std::fs::write(&table, "-0.02,-1000\n0.01,5000\n").unwrap();
-    let found = run(&format!("table={} v_i=10", table.display()));
+    let table = format!("table={}", table.display());
+    let (found, _) = says("run", &["--set", &table, "--set", "v_i=10", "--json"], 0);
+    let found = serde_json::from_str(&found).unwrap();
     assert_near(number(&found, "peak_mount_force_n"), 3000.0, 1e-12);
 }
 
@@ -78,6 +80,20 @@ fn valid_an_elastic_stop_takes_the_momentum_of_a_coasting_plate_however_far_away
         assert_near(number(&found, "peak_mount_force_n"), force, 0.02);
         assert_near(number(&found, "mount_impulse_n_s"), momentum, 1e-4);
     }
+}
+
+/// The mount takes all momentum of a shot that stays in a plate at rest, of both bodies, 2.95 N s, whatever brings the plate to rest; of a shot that
+/// goes through what the plate has got of it.
+#[test]
+fn valid_the_hit_on_a_rigid_stop_belongs_to_the_impulse() {
+    for more in ["", "e=0.5", "x_stop=1mm", "interface=plastic", "theta=30deg v_i=60"] {
+        let found = run(&format!("k=1e5 x_stop=5mm {more}"));
+        let taken = if more.contains("theta") { 0.0295 * 60.0 * 0.75f64.sqrt() } else { 2.95 };
+        assert_near(number(&found, "mount_impulse_n_s"), taken, 1e-9);
+    }
+    let through = run("h=3mm v_i=400 k=0 x_stop=30mm");
+    let momentum = 0.0295 * (400.0 - number(&through, "residual_velocity_m_s"));
+    assert_near(number(&through, "mount_impulse_n_s"), momentum, 1e-9);
 }
 
 /// A damper alone stops the plate at last: the mount takes all of the shot's momentum, 0.0295 kg at 50 m/s.

@@ -295,6 +295,25 @@ fn valid_a_damped_stop_resumes_penetration_at_once() {
     }
 }
 
+/// Where the joined body's swing asks for a little more than the interface carries, the projectile slips on the way forward too.
+#[test]
+fn valid_slips_before_the_greatest_displacement_do_not_hide_it() {
+    for pairs in [
+        "gamma=0.8 k=7.6e6 g=2",
+        "gamma=0.8 k=7.54e6 g=2",
+        "gamma=1.2 k=3.7e9 n=2 g=3",
+        "gamma=0.8 k=7.6e6 g=0.1",
+    ] {
+        let run = agree(&format!("{pairs} interface=plastic run.horizon_s=6e-4"));
+        assert!(run.unwrap().max_plate_displacement_m.is_some(), "{pairs}");
+    }
+    let own = scene("gamma=0.8 k=7.6e6 g=2 interface=plastic");
+    let far_m = program(&own).max_plate_displacement_m.unwrap();
+    let mut shot = Shot::new(&own, 2e-9);
+    assert!(shot.go_to(3e-4));
+    assert!((far_m / shot.farthest_m - 1.0).abs() < 1e-6, "{far_m}, not {}", shot.farthest_m);
+}
+
 /// What it lets go of and meets again before that is clear of it, at a twentieth of the other tests' steps.
 #[test]
 fn valid_a_damped_elastic_stop_presses_again_a_plate_that_turns_before_it_is_clear() {

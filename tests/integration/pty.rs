@@ -1,6 +1,6 @@
 //! A terminal without a person: the program runs in a pseudo-terminal, an emulator reads what it draws.
 //!
-//! Every wait is on a channel and has a deadline; nothing sleeps.
+//! A wait is for something to come, however long that takes: nothing sleeps, and no test goes on because time has passed.
 
 use std::io::{Read, Write};
 use std::num::NonZeroU16;
@@ -14,8 +14,13 @@ use std::time::{Duration, Instant};
 use portable_pty::{CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
 use rustix::process::{Pid, Signal, kill_process};
 
-/// How long anything may take before a test gives up: generous, for busy machines.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+/// A test that waits so long for anything hangs.
+pub(crate) const HANG: Duration = Duration::from_secs(120);
+
+/// The beginning and the end of a frame (synchronised update), and what clears the screen within one.
+const FRAME: &[u8] = b"\x1b[?2026h";
+const FRAME_END: &[u8] = b"\x1b[?2026l";
+const CLEAR: &[u8] = b"\x1b[2J";
 
 /// The usual size of the screens under test.
 const SIZE: (u16, u16) = (80, 24);
@@ -52,8 +57,8 @@ pub(crate) struct Terminal {
     exit: Receiver<ExitStatus>,
     parser: vt100::Parser,
     process: Pid,
-    /// Bytes drawn so far.
-    pub(crate) drawn: usize,
+    /// All bytes drawn so far.
+    drawn: Vec<u8>,
     /// The modes of the terminal before the program.
     modes_before: String,
     /// Home, and where the program was started.
@@ -97,7 +102,7 @@ impl Terminal {
             exit,
             parser: vt100::Parser::new(rows(SIZE.1), rows(SIZE.0), 0),
             process,
-            drawn: 0,
+            drawn: Vec::new(),
             modes_before,
             home: Some(home),
         }
@@ -121,7 +126,7 @@ impl Terminal {
         what: &str,
         wanted: impl Fn(&vt100::Screen) -> bool,
     ) -> String {
-        let deadline = Instant::now() + PATIENCE;
+        let deadline = Instant::now() + HANG;
         loop {
             if wanted(self.parser.screen()) {
                 return self.parser.screen().contents();
@@ -141,17 +146,56 @@ impl Terminal {
         self.wait_until(text, |screen| screen.contents().contains(text))
     }
 
-    /// Take what is drawn until nothing has come for a while; gives the number of bytes.
-    pub(crate) fn settle(&mut self, quiet: Duration) -> usize {
-        let before = self.drawn;
-        while let Ok(bytes) = self.bytes.recv_timeout(quiet) {
+    /// Wait until the program has dealt with all keys sent so far: it has answered a request to redraw the screen.
+    pub(crate) fn sync(&mut self) {
+        self.send("\x0c");
+        self.wait_redrawn();
+    }
+
+    /// Wait for a whole frame, from now on, that clears the screen first.
+    pub(crate) fn wait_redrawn(&mut self) {
+        let before = self.drawn.len();
+        let deadline = Instant::now() + HANG;
+        let is_redrawn = |drawn: &[u8]| {
+            let cleared = find(drawn, CLEAR);
+            cleared.is_some_and(|at| find(&drawn[at..], FRAME_END).is_some())
+        };
+        while !is_redrawn(&self.drawn[before..]) {
+            let left = deadline.saturating_duration_since(Instant::now());
+            let bytes = self.bytes.recv_timeout(left).expect("it redraws");
             self.take(&bytes);
         }
-        self.drawn - before
+    }
+
+    /// All that was drawn so far, as text.
+    pub(crate) fn text(&self) -> String {
+        String::from_utf8_lossy(&self.drawn).into_owned()
+    }
+
+    /// The number of bytes of each frame so far.
+    pub(crate) fn frames(&self) -> Vec<usize> {
+        let mut frames = Vec::new();
+        let mut rest = &self.drawn[..];
+        while let Some(begin) = find(rest, FRAME) {
+            let Some(size) = find(&rest[begin..], FRAME_END) else { break };
+            frames.push(size + FRAME_END.len());
+            rest = &rest[begin + size..];
+        }
+        frames
+    }
+
+    /// Forget what was drawn, but for the screen.
+    pub(crate) fn forget(&mut self) {
+        self.drawn.clear();
+    }
+
+    /// Draw over the screen, as another program does.
+    pub(crate) fn scribble(&mut self, bytes: &[u8]) {
+        self.parser.process(bytes);
     }
 
     fn take(&mut self, bytes: &[u8]) {
-        self.drawn += bytes.len();
+        self.drawn.extend_from_slice(bytes);
         self.parser.process(bytes);
     }
 
@@ -188,13 +232,11 @@ impl Terminal {
         self.hold.store(true, Ordering::SeqCst);
     }
 
-    /// Take bytes again, and all that is there.
+    /// Take bytes again, and all that is there, once the program has ended.
     pub(crate) fn take_again(&mut self) {
         self.hold.store(false, Ordering::SeqCst);
         self.release.send(()).expect("the reader is on hold");
-        while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(200)) {
-            self.take(&bytes);
-        }
+        self.take_rest();
     }
 
     /// Close the terminal, as a dropped connection does.
@@ -202,7 +244,7 @@ impl Terminal {
         // The reading thread holds a handle of its own: a redraw wakes it up, and it lets go.
         self.stop_reading.store(true, Ordering::SeqCst);
         self.send("\x0c");
-        let deadline = Instant::now() + PATIENCE;
+        let deadline = Instant::now() + HANG;
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.bytes.recv_timeout(left) {
@@ -218,13 +260,24 @@ impl Terminal {
     }
 
     /// Wait for the end of the program and take all it has drawn.
-    pub(crate) fn wait_exit(&mut self, patience: Duration) -> ExitStatus {
-        let status = self.exit.recv_timeout(patience).expect("it ends in time");
-        // Its last bytes are in the terminal by now; the reader ends when the other end is closed.
-        while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(200)) {
-            self.take(&bytes);
+    pub(crate) fn wait_exit(&mut self) -> ExitStatus {
+        let status = self.exit.recv_timeout(HANG).expect("it ends");
+        if !self.hold.load(Ordering::SeqCst) {
+            self.take_rest();
         }
         status
+    }
+
+    /// The last bytes of a program that has ended: reading ends when the other end is closed.
+    fn take_rest(&mut self) {
+        while let Ok(bytes) = self.bytes.recv_timeout(HANG) {
+            self.take(&bytes);
+        }
+    }
+
+    /// Whether the modes of the terminal are those from before the program.
+    pub(crate) fn has_old_modes(&self) -> bool {
+        self.master.as_ref().is_none_or(|master| modes(master.as_ref()) == self.modes_before)
     }
 
     /// The terminal is as it was: main screen, cursor, no paste or mouse reports, the old modes.
@@ -234,9 +287,7 @@ impl Terminal {
         assert!(!screen.hide_cursor(), "the cursor is hidden");
         assert!(!screen.bracketed_paste(), "bracketed paste is on");
         assert_eq!(screen.mouse_protocol_mode(), vt100::MouseProtocolMode::None);
-        if let Some(master) = &self.master {
-            assert_eq!(modes(master.as_ref()), self.modes_before);
-        }
+        assert!(self.has_old_modes(), "the modes are others");
     }
 
     /// A file below the home directory.
@@ -261,14 +312,18 @@ impl Drop for Terminal {
 
 /// Wait until the system gives a process this state: T is stopped.
 pub(crate) fn wait_for_state(process: &str, wanted: char) {
-    let deadline = Instant::now() + PATIENCE;
-    loop {
+    wait_while(&format!("{process} is not {wanted}"), || {
         let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("it is there");
         let state = stat.rsplit(')').next().and_then(|rest| rest.trim().chars().next());
-        if state == Some(wanted) {
-            return;
-        }
-        assert!(Instant::now() < deadline, "{process} is {state:?}, not {wanted}");
+        state != Some(wanted)
+    });
+}
+
+/// Wait while something holds.
+pub(crate) fn wait_while(what: &str, mut holds: impl FnMut() -> bool) {
+    let deadline = Instant::now() + HANG;
+    while holds() {
+        assert!(Instant::now() < deadline, "{what}");
         thread::yield_now();
     }
 }
@@ -307,6 +362,11 @@ fn command(start: &Start<'_>, home: &Path) -> CommandBuilder {
 /// The modes of a terminal, in whatever words.
 fn modes(master: &dyn MasterPty) -> String {
     format!("{:?}", master.get_termios())
+}
+
+/// Where bytes are among others.
+fn find(all: &[u8], wanted: &[u8]) -> Option<usize> {
+    all.windows(wanted.len()).position(|found| found == wanted)
 }
 
 fn rows(count: u16) -> NonZeroU16 {

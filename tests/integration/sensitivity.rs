@@ -74,3 +74,16 @@ fn without_the_result_there_are_no_bars_but_a_cure() {
     assert!(page.contains("no run has this result") && page.contains("--output"), "{page}");
     assert!(!page.contains('#'), "{page}");
 }
+
+/// Where shots perforate there is no percentage: the indices are those of the others, and the first line says so.
+#[test]
+fn indices_of_a_result_that_is_not_everywhere_are_conditional_from_the_first_line_on() {
+    let asked = ["--over", "v_i=200..400", "--over", "gamma=1..2"];
+    let first = |more: &[&str]| {
+        let page = output(&[&asked[..], more, &QUICK].concat());
+        page.split("\nthe scene itself").next().unwrap().to_owned()
+    };
+    let conditional = first(&[]);
+    assert!(conditional.contains("Sobol's indices are of") && conditional.contains("of 64"));
+    assert!(!first(&["--set", "h=100mm"]).contains("only"));
+}

@@ -2,7 +2,7 @@
 
 use rustix::process::Signal;
 
-use crate::pty::{PATIENCE, Terminal};
+use crate::pty::Terminal;
 use crate::random::Random;
 
 /// The status row of a finished run of the baseline.
@@ -78,7 +78,7 @@ fn no_control_sequence_ends_the_workbench() {
     }
     // It still listens: input that was lost would have ended it with 129.
     terminal.signal(Signal::TERM);
-    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 143);
+    assert_eq!(terminal.wait_exit().exit_code(), 143);
     terminal.assert_restored();
     let log = std::fs::read_to_string(terminal.file("state/cmra/cmra.log")).unwrap_or_default();
     assert!(!log.contains("panicked"), "{log}");

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use rustix::process::Signal;
 
-use crate::pty::{PATIENCE, Terminal};
+use crate::pty::Terminal;
 use crate::random::Random;
 
 /// How long, s, unless the environment says otherwise.
@@ -22,9 +22,6 @@ const KEYS: [&str; 56] = [
 
 /// Parts of the time, at the end of each of which the memory is noted.
 const PARTS: u32 = 12;
-
-/// Silence after which the program has read all keys.
-const CAUGHT_UP: Duration = Duration::from_millis(500);
 
 /// Two lines, as a person pastes them.
 const PASTE: &str = "\x1b[200~gamma=2\nx\x1b[201~";
@@ -55,7 +52,7 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
         let choice = random.below(40);
         if choice < 2 {
             // Keys wait in the terminal, a change of its size does not: a click that is read after it would hit another row.
-            terminal.settle(CAUGHT_UP);
+            terminal.sync();
         }
         match choice {
             0 => {
@@ -77,10 +74,13 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
             }
         }
         events += 1;
-        terminal.settle(Duration::from_millis(2));
+        if events.is_multiple_of(8) {
+            terminal.sync();
+            terminal.forget();
+        }
         sent.drain(..sent.len().saturating_sub(60));
         let Some(now) = memory(&process) else {
-            let status = terminal.wait_exit(PATIENCE);
+            let status = terminal.wait_exit();
             let screen = terminal.screen().contents();
             panic!("it ended after {events} events, {status:?}; the last: {sent:?}\n{screen}");
         };
@@ -95,6 +95,6 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
         "{events} events: {first} MB at the start, {last} MB at the end, {most} MB at most; each twelfth: {noted:?}"
     );
     terminal.signal(Signal::TERM);
-    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 143);
+    assert_eq!(terminal.wait_exit().exit_code(), 143);
     terminal.assert_restored();
 }

@@ -446,7 +446,7 @@ fn the_sequence_fills_every_range_and_reads_back_as_typed() {
 }
 
 fn json_of(arguments: &[&str]) -> (serde_json::Value, Option<i32>) {
-    let mut command = assert_cmd::Command::cargo_bin("cmra").unwrap();
+    let mut command = crate::support::program();
     let output = command.arg("stability").args(arguments).output().unwrap();
     (serde_json::from_slice(&output.stdout).unwrap(), output.status.code())
 }

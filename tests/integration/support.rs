@@ -28,9 +28,17 @@ pub(crate) fn assert_near(value: f64, exact: f64, tolerance: f64) {
     assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
 }
 
+/// The program in a directory and an environment of its own: neither those of the tests nor a person's files count.
+pub(crate) fn program() -> Command {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    command.current_dir(in_repository("")).env_clear();
+    command.env("HOME", Path::new(env!("CARGO_TARGET_TMPDIR")).join("nobody"));
+    command
+}
+
 /// A subcommand with arguments.
 pub(crate) fn cmra(subcommand: &str, arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
+    let mut command = program();
     command.arg(subcommand).args(arguments);
     command
 }

@@ -7,7 +7,6 @@ use assert_cmd::Command;
 use serde_json::Value;
 
 mod figures;
-mod join;
 
 /// Exit code, standard output, standard error.
 pub(crate) struct Done {
@@ -124,20 +123,35 @@ fn a_list_of_values_gives_its_rows_in_its_order_from_options_and_from_files() {
 }
 
 #[test]
-fn parts_one_after_the_other_are_the_whole() {
+fn each_part_has_every_third_row_below_the_header() {
     let place = tempfile::tempdir().unwrap();
     let what = "figure-9.7 --over gamma=0.8..7:23 --over k=1e3..7.5e6:11:log";
     for format in ["", "--outputs all "] {
         let whole = sweep(place.path(), &format!("{what} {format}--threads 1 --csv -"));
         assert_eq!(whole.code, 0, "{}", whole.err);
-        let mut joined = String::new();
+        let whole: Vec<&str> = whole.out.lines().collect();
+        assert_eq!(whole.len(), 1 + 23 * 11);
         for part in 1..=3 {
             let arguments = format!("{what} {format}--threads 2 --shard {part}/3 --csv -");
-            joined += &sweep(place.path(), &arguments).out;
+            let found = sweep(place.path(), &arguments).out;
+            let rows = whole[1..].iter().skip(part - 1).step_by(3);
+            let expected: Vec<&str> = whole[..1].iter().chain(rows).copied().collect();
+            assert_eq!(found.lines().collect::<Vec<_>>(), expected);
         }
-        assert_eq!(joined, whole.out);
-        assert_eq!(rows(&joined).len(), 1 + 23 * 11);
     }
+}
+
+/// The file beside a part makes the same part again.
+#[test]
+fn a_part_is_made_again_from_its_scene() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "--over gamma=0.8..7:7 --outputs stroke_m --set k=1e6 --shard 2/3 --csv part2.csv";
+    assert_eq!(sweep(place.path(), what).code, 0);
+    let beside = fs::read_to_string(place.path().join("part2.toml")).unwrap();
+    let again = "cmra sweep ./part2.toml --shard 2/3 --csv -";
+    assert!(beside.contains(&format!("\n# again: {again}\n")), "{beside}");
+    let part = fs::read_to_string(place.path().join("part2.csv")).unwrap();
+    assert_eq!(cmra(place.path(), again.strip_prefix("cmra ").unwrap()).out, part);
 }
 
 #[test]
@@ -330,8 +344,7 @@ fn a_long_sweep_says_how_long_it_takes() {
 #[test]
 fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
     let place = tempfile::tempdir().unwrap();
-    let what =
-        "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --json --meta inline --csv x.csv";
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --json --csv x.csv";
     let child = begun(place.path(), what);
     stop(&child);
     let done = child.wait_with_output().unwrap();
@@ -341,9 +354,10 @@ fn an_interrupted_sweep_says_so_in_the_file_and_in_json() {
     let rows = value["rows"].as_array().unwrap().len();
     assert_eq!((&value["complete"], &value["points_done"]), (&false.into(), &rows.into()));
     let table = fs::read_to_string(place.path().join("x.partial.csv")).unwrap();
-    let last = format!("# not complete: {rows} of 10000000 points");
-    assert_eq!(table.lines().last(), Some(last.as_str()));
-    assert!(table.lines().any(|line| line.starts_with("# again: cmra sweep --over")));
+    assert_eq!(table.lines().count(), 1 + rows);
+    let beside = fs::read_to_string(place.path().join("x.partial.toml")).unwrap();
+    let missing = format!("# not complete: {rows} of 10000000 points");
+    assert_eq!(beside.lines().nth(1), Some(missing.as_str()));
 }
 
 #[cfg(unix)]
@@ -387,22 +401,17 @@ fn one_file_for_two_results_is_refused_before_anything_runs() {
 #[cfg(unix)]
 fn begun(place: &Path, what: &str) -> std::process::Child {
     use std::process::Stdio;
-    use std::time::{Duration, Instant};
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_cmra"));
     command.current_dir(place).env_clear().env("HOME", place).args(what.split(' '));
     // A pipe would fill.
     let out = fs::File::create(place.join("out.txt")).unwrap();
     let child = command.stdout(out).stderr(Stdio::piped()).spawn().unwrap();
-    let start = Instant::now();
     let written = || {
         let entries = fs::read_dir(place).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().map_or(0, |found| found.len()));
         sizes.sum::<u64>()
     };
-    while written() < 10_000 {
-        assert!(start.elapsed() < Duration::from_secs(60), "nothing was written");
-        std::thread::yield_now();
-    }
+    crate::pty::wait_while("nothing is written", || written() < 10_000);
     child
 }
 

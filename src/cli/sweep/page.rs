@@ -1,12 +1,9 @@
 //! A sweep as a page of text: charts over one axis, maps over two, where every output is least and greatest, how points ended.
 
 use std::fmt::Write as _;
-use std::ops::Range;
 
 use crate::cli::draw;
 use crate::cli::text::{chart_size, width};
-use crate::files::export;
-use crate::files::preset::Preset;
 use crate::model::units::{self, engineering};
 use crate::report::figures::sweeps::picture;
 use crate::report::svg::Picture;
@@ -29,11 +26,9 @@ pub(super) struct Head<'a> {
     pub(super) took_s: f64,
 }
 
-/// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
-pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
-    let whole = *points == (0..plan.points());
-    let drawable = plan.design().is_full() && plan.axes().len() <= 2;
-    whole && drawable && plan.points() <= KEPT_MAX
+/// Whether a whole sweep can be drawn: a grid of one or two axes.
+pub(super) fn is_drawable(plan: &Plan) -> bool {
+    plan.design().is_full() && plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
 }
 
 /// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
@@ -162,18 +157,4 @@ pub(in crate::cli) fn duration(seconds: f64) -> String {
         s => (s / 86_400.0, "days"),
     };
     format!("{} {unit}", units::significant(value, 2))
-}
-
-/// The held variables and the axes as comment lines `# key: value (unit)`.
-pub(super) fn comments(preset: &Preset, plan: &Plan) -> String {
-    let axes = plan.axes();
-    let held = |key: &str| axes.iter().all(|axis| axis.variable().key != key);
-    let mut text =
-        export::inline_scene(("sweep of", &preset.name), &preset.scene, |one| held(one.key));
-    for axis in axes {
-        let unit = export::unit_behind(axis.variable());
-        let _ = writeln!(text, "# over {}: {}{unit}", axis.variable().key, axis.range());
-    }
-    let _ = writeln!(text, "# design: {}", plan.design());
-    text
 }

@@ -8,7 +8,7 @@ use crate::model::mechanism::Mechanism;
 use crate::numerics::smaller;
 
 /// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
-pub(crate) const FIXED_MOTION: f64 = 1e-13;
+const FIXED_MOTION: f64 = 1e-13;
 /// A contact that ends in an arrest lasts less than this many times as long as its travel takes at the impact velocity.
 const SLOWEST: f64 = 6.0;
 

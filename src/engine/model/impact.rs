@@ -39,6 +39,8 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
+const STRAIGHTENED: f64 = 2e-7;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
@@ -53,6 +55,7 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     // Rounding adds up over implicit steps, in which large forces hold each other, like a random walk.
     let rounding = ROUNDING * (1.0 + simulation.control.stiff_steps as f64).sqrt();
     let floor = larger(simulation.control.crossing_error, rounding);
+    let floor = if problem.straightens() { larger(floor, STRAIGHTENED) } else { floor };
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
         let second = second(&problem, &mut |t_s| {

@@ -1,4 +1,4 @@
-//! A report as plain data, and as one file: HTML with its pictures in it, or Markdown with its pictures as text.
+//! A report as plain data, and as one HTML file with its pictures in it.
 
 use std::fmt::Write as _;
 
@@ -78,59 +78,10 @@ impl Document {
         }
         out + "</body>\n</html>\n"
     }
-
-    /// One Markdown file; `draw` makes text of a picture.
-    pub fn markdown(&self, draw: impl Fn(&Picture) -> String) -> String {
-        let mut out = format!("# {}\n", in_markdown(&self.title));
-        for block in &self.blocks {
-            let _ = match block {
-                Block::Heading(text) => writeln!(out, "\n## {}", in_markdown(text)),
-                Block::Paragraph(text) => writeln!(out, "\n{}", in_markdown(text)),
-                Block::List(items) => {
-                    out.push('\n');
-                    items.iter().try_for_each(|item| writeln!(out, "- {}", in_markdown(item)))
-                }
-                Block::Table { head, rows } => {
-                    let row = |texts: &[String]| {
-                        let cells: Vec<String> = texts.iter().map(|it| in_markdown(it)).collect();
-                        format!("| {} |\n", cells.join(" | "))
-                    };
-                    let rule = vec!["---"; head.len()].join(" | ");
-                    let rows = rows.iter().map(|texts| row(texts)).collect::<String>();
-                    write!(out, "\n{}| {rule} |\n{rows}", row(head))
-                }
-                Block::Code(text) => writeln!(out, "\n{}", fenced(text)),
-                Block::Picture(picture) => writeln!(out, "\n{}", fenced(&draw(picture))),
-            };
-        }
-        out
-    }
 }
 
 fn element(name: &str, text: &str) -> String {
     format!("<{name}>{}</{name}>\n", escaped(text))
-}
-
-/// A text as it is, between fences that it does not contain.
-fn fenced(text: &str) -> String {
-    let fence = if text.contains("```") { "~~~~~" } else { "```" };
-    format!("{fence}text\n{}\n{fence}", text.trim_end())
-}
-
-/// A line of text of which nothing is taken for a mark.
-fn in_markdown(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '\n' => out.push(' '),
-            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' => {
-                out.push('\\');
-                out.push(c);
-            }
-            c => out.push(c),
-        }
-    }
-    out
 }
 
 #[cfg(test)]
@@ -165,13 +116,5 @@ mod tests {
         assert_eq!(text_of("li"), Some("x < 1"));
         assert_eq!(text_of("td"), Some("<td>"));
         assert_eq!(text_of("code"), Some("k = 1 & <n>\n```\n"));
-    }
-
-    #[test]
-    fn markdown_takes_no_text_for_a_mark() {
-        let text = document().markdown(|_| String::new());
-        assert!(text.starts_with("# a \\<b\\> & \"c\" \\| \\*d\\*\n"), "{text}");
-        assert!(text.contains("- y\\_z\n") && text.contains("| a\\|b |\n| --- |\n| \\<td\\> |\n"));
-        assert!(text.contains("~~~~~text\nk = 1 & <n>\n```\n~~~~~"), "{text}");
     }
 }

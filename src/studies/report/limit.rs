@@ -1,7 +1,5 @@
 //! A ballistic limit: one row for each shot, and the whole as an object. SI.
 
-use std::fmt::Write as _;
-
 use serde_json::{Value, json};
 
 use crate::model::mechanism::Mechanism;
@@ -11,9 +9,9 @@ use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::compare::Load;
-use crate::study::limit::fit::ResidualLaw;
-use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
-use crate::study::limit::{AtLimit, Closures, Limit, RANGE_M_S, Report, Shot};
+use crate::study::limit::residual_law::ResidualLaw;
+use crate::study::limit::{AtLimit, Closures, Limit, Report, Shot};
+use crate::study::validation::KnownError;
 use crate::study::validity;
 
 const LAW_POINTS: usize = 400;
@@ -37,6 +35,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let load = self::load(load, &report.scene);
         remarks.push(Remark::new("at the limit", load.unwrap_or_else(none)));
     }
+    remarks.extend(measured(report).map(|text| Remark::caution("measured", text)));
     if let Some(closure) = report.scene.closure_by_thickness() {
         let text = format!("{}, by the plate's thickness", closure.word());
         remarks.push(Remark::new("closure", text));
@@ -59,7 +58,6 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
         remarks.push(Remark::new("Lambert-Jonas", text));
     }
-    remarks.extend(report.sampled.iter().flat_map(|found| sampled(found, report)));
     remarks
 }
 
@@ -100,19 +98,25 @@ fn load(load: &Load, scene: &Scene) -> Option<String> {
 }
 
 /// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
-pub fn warnings(report: &Report, sampling: Option<Sampling>) -> Vec<String> {
+pub fn warnings(report: &Report) -> Vec<String> {
     let at_limit = report.at_limit.as_ref().map(|it| it.warnings.clone());
-    let mut warnings = at_limit.unwrap_or_else(|| validity::of_scene(&report.scene));
-    warnings.extend(sampling.and_then(|it| few_samples(it.samples)));
-    warnings
+    at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
 }
 
-/// That a number of samples says little, if so.
-pub fn few_samples(samples: usize) -> Option<String> {
-    const ENOUGH: usize = 30;
-    (samples < ENOUGH).then(|| {
-        format!("{samples} samples: median, quantiles and spread are rough; take {ENOUGH} or more")
-    })
+/// What measurements of shots of this kind let expect, in place of the computed limit; `None` where there are none.
+fn measured(report: &Report) -> Option<String> {
+    let KnownError { class, points, error } = KnownError::of(&report.scene)?;
+    let (low, high) = error.band_m_s(report.limit.velocity_m_s()?);
+    let expected = if error.spread > 0.0 {
+        format!("{} to {}", fixed_significant(low, 4), velocity(high, 4))
+    } else {
+        format!("about {}", velocity(low, 4))
+    };
+    let bias = 100.0 * error.bias;
+    Some(format!(
+        "{expected} is to be expected: {class}, of which {points} measured limits are on average {bias:+.1} % off (computed over \
+         measured; cmra validate)"
+    ))
 }
 
 /// The band between the closures.
@@ -130,50 +134,6 @@ fn closures(closures: &Closures) -> String {
         || each.clone(),
         |(low, high)| format!("{} to {}: {each}", fixed_significant(low, 4), velocity(high, 4)),
     )
-}
-
-fn sampled(found: &SampledLimit, report: &Report) -> [Remark; 3] {
-    let asked = found.sampling;
-    let percent = |part: f64| {
-        if part.is_nan() { "?".to_owned() } else { significant(100.0 * part, 3) }
-    };
-    let known = |value: Option<f64>| {
-        value.map_or_else(|| "?".to_owned(), |value| fixed_significant(value, 4))
-    };
-    let ends = |(low, high)| format!("{} to {}", known(low), known(high));
-    let [median, spread] = [found.v50_m_s, found.deviation_m_s].map(known);
-    let [ends_95, ends_90] = [found.v50_95_m_s, found.range90_m_s].map(ends);
-    let mut v50 = format!("{median} (95 %: {ends_95}), spread {spread}, 90 % in {ends_90} m/s");
-    let (low, high) = RANGE_M_S;
-    for (count, what) in [
-        (found.above, format!("have a limit beyond {high} m/s")),
-        (found.below, format!("have one below {low} m/s")),
-        (found.undecided, "have a limit that runs do not decide".to_owned()),
-    ] {
-        if count > 0 {
-            let _ = write!(v50, "; {count} of {} samples {what}", asked.samples);
-        }
-    }
-    if v50.contains('?') {
-        v50.push_str("; ? = not known: the rank falls on samples without a limit in range");
-    }
-    let (low, high) = found.perforated95;
-    let [part, low, high, deviation] = [found.perforated, low, high, asked.deviation].map(percent);
-    let own = velocity(report.scene.projectile.velocity_m_s, 4);
-    let through = format!("{part} % of shots at the scene's {own} (95 %: {low} to {high} %)");
-    let Sampling { samples, seed, .. } = asked;
-    let mut inputs = format!(
-        "inputs but v_i +-{deviation} % (standard deviation), {samples} samples, seed {seed}"
-    );
-    if asked.model == ModelError::default() {
-        inputs.push_str("; model error excluded");
-    } else {
-        let (bias, spread) = (100.0 * asked.model.bias, percent(asked.model.spread));
-        let _ =
-            write!(inputs, "; corrected for the model's bias of {bias:+.3} %, spread {spread} %");
-    }
-    [("V50", v50), ("perforation", through), ("scatter", inputs)]
-        .map(|(about, text)| Remark::new(about, text))
 }
 
 /// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.
@@ -204,30 +164,6 @@ fn lambert_jonas(law: ResidualLaw) -> Value {
     json!({ "a": law.a, "p": law.p, "v_bl_m_s": law.limit_m_s, "misfit_m_s": law.misfit_m_s })
 }
 
-/// The summary of the sampled shots.
-fn monte_carlo(found: SampledLimit) -> Value {
-    let asked = found.sampling;
-    json!({
-        "input_deviation": asked.deviation,
-        "model_error": { "bias": asked.model.bias, "spread": asked.model.spread },
-        "samples": asked.samples,
-        "seed": asked.seed,
-        "with_limit": found.found,
-        "limit_below_range": found.below,
-        "limit_beyond_range": found.above,
-        "limit_undecided": found.undecided,
-        "v50_m_s": found.v50_m_s,
-        "v50_low_95_m_s": found.v50_95_m_s.0,
-        "v50_high_95_m_s": found.v50_95_m_s.1,
-        "deviation_m_s": found.deviation_m_s,
-        "quantile_05_m_s": found.range90_m_s.0,
-        "quantile_95_m_s": found.range90_m_s.1,
-        "perforated": found.perforated,
-        "perforated_low_95": found.perforated95.0,
-        "perforated_high_95": found.perforated95.1,
-    })
-}
-
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let (basis, stopped) = match report.limit {
@@ -242,6 +178,14 @@ pub fn json(name: &str, report: &Report) -> Value {
             "double_yield_drag_coefficient": closures.double_yield_drag,
             "cavity_no_dishing_m_s": closures.cavity_m_s,
             "cavity_drag_coefficient": closures.cavity_drag,
+        })
+    });
+    let known = KnownError::of(&report.scene).map(|known| {
+        let band = report.limit.velocity_m_s().map(|limit| known.error.band_m_s(limit));
+        json!({
+            "class": known.class, "measurements": known.points,
+            "bias": known.error.bias, "spread": known.error.spread,
+            "low_m_s": band.map(|it| it.0), "high_m_s": band.map(|it| it.1),
         })
     });
     let own = ["impact_velocity_m_s", "outcome", "residual_velocity_m_s"];
@@ -265,9 +209,9 @@ pub fn json(name: &str, report: &Report) -> Value {
         "peak_mount_force_at_limit_n": load.mount_force_n,
         "closure": report.scene.closure().word(),
         "closures": closures,
+        "model_error": known,
         "recht_ipson": report.recht_ipson.map(recht_ipson),
         "lambert_jonas": report.lambert_jonas.map(lambert_jonas),
-        "scatter": report.sampled.map(monte_carlo),
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     })
 }

@@ -4,20 +4,81 @@ use serde_json::{Map, Value, json};
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
-use crate::report::limit::few_samples;
 use crate::report::table::Table;
-use crate::study::monte_carlo::{Estimate, Report, Summary};
+use crate::study::limit::RANGE_M_S;
+use crate::study::monte_carlo::{Estimate, LIMIT, Report, Summary};
+use crate::study::validation::ModelError;
 use crate::study::validity;
 
 const DIGITS: usize = 4;
+/// Samples from which on quantiles say something.
+const ENOUGH: usize = 30;
 
 /// Warnings about the rows, of which so many samples were wanted.
 pub fn warnings(scene: &Scene, report: &Report, samples: usize) -> Vec<String> {
     let mut warnings = validity::of_scene(scene);
     let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
     warnings.extend(validity::of_pair(scene, &[], &measures));
-    warnings.extend(few_samples(samples));
+    if samples < ENOUGH {
+        warnings.push(format!(
+            "{samples} samples: median, quantiles and spread are rough; take {ENOUGH} or more"
+        ));
+    }
+    warnings.extend(without_limit(report));
     warnings
+}
+
+/// That samples without a limit are missing in its quantiles; `None` where all have one.
+fn without_limit(report: &Report) -> Option<String> {
+    let limits = report.summaries.iter().find(|it| it.measure.name == LIMIT)?;
+    let (all, missing) = (report.samples, report.samples - limits.sorted.len());
+    let (low, high) = RANGE_M_S;
+    (missing > 0).then(|| {
+        format!("{missing} of {all} samples have no limit from {low} to {high} m/s that runs decide: its quantiles are of the others")
+    })
+}
+
+/// The error of the model that limit velocities are corrected for; `None` where there is none.
+pub fn model_error(report: &Report) -> Option<String> {
+    let ModelError { bias, spread } = report.model;
+    let (bias, spread) = (100.0 * bias, 100.0 * spread);
+    let is_used = report.summaries.iter().any(|it| it.has_model_error);
+    is_used.then(|| {
+        format!(
+            "model error in limit velocities: bias {bias:+.3} %, standard deviation {spread:.3} %"
+        )
+    })
+}
+
+/// The name of a quantity, and whether the error of the model is in it where that can be.
+fn title(report: &Report, summary: &Summary) -> String {
+    let is_bare = summary.measure.name == LIMIT && !summary.has_model_error;
+    let bare = if is_bare && report.model != ModelError::default() {
+        ", model error excluded"
+    } else {
+        ""
+    };
+    summary.measure.title() + bare
+}
+
+/// V50 with its spread, as a line; `None` without a limit.
+pub fn v50(report: &Report) -> Option<String> {
+    let mut each = report.summaries.iter().filter(|it| it.measure.name == LIMIT);
+    let shown = |it: &Summary| {
+        let show = |value: f64| it.measure.show_all_digits(value, DIGITS);
+        let median = it.quantile(0.5)?;
+        let [low, high] = [median.low_95, median.high_95].map(show);
+        Some(format!(
+            "{} (95 %: {low} to {high}), spread {}",
+            show(median.value),
+            show(it.deviation?)
+        ))
+    };
+    let first = shown(each.next()?)?;
+    let bare = each.next().and_then(shown);
+    Some(
+        bare.map_or_else(|| first.clone(), |bare| format!("{first}; model error excluded: {bare}")),
+    )
 }
 
 /// Columns of the quantiles: key, heading, part of the values below it.
@@ -39,7 +100,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     let table = Table::of(&report.summaries)
         .with("scene", "scene", "", move |_| name)
         .with("output", "", "", |it| it.measure.name)
-        .shown(|it, _| Some(it.measure.title()))
+        .shown(|it, _| Some(title(report, it)))
         .with("nominal", "nominal", "", |it| it.nominal)
         .shown(in_unit)
         .with("count", "values", "", |it| it.sorted.len())
@@ -54,7 +115,11 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
     let quantile = |table: Table<'c, &'c Summary>, (key, label, share)| {
         table.with(key, label, "", move |it| Some(it.quantile(share)?.value)).shown(in_unit)
     };
-    QUANTILES.into_iter().fold(table, quantile).with("seed", "seed", "", |_| report.seed)
+    QUANTILES
+        .into_iter()
+        .fold(table, quantile)
+        .with("model_error", "", "", |it| it.has_model_error.then_some("included"))
+        .with("seed", "seed", "", |_| report.seed)
 }
 
 /// How probable a perforation is, where that is known.
@@ -96,6 +161,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "inputs": inputs.collect::<Vec<_>>(),
         "seed": report.seed,
         "samples": report.samples,
+        "model_error": { "bias": report.model.bias, "spread": report.model.spread },
         "complete": report.is_complete,
         "outcomes": outcomes.collect::<Map<_, _>>(),
         "perforation": perforation,

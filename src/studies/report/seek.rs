@@ -3,12 +3,13 @@
 use serde_json::{Value, json};
 
 use crate::model::library;
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::Remark;
 use crate::report::table::Table;
 use crate::study::search::seek::{Kind, Report, SamplePoint, SeekResult};
 use crate::study::sweep::{PointOutcome, Spacing};
+use crate::study::validity::Checked;
 
 /// Warnings about the rows: those of the solutions, and of the library's entries.
 pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
@@ -21,8 +22,8 @@ pub fn warnings(scene: &Scene, report: &Report) -> Vec<String> {
     warnings
 }
 
-/// A solution in words.
-pub fn solution(report: &Report, solution: &SeekResult) -> String {
+/// A solution in words, beside what the plastic interface gives where the fused one could not carry its load.
+pub fn solution(report: &Report, solution: &SeekResult, checked: &Checked) -> String {
     let axis = &report.axis;
     let at = axis.show(solution.place.at, 6);
     let until = solution.until.map(|it| format!(" to {} (whole interval)", axis.show(it.at, 6)));
@@ -30,13 +31,9 @@ pub fn solution(report: &Report, solution: &SeekResult) -> String {
     let touch = if is_touch { ", a minimum or maximum" } else { "" };
     let outcome = solution.outcome.map_or("", PointOutcome::word);
     let reached = report.measure.show(solution.place.value, 6);
-    format!("{} = {at}{}: {reached}, {outcome}{touch}", axis.symbol(), until.unwrap_or_default())
-}
-
-/// That the answer is one of another interface law than the scene's, if so.
-pub fn other_law(searched: InterfaceLaw, scene: InterfaceLaw) -> Option<String> {
-    let (with, own) = (searched.word(), scene.word());
-    (searched != scene).then(|| format!("with interface {with}; the scene has {own}"))
+    let plastic = checked.plastic.map(|it| format!("; {}", it.words(report.measure)));
+    let (until, plastic) = (until.unwrap_or_default(), plastic.unwrap_or_default());
+    format!("{} = {at}{until}: {reached}, {outcome}{touch}{plastic}", axis.symbol())
 }
 
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
@@ -86,6 +83,10 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
 
 /// The lines of the answer.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult> {
+    let plastic = |line: &SeekResult| {
+        let at = report.solutions().position(|it| it == line)?;
+        Some(report.checked.get(at)?.plastic?.words(report.measure))
+    };
     Table::of(&report.lines)
         .with("scene", "scene", "", move |_| name)
         .with("kind", "kind", "", |line| line.kind.word())
@@ -98,11 +99,12 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c SeekResult>
         .with("value", "value", "", |line| line.place.value)
         .with("outcome", "outcome", "", |line| line.outcome.map(PointOutcome::word))
         .with("interface", "interface", "", |_| report.law.word())
+        .with("plastic", "on a plastic interface", "", move |line| plastic(line))
 }
 
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
-    let own = ["kind", "at", "until", "value", "outcome"];
+    let own = ["kind", "at", "until", "value", "outcome", "plastic"];
     let list = |kinds: &[Kind]| {
         let mut table = table(name, report);
         table.rows.retain(|line| kinds.contains(&line.kind));

@@ -68,6 +68,13 @@ pub fn indices(report: &Report) -> Table<'_, usize> {
         .with("sobol_total", "total", "", move |at| brief(index(at)?.total))
 }
 
+/// Where points of the design have no value: whose the indices are.
+pub fn condition(report: &Report) -> Option<String> {
+    let sobol = report.sobol.as_ref().filter(|sobol| sobol.used < sobol.rows)?;
+    let (used, rows) = (sobol.used, sobol.rows);
+    Some(format!("only where it exists: Sobol's indices are of {used} of {rows} samples"))
+}
+
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> Value {
     let sobol = report.sobol.as_ref();

@@ -3,8 +3,6 @@
 //! Axis values first, then what was requested; an empty field (JSON: null) where a quantity does not exist; `error` last, which
 //! says why a point failed. No column has the time a point took: files of the same sweep are equal.
 
-use std::ops::Range;
-
 use serde_json::{Value, json};
 
 use crate::model::run::{Run, envelope};
@@ -69,10 +67,9 @@ impl Sheet<'_> {
     }
 
     /// Compute a piece and make its texts; fewer rows than points when the evaluator was stopped.
-    pub fn piece(&self, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Piece {
-        let points: Vec<u64> = points.collect();
+    pub fn piece(&self, evaluator: &mut Evaluator<'_>, points: &[u64]) -> Piece {
         let (rows, runs) = match self.columns {
-            Columns::Chosen => (evaluator.rows_of(&points), Vec::new()),
+            Columns::Chosen => (evaluator.rows_of(points), Vec::new()),
             Columns::All => {
                 let mut rows = Rows::new(self.plan.outputs().len());
                 let run = |index: &u64| Some(evaluator.one(*index, &mut rows)?.1.ok());
@@ -80,7 +77,7 @@ impl Sheet<'_> {
                 (rows, runs)
             }
         };
-        let table = self.table(&points, &rows, &runs);
+        let table = self.table(points, &rows, &runs);
         let csv = if self.has_csv { table.csv_rows() } else { String::new() };
         let json = if self.has_json { table.json_rows() } else { String::new() };
         drop(table);
@@ -130,15 +127,13 @@ impl Sheet<'_> {
 
     /// The head of the JSON: the sweep itself, up to the rows.
     pub fn json_head(&self, shard: Shard) -> String {
-        let part = shard.of(self.plan.points());
         let outputs: Vec<&str> = self.plan.outputs().iter().map(|output| output.name).collect();
         let head = Object(vec![
             ("scene", self.scene.into()),
             ("design", self.plan.design().sampling.word().into()),
             ("seed", self.plan.design().seed().into()),
             ("points", self.plan.points().into()),
-            ("from_point", part.start.into()),
-            ("to_point", part.end.into()),
+            ("shard", shard.to_string().into()),
             ("axes", self.plan.axes().iter().map(axis_json).collect()),
             ("outputs", outputs.into()),
             ("version", env!("CARGO_PKG_VERSION").into()),

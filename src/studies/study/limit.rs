@@ -1,8 +1,9 @@
-//! The ballistic limit: the least impact velocity that perforates, the residual velocity above it, and the spread of both.
+//! The ballistic limit: the least impact velocity that perforates, and the residual velocity above it.
 //!
-//! Closed form for a plate that is rigid or free (model page, section 2); else a scan over the whole range of velocities, which also
+//! Closed form for a plate that is rigid or free; else a scan over the whole range of velocities, which also
 //! finds outcomes that recur, and bisection on the outcome. Must not know files, threads, screens or a clock.
 
+use std::fmt;
 use std::sync::Arc;
 
 use crate::model::closed_form::Passage;
@@ -15,14 +16,12 @@ use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
-use fit::ResidualLaw;
-use monte_carlo::{SampledLimit, Sampling};
+use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
 use verdict::digits_apart;
 
 mod closures;
-pub mod fit;
-pub mod monte_carlo;
+pub mod residual_law;
 mod search;
 pub(in crate::study) mod verdict;
 
@@ -189,13 +188,21 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
 }
 
-/// The options besides the limit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LimitOptions {
+/// The request; shown, it is the command that asks the same of a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Request {
     /// The criterion of perforation.
     pub criterion: Criterion,
-    /// Scatter of the inputs; `None`: not requested.
-    pub sampling: Option<Sampling>,
+}
+
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("limit")?;
+        if self.criterion != Criterion::default() {
+            write!(f, " --criterion {}", self.criterion.word())?;
+        }
+        Ok(())
+    }
 }
 
 /// The limit of a scene and all that goes with it.
@@ -219,8 +226,6 @@ pub struct Report {
     pub recht_ipson: Option<ResidualLaw>,
     /// Lambert and Jonas's law through the curve.
     pub lambert_jonas: Option<ResidualLaw>,
-    /// The limit under scatter of the inputs.
-    pub sampled: Option<SampledLimit>,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -249,19 +254,18 @@ impl Report {
     }
 }
 
-/// Find the limit of a scene, its residual-velocity curve, and the scatter requested.
+/// Find the limit of a scene and its residual-velocity curve.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(
     scene: &Arc<Scene>,
-    effort: LimitOptions,
+    request: Request,
     context: &mut Context<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
-    let samples = effort.sampling.map_or(0, |sampling| sampling.samples);
-    context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
-    let mut range = ShotRunner { scene, criterion: effort.criterion, context };
+    context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE);
+    let mut range = ShotRunner { scene, criterion: request.criterion, context };
     let limit = range.whole_limit();
     let undecided_m_s = range.undecided(limit);
     let shots = range.curve(limit);
@@ -270,12 +274,9 @@ pub fn find(
     let found_m_s = limit.velocity_m_s();
     let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
     let closures = found_m_s.and_then(|_| range.closures());
-    let sampled = found_m_s.zip(effort.sampling).and_then(|(limit_m_s, sampling)| {
-        monte_carlo::sample(scene, sampling, limit_m_s, effort.criterion, context)
-    });
     Ok(Report {
         scene: Arc::clone(scene),
-        criterion: effort.criterion,
+        criterion: request.criterion,
         limit,
         undecided_m_s,
         at_limit,
@@ -284,7 +285,6 @@ pub fn find(
         recht_ipson: found_m_s
             .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),
         lambert_jonas: found_m_s.and_then(|_| ResidualLaw::lambert_jonas(&perforated)),
-        sampled,
         is_complete: !context.is_stopped(),
     })
 }

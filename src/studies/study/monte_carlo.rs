@@ -11,9 +11,10 @@ use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
-use crate::study::quantities::Quantity;
+use crate::study::quantities::{Needs, Quantity, find};
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
+use crate::study::validation::{KnownError, ModelError};
 pub use tolerance::{Distribution, Tolerance};
 
 mod tolerance;
@@ -24,6 +25,8 @@ pub const SAMPLES_MAX: usize = 10_000_000;
 const BATCH: usize = 2048;
 /// Draws of one sample before it is given up.
 const DRAWS_MAX: usize = 10_000;
+/// The quantity that the error of the model is in.
+pub const LIMIT: &str = "limit_velocity_m_s";
 /// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
@@ -38,6 +41,33 @@ pub struct Task {
     pub samples: usize,
     /// Seed.
     pub seed: u64,
+    /// The error of the model, in every limit velocity.
+    pub model: ModelError,
+}
+
+impl Task {
+    /// V50: a scene's limit velocity under the usual tolerances and the known error of the model.
+    pub fn v50(scene: &Scene) -> Self {
+        let measures = vec![LIMIT.to_owned()];
+        Self {
+            tolerances: usual_tolerances(scene, USUAL_DEVIATION),
+            samples: usual_samples(&measures),
+            measures,
+            seed: 1,
+            model: model_error(scene),
+        }
+    }
+}
+
+/// The known error of the model for the class of shots that a scene belongs to; none without one.
+pub fn model_error(scene: &Scene) -> ModelError {
+    KnownError::of(scene).map(|known| known.error).unwrap_or_default()
+}
+
+/// Samples where none are given: fewer where each takes a limit search.
+pub fn usual_samples(measures: &[String]) -> usize {
+    let is_searched = |name: &String| find(name).is_some_and(|it| it.needs() == Needs::Limit);
+    if measures.iter().any(is_searched) { 200 } else { 10_000 }
 }
 
 /// An estimate and its 95 % confidence interval.
@@ -56,6 +86,8 @@ pub struct Estimate {
 pub struct Summary {
     /// The measure.
     pub measure: &'static Quantity,
+    /// Whether the error of the model is in its values.
+    pub has_model_error: bool,
     /// Its value for the scene itself.
     pub nominal: Option<f64>,
     /// Mean; there is one where there is a deviation.
@@ -83,7 +115,9 @@ pub struct Report {
     pub nominal: Option<PointOutcome>,
     /// Part of the samples that perforate, of those that came to an end (interval: Wilson's); `None` without any.
     pub perforated: Option<Estimate>,
-    /// Measure by measure.
+    /// The error of the model.
+    pub model: ModelError,
+    /// Measure by measure; a limit velocity with the error of the model, and then without it.
     pub summaries: Vec<Summary>,
     /// Whether it was done to its end.
     pub is_complete: bool,
@@ -152,8 +186,11 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let space = space(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
-    let (tolerances, seed) = (task.tolerances.clone(), task.seed);
-    let mut report = Report { tolerances, seed, ..Report::default() };
+    let (tolerances, seed, model) = (task.tolerances.clone(), task.seed, task.model);
+    let mut report = Report { tolerances, seed, model, ..Report::default() };
+    let limit = space.outputs().iter().position(|it| it.name == LIMIT);
+    let limit = limit.filter(|_| model != ModelError::default());
+    let (mut errors, mut corrected) = (Random::new(!seed), Vec::new());
     let own = space.design_of(scene);
     context.expect(task.samples);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
@@ -163,6 +200,8 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
         report.samples += found.len();
         for found in found {
             report.outcomes.add(found.outcome);
+            let factor = model.factor(&mut errors);
+            corrected.extend(limit.and_then(|at| Some(factor * found.values[at]?)));
             for (list, value) in values.iter_mut().zip(found.values) {
                 list.extend(value);
             }
@@ -172,14 +211,17 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
     report.redrawn = draw.redrawn;
     report.perforated = perforated(report.outcomes);
     report.nominal = nominal.as_ref().map(|found| found.outcome);
-    report.summaries = values
-        .into_iter()
-        .enumerate()
-        .map(|(at, values)| {
-            let nominal = nominal.as_ref().and_then(|found| found.values[at]);
-            Summary::of(space.outputs()[at], nominal, values)
-        })
-        .collect();
+    let summary = |(at, values)| {
+        let nominal = nominal.as_ref().and_then(|found| found.values[at]);
+        Summary::of(space.outputs()[at], nominal, values)
+    };
+    report.summaries = values.into_iter().enumerate().map(summary).collect();
+    if let Some(at) = limit {
+        let bare = report.summaries[at].nominal;
+        let nominal = bare.map(|limit_m_s| limit_m_s / (1.0 + model.bias));
+        let summary = Summary::of(space.outputs()[at], nominal, corrected);
+        report.summaries.insert(at, Summary { has_model_error: true, ..summary });
+    }
     Ok(report)
 }
 
@@ -290,7 +332,8 @@ impl Summary {
         };
         let moments = moments(&values);
         let deviation = moments.map(|(_, deviation)| deviation);
-        Self { measure, nominal, mean: moments.map(mean), deviation, sorted: values }
+        let mean = moments.map(mean);
+        Self { measure, has_model_error: false, nominal, mean, deviation, sorted: values }
     }
 
     /// The value below which a given part lies, with the order statistics that enclose it with 95 % confidence (normal

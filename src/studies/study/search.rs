@@ -4,6 +4,5 @@
 //! Must not know files, screens or a clock.
 
 pub mod front;
-pub mod nsga;
-pub mod recommended;
+pub mod sampling;
 pub mod seek;

@@ -6,11 +6,11 @@
 
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
-use crate::model::variables::{self, VARIABLES, Variable};
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::Quantity;
+use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, EvaluatedDesign, Plan, Spacing, SweepError};
 use crate::study::validity;
 use effects::{Effect, morris};
@@ -91,29 +91,6 @@ impl Report {
         };
         ascending(&(0..self.axes.len()).map(|at| -weight(at)).collect::<Vec<f64>>())
     }
-}
-
-/// The bounds of Table 9.2 for every variable that has some and an effect within them.
-///
-/// # Errors
-/// None in practice: the table's ranges are sound.
-pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
-    let ranges = || {
-        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range()?));
-        VARIABLES.iter().filter_map(of)
-    };
-    // A spring's exponent matters where there is a spring: judged with every range at its end.
-    let mut far = scene.clone();
-    for (_, number, (_, high)) in ranges() {
-        (number.set)(&mut far, Some(high));
-    }
-    ranges()
-        .filter(|(variable, ..)| {
-            // A mass ratio that follows from the plate's face is not an input.
-            variables::is_used(variable, &far) && !variables::overrules_size(variable, scene)
-        })
-        .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
-        .collect()
 }
 
 /// Half the range of an input that scatters, relative: two of its standard deviations.

@@ -12,10 +12,9 @@ pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
 pub mod quadratic;
-mod sobol;
 pub mod summary;
+pub mod usual;
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use thiserror::Error;
@@ -24,18 +23,19 @@ use crate::model::library;
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::sobol;
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
+use design::hypercube;
 pub use design::{Design, Sampling};
-pub(in crate::study) use design::{hypercube, sequence};
 pub use designs::EvaluatedDesign;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
 /// The most points of a sweep: what a count in floating point still distinguishes.
 const POINTS_MAX: u64 = 1 << 53;
-/// The most axes: what Sobol's table is good for.
-pub const AXES_MAX: usize = sobol::DIMENSIONS;
+/// The most axes.
+pub const AXES_MAX: usize = 12;
 
 /// The two results of the thesis's figures.
 pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
@@ -64,7 +64,7 @@ impl SweepError {
     }
 }
 
-/// A part of a sweep: the `index`-th of `count`, from 1.
+/// A part of a sweep: of every `count` points the `index`-th one, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
@@ -100,23 +100,14 @@ impl Shard {
         Ok(Self { index, count })
     }
 
-    /// Its number, from 1, and how many there are.
-    pub fn place(self) -> (u64, u64) {
-        (self.index, self.count)
+    /// How many of so many points are its own.
+    pub fn count(self, points: u64) -> u64 {
+        (points + self.count - self.index) / self.count
     }
 
-    /// Whether it holds the first point.
-    pub fn is_first(self) -> bool {
-        self.index == 1
-    }
-
-    /// Its part of the points: contiguous blocks, so that the parts one after the other are the whole.
-    pub fn of(self, points: u64) -> Range<u64> {
-        let at = |part: u64| {
-            let product = u128::from(points) * u128::from(part) / u128::from(self.count);
-            u64::try_from(product).unwrap_or(points)
-        };
-        at(self.index - 1)..at(self.index)
+    /// The point that its row `row` shows: every `count`-th one.
+    pub fn point(self, row: u64) -> u64 {
+        self.index - 1 + row * self.count
     }
 }
 
@@ -259,7 +250,7 @@ impl Plan {
                 own.value(index / faster % own.count())
             }
             Sampling::LatinHypercube => own.at_share(hypercube(index, points, axis as u64, seed)),
-            Sampling::Sobol => own.at_share(sequence(index, axis, seed)),
+            Sampling::Sobol => own.at_share(sobol::share(index, axis, seed)),
         }
     }
 

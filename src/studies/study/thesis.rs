@@ -1,215 +1,379 @@
-//! Every checkable claim of the thesis, compared with computed results, in the order of the thesis.
+//! What the thesis prints and this program can compute: numbers of its tables and figures, its trends, the outputs of its listing.
 //!
-//! The claims are data, in `data/claims.toml`: where a claim stands, what it says, and how it is checked, by the
-//! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
+//! A row states what the thesis says, the verdict on it and why, and has one function that computes it. The function is called
+//! twice: with the engine, and with the listing of Appendix A as printed. What it says of the engine must bear out the verdict.
 
-use std::sync::LazyLock;
+use std::sync::Arc;
 
-use crate::model::scene::Scene;
-use crate::study::context::Context;
-use claim::Claims;
-use runs::{Runs, SharedRuns};
+use crate::model::run::{Outcome, Run};
+use crate::model::scene::{ContactModel, Listing, Scene};
+use crate::model::simulate::{self, Settings};
+use crate::model::units::significant;
+use crate::model::variables;
+use crate::numerics::statistics;
+use crate::numerics::{larger, smaller};
+use crate::study::context::{CancelFlag, Context};
 
-mod check;
-mod claim;
-mod elastica;
-mod expression;
-mod functions;
-mod quantities;
-mod runs;
-mod series;
-mod shape;
-mod text;
-mod value;
-
-pub use claim::Claim;
-
-const CLAIMS: &str = include_str!("../data/claims.toml");
+mod figures;
+mod tables;
 
 enumeration! {
-    /// The outcome of a claim.
+    /// The verdict on a claim.
     #[derive(PartialOrd, Ord)]
     pub enum ClaimVerdict in VerdictRow {
         /// The words in tables and files.
         words: &'static str,
-        /// One word, for counts in a narrow row.
-        brief: &'static str,
         /// One letter, for narrow columns.
         letter: char,
     }
-    /// Computed as stated.
-    Reproduced { words: "reproduced", brief: "reproduced", letter: '=' }
-    /// Computed as stated once something is put right, which the cause names.
-    Corrected { words: "reproduced with correction", brief: "corrected", letter: '~' }
-    /// A wrong number, symbol or word; what was meant is computed.
-    Misprint { words: "misprint", brief: "misprint", letter: 'M' }
-    /// A trend that is there over the whole range of its figure.
-    TrendHolds { words: "trend holds", brief: "hold", letter: '+' }
-    /// A trend that is not.
-    TrendFails { words: "trend fails", brief: "fail", letter: '-' }
-    /// Cannot be checked; the cause says why.
-    Unchecked { words: "cannot be checked", brief: "unchecked", letter: '?' }
+    /// As stated.
+    Reproduced { words: "reproduced", letter: '=' }
+    /// As stated once something is put right, which the cause names.
+    Corrected { words: "reproduced with correction", letter: '~' }
+    /// A wrong number or word; what was meant is computed.
+    Misprint { words: "misprint", letter: 'M' }
+    /// Not as stated.
+    NotReproduced { words: "not reproduced", letter: '-' }
 }
 
-/// The scene that opens with a claim's row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Opens {
-    /// Nothing: no scene shows it.
-    Nothing,
-    /// This scene.
-    Scene(&'static Scene),
-    /// The bundled preset of this name.
-    Preset(&'static str),
-}
-
-enumeration! {
-    /// The basis of a verdict.
-    pub enum Evidence in BasisRow {
-        /// The words in tables and files.
-        words: &'static str,
-    }
-    /// A computation.
-    Computed { words: "computed" }
-    /// A comparison of what the thesis says in two places: nothing is computed.
-    Read { words: "read from the text" }
-    /// Nothing: the claim cannot be checked.
-    None { words: "not checked" }
-}
-
-/// The result for a claim.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClaimResult {
-    /// By the sound model.
-    pub sound: String,
-    /// By the Appendix as printed; empty where it has nothing to say.
-    pub printed: String,
-    /// The outcome of the claim.
+/// A statement of the thesis that is computed again.
+#[derive(Debug)]
+pub struct Claim {
+    /// A short name that stays.
+    pub id: &'static str,
+    /// Where it stands in the thesis.
+    pub place: &'static str,
+    /// What the thesis says, in other words.
+    pub says: &'static str,
+    /// Why the verdict is what it is.
+    pub cause: &'static str,
+    /// The verdict.
     pub verdict: ClaimVerdict,
-    /// The basis of the verdict.
-    pub basis: Evidence,
+    /// The bundled preset that shows it, if one does.
+    pub preset: Option<&'static str>,
+    /// Computes it by one method.
+    check: fn(&Shots<'_>) -> Check,
 }
 
-/// A claim with its result.
-#[derive(Clone, Debug)]
+/// The result by one method.
+struct Check {
+    /// In words.
+    text: String,
+    /// Whether it bears out the verdict; asked of the engine.
+    holds: bool,
+}
+
+/// A claim with its results.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The claim.
     pub claim: &'static Claim,
-    /// The result.
-    pub found: ClaimResult,
-    /// How many impacts it took, those shared with other claims included.
-    pub runs: usize,
+    /// By the engine.
+    pub computed: String,
+    /// By the listing as printed; empty where it says the same.
+    pub as_printed: String,
+    /// Whether the computation bears out the verdict.
+    pub holds: bool,
 }
 
-/// Every claim, in thesis order; none where the file is wrong, which the tests refuse.
-pub fn claims() -> &'static [Claim] {
-    &file().all
+impl PartialEq for Claim {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
 }
 
-/// The scene that the claims are checked on under this name.
-pub fn scene(name: &str) -> Option<&'static Scene> {
-    file().scenes.get(name)
+/// Every claim: tables and listing, then figures.
+pub fn claims() -> impl Iterator<Item = &'static Claim> {
+    tables::CLAIMS.iter().chain(figures::CLAIMS)
 }
 
-fn file() -> &'static Claims {
-    static FILE: LazyLock<Claims> = LazyLock::new(|| claim::read(CLAIMS).unwrap_or_default());
-    &FILE
-}
-
-/// The claim of this name.
-pub fn find(id: &str) -> Option<&'static Claim> {
-    claims().iter().find(|claim| claim.id == id)
-}
-
-fn row(claim: &'static Claim, shared: &SharedRuns) -> Row {
-    let runs = Runs::new(shared);
-    let found = check::check(claim, &file().scenes, &runs);
-    Row { claim, found, runs: runs.impacts() }
-}
-
-/// Check one claim.
-pub fn check(claim: &'static Claim) -> Row {
-    row(claim, &SharedRuns::default())
-}
-
-/// Check every claim, as [`check_all`] does.
+/// Checks every claim and shows the rows as they come. A stop ends a claim at its next run: it has no row, nor have those after it.
 pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
-    check_all(&claims().iter().collect::<Vec<_>>(), context)
-}
-
-/// Check claims, in their order, and show the rows as they come. A stop ends a claim at its next step: it has no row,
-/// nor have those after it.
-pub fn check_all(claims: &[&'static Claim], context: &mut Context<'_, [Row]>) -> Vec<Row> {
+    let claims: Vec<&Claim> = claims().collect();
     let stop = context.stop();
-    let shared = SharedRuns::stopped_by(stop.clone());
     let check = |claim: &&'static Claim| {
-        let row = row(claim, &shared);
+        let row = check(claim, &stop);
         (!stop.is_set()).then_some(row)
     };
     context.expect(claims.len());
-    let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
-    context.map_items(claims, check, show)
+    context.map_items(&claims, check, Context::show)
 }
 
-/// Where the verdicts of these rows differ from the expected ones, in words.
-pub fn changed(report: &[Row]) -> Vec<String> {
-    report
-        .iter()
-        .filter(|row| row.found.verdict != row.claim.expected)
-        .map(|row| {
-            let (now, before) = (row.found.verdict.words(), row.claim.expected.words());
-            format!("{}: {now}, stored is {before}", row.claim.id)
-        })
-        .collect()
-}
-
-/// The same of a whole report; rows that are missing count, too.
-pub fn differences(report: &[Row]) -> Vec<String> {
-    let missing = claims().iter().filter(|it| report.iter().all(|row| row.claim.id != it.id));
-    let missing =
-        missing.map(|it| format!("{}: no such row, stored is {}", it.id, it.expected.words()));
-    changed(report).into_iter().chain(missing).collect()
+/// Checks one claim.
+pub fn check(claim: &'static Claim, stop: &CancelFlag) -> Row {
+    let engine = Shots { stop, listing: None };
+    let Check { text, holds } = (claim.check)(&engine);
+    let printed = (claim.check)(&engine.printed()).text;
+    Row {
+        claim,
+        as_printed: if printed == text { String::new() } else { printed },
+        computed: text,
+        holds,
+    }
 }
 
 /// How many rows have each verdict, in the order of [`ClaimVerdict::ALL`].
-pub fn tally(rows: &[Row]) -> [usize; 6] {
-    ClaimVerdict::ALL.map(|verdict| rows.iter().filter(|row| row.found.verdict == verdict).count())
+pub fn tally(rows: &[Row]) -> [usize; ClaimVerdict::ALL.len()] {
+    ClaimVerdict::ALL.map(|verdict| rows.iter().filter(|row| row.claim.verdict == verdict).count())
+}
+
+/// Impacts by one method.
+struct Shots<'a> {
+    stop: &'a CancelFlag,
+    /// That of Appendix A, or (absent) the engine.
+    listing: Option<Listing>,
+}
+
+/// Longer than any contact here, s.
+const CONTACT_S: f64 = 1e-3;
+
+impl Shots<'_> {
+    /// By the listing as printed.
+    fn printed(&self) -> Self {
+        self.by(Listing::default())
+    }
+
+    /// By this listing.
+    fn by(&self, listing: Listing) -> Self {
+        Self { listing: Some(listing), ..*self }
+    }
+
+    /// The plate of chapter 9 (gamma = 1, k = 1e5 N/m, n = 1) with changes as `--set` takes them.
+    fn scene(&self, changes: &str) -> Scene {
+        let mut scene = variables::changed(Scene::default(), changes)
+            .expect("the changes are literals of this study");
+        if let Some(listing) = self.listing {
+            scene.contact.model = ContactModel::Appendix;
+            scene.contact.appendix = listing;
+        }
+        scene
+    }
+
+    fn simulate(&self, scene: Scene, series: bool) -> Run {
+        let settings = Settings { series, estimate: false };
+        simulate::simulate(&Arc::new(scene), &settings, &mut |_t_s: f64| self.stop.flow())
+            .expect("the scenes of this study make physical sense")
+    }
+
+    fn run(&self, changes: &str) -> Run {
+        self.simulate(self.scene(changes), false)
+    }
+
+    fn run_with_series(&self, changes: &str) -> Run {
+        self.simulate(self.scene(changes), true)
+    }
+
+    /// Depth at the first arrest, m; infinite for a perforation, NaN where there is none.
+    fn depth_m(&self, changes: &str) -> f64 {
+        let mut scene = self.scene(changes);
+        if self.listing.is_some() {
+            // The listing follows the plate for as long as it oscillates; its depth is known when the contact ends.
+            scene.run.horizon_s = Some(CONTACT_S);
+        }
+        let run = self.simulate(scene, false);
+        match (run.outcome, run.first_arrest) {
+            (Outcome::Perforated, _) => f64::INFINITY,
+            (_, arrest) => arrest.map_or(f64::NAN, |arrest| arrest.penetration_m),
+        }
+    }
+
+    /// Depth at the first arrest over that on a rigid mount, percent.
+    fn percent(&self, changes: &str) -> f64 {
+        100.0 * self.depth_m(changes) / self.depth_m(&format!("{changes} mount=rigid"))
+    }
+
+    /// The plate's greatest displacement, mm; infinite where nothing stops the plate.
+    fn travel_mm(&self, changes: &str) -> f64 {
+        self.run(changes).max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x)
+    }
+
+    /// [`Shots::percent`] over a range of a variable.
+    fn depths(&self, changes: &str, range: &Range) -> Curve {
+        Curve::new("%", range, |x| self.percent(&format!("{changes} {}={x}", range.variable)))
+    }
+
+    /// [`Shots::travel_mm`] over a range of a variable.
+    fn travels(&self, changes: &str, range: &Range) -> Curve {
+        Curve::new("mm", range, |x| self.travel_mm(&format!("{changes} {}={x}", range.variable)))
+    }
+}
+
+/// Evenly spaced values of a variable.
+struct Range {
+    variable: &'static str,
+    from: f64,
+    to: f64,
+    count: u32,
+}
+
+const fn range(variable: &'static str, from: f64, to: f64, count: u32) -> Range {
+    Range { variable, from, to, count }
+}
+
+/// A quantity along a variable: the points where it is finite.
+struct Curve {
+    variable: &'static str,
+    unit: &'static str,
+    points: Vec<(f64, f64)>,
+}
+
+/// The noise level of a trend, relative to the curve's whole range.
+const NOISE: f64 = 1e-3;
+
+impl Curve {
+    fn new(unit: &'static str, range: &Range, value: impl Fn(f64) -> f64) -> Self {
+        let step = (range.to - range.from) / f64::from(range.count - 1);
+        let points = (0..range.count)
+            .map(|i| range.from + step * f64::from(i))
+            .map(|x| (x, value(x)))
+            .filter(|point| point.1.is_finite());
+        Self { variable: range.variable, unit, points: points.collect() }
+    }
+
+    /// Its ends: `60.0 % at gamma = 0.8, 91.5 % at 7`.
+    fn ends(&self) -> String {
+        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
+            return "nothing finite".to_owned();
+        };
+        let [from, low, to, high] = [first.0, first.1, last.0, last.1].map(four);
+        let Self { variable, unit, .. } = self;
+        format!("{low} {unit} at {variable} = {from}, {high} {unit} at {to}")
+    }
+
+    fn values(&self) -> impl Iterator<Item = f64> {
+        self.points.iter().map(|point| point.1)
+    }
+
+    fn span(&self) -> f64 {
+        self.values().fold(f64::NEG_INFINITY, larger) - self.values().fold(f64::INFINITY, smaller)
+    }
+
+    /// Whether it rises all along, but for noise.
+    fn rises(&self) -> bool {
+        self.goes(1.0)
+    }
+
+    /// Whether it falls all along, but for noise.
+    fn falls(&self) -> bool {
+        self.goes(-1.0)
+    }
+
+    fn goes(&self, sign: f64) -> bool {
+        let noise = NOISE * self.span();
+        let change = |from: &(f64, f64), to: &(f64, f64)| sign * (to.1 - from.1);
+        let ends = self.points.first().zip(self.points.last());
+        self.points.windows(2).all(|pair| change(&pair[0], &pair[1]) >= -noise)
+            && ends.is_some_and(|(first, last)| change(first, last) > 0.0)
+    }
+
+    /// Whether it becomes ever less steep, but for noise.
+    fn flattens(&self) -> bool {
+        let slope = |pair: &[(f64, f64)]| ((pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0)).abs();
+        let slopes: Vec<f64> = self.points.windows(2).map(slope).collect();
+        let noise = 2.0 * NOISE * slopes.iter().copied().fold(0.0, larger);
+        slopes.windows(2).all(|pair| pair[1] <= pair[0] + noise)
+    }
+
+    /// The value at `x`, on the straight line between the points around it.
+    fn at(&self, x: f64) -> f64 {
+        if self.points.len() < 2 {
+            return f64::NAN;
+        }
+        let after =
+            self.points.partition_point(|point| point.0 < x).clamp(1, self.points.len() - 1);
+        let ((x0, y0), (x1, y1)) = (self.points[after - 1], self.points[after]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    }
+
+    /// The slope of its least-squares line.
+    fn slope(&self) -> f64 {
+        statistics::slope(&self.points)
+    }
+
+    /// Where a falling curve crosses the middle between its ends; NaN where it does not.
+    fn edge(&self) -> f64 {
+        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {
+            return f64::NAN;
+        };
+        let middle = 0.5 * (first.1 + last.1);
+        let pair = self.points.windows(2).find(|pair| pair[0].1 > middle && pair[1].1 <= middle);
+        pair.map_or(f64::NAN, |pair| {
+            let part = (pair[0].1 - middle) / (pair[0].1 - pair[1].1);
+            pair[0].0 + part * (pair[1].0 - pair[0].0)
+        })
+    }
+
+    /// The greatest step between neighbours.
+    fn step(&self) -> f64 {
+        self.points.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).fold(0.0, larger)
+    }
+}
+
+/// A curve by its ends, and whether it bears out the verdict.
+fn trend(curve: &Curve, holds: bool) -> Check {
+    Check { text: curve.ends(), holds }
+}
+
+fn near(value: f64, stated: f64, relative: f64) -> bool {
+    (value / stated - 1.0).abs() <= relative
+}
+
+fn four(value: f64) -> String {
+    significant(value, 4)
+}
+
+fn millimetres(value_m: f64) -> String {
+    if value_m.is_finite() { format!("{:.4} mm", 1e3 * value_m) } else { "perforated".to_owned() }
+}
+
+/// Four figures of each value, and their unit.
+fn list(values: &[f64], unit: &str) -> String {
+    let values: Vec<String> = values.iter().copied().map(four).collect();
+    format!("{} {unit}", values.join(", "))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
     use std::ops::ControlFlow;
 
     use super::*;
-    use crate::study::context::CancelFlag;
+    use crate::study::context::to_its_end;
 
     #[test]
-    fn the_file_of_claims_is_right() {
-        let claims = claim::read(CLAIMS).unwrap_or_else(|problem| panic!("{problem}"));
-        assert!(claims.all.len() >= 199, "{}", claims.all.len());
+    fn every_verdict_is_borne_out_and_every_name_is_unique() {
+        let rows = reproduce(&mut Context::new(2, &mut to_its_end));
+        let failing: Vec<_> = rows.iter().filter(|row| !row.holds).collect();
+        assert!(failing.is_empty(), "{failing:#?}");
+        let names: HashSet<_> = claims().map(|claim| claim.id).collect();
+        assert_eq!((rows.len(), names.len()), (claims().count(), claims().count()));
+        assert!(rows.iter().all(|row| !row.computed.is_empty() && !row.computed.contains("NaN")));
     }
 
-    /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
+    /// Claims are checked in parallel: after a stop no further one starts, and those not finished have no row.
     #[test]
-    fn a_claim_that_is_stopped_ends_quietly() {
+    fn a_stop_ends_the_report_within_a_claim() {
         let stop = CancelFlag::default();
         stop.store(true);
         for claim in claims() {
-            assert_eq!(row(claim, &SharedRuns::stopped_by(stop.clone())).claim.id, claim.id);
+            assert_eq!(check(claim, &stop).claim.id, claim.id);
         }
         let watch = &mut |_, _: Option<&[Row]>| ControlFlow::Break(());
         assert!(reproduce(&mut Context::new(2, watch)).len() <= 1);
     }
 
-    /// Not only between two claims: the longest take most of a second.
     #[test]
-    fn the_claims_are_stopped_within_a_claim() {
-        // Claims are checked in parallel. After Ctrl-C or Esc no further one starts, and those not finished are not in the result.
-        let mut asked = 0;
-        let watch = &mut |_, _: Option<&[Row]>| {
-            asked += 1;
-            if asked > 6 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        let (rows, all) = (reproduce(&mut Context::new(2, watch)), claims().len());
-        assert!(rows.len() < all / 2, "{} of {all}", rows.len());
+    fn valid_shapes_are_distinguished() {
+        let curve = |f: fn(f64) -> f64| Curve::new("", &range("x", 0.0, 2.0, 21), f);
+        let root = curve(f64::sqrt);
+        assert!(root.rises() && root.flattens() && !root.falls());
+        let square = curve(|x| x * x);
+        assert!(square.rises() && !square.flattens());
+        assert!((square.at(1.05) - 1.105).abs() < 1e-12);
+        assert!((curve(|x| 3.0 * x - 1.0).slope() - 3.0).abs() < 1e-12);
+        let step = curve(|x| if x < 0.75 { 10.0 } else { 2.0 });
+        assert!((step.edge() - 0.75).abs() < 0.06 && (step.step() - 8.0).abs() < 1e-12);
+        let wave = curve(|x| (3.0 * x).sin());
+        assert!(!wave.rises() && !wave.falls());
     }
 }

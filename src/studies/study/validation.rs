@@ -14,8 +14,10 @@ use crate::model::variables;
 use crate::study::{changed, limit, plain_run};
 
 mod bias;
+mod known;
 
 pub use bias::{Bias, biases};
+pub use known::{KNOWN, KnownError, ModelError};
 
 /// The measurements as they are written.
 const FILE: &str = include_str!("../data/measurements.toml");

@@ -4,15 +4,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::library;
-use crate::model::run::envelope::{self, Breach, Check};
+use crate::model::run::envelope::{self, Breach, Check, Direction};
 use crate::model::run::{EndReason, Run};
-use crate::model::scene::Scene;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::axis::scene_with;
-use crate::study::sweep::{Axis, Plan};
+use crate::study::sweep::grid::counts;
+use crate::study::sweep::{Axis, Plan, PointOutcome};
 
 /// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
 const STEPS_MAX: usize = 30_000;
@@ -155,6 +156,8 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
 /// What is to be said against a design.
 #[derive(Clone, Debug, Default)]
 pub struct Checked {
+    /// What a plastic interface comes to, where the fused one of the design cannot carry its load.
+    pub plastic: Option<Plastic>,
     /// The checks that fail.
     pub fails: Vec<Check>,
     /// Its warnings, but those of the entries of the libraries and of checks that the scene itself fails.
@@ -164,20 +167,77 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Of a design: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the scene itself fails.
-    pub fn of(design: &Scene, known: &[Check], goes_on: &mut dyn FnMut() -> bool) -> Self {
+    /// Of a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
+    /// scene itself fails.
+    pub fn of(
+        design: &Scene,
+        measure: &Quantity,
+        known: &[Check],
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Self {
         let run = run_while(design, STEPS_MAX, goes_on);
         let breaches = breaches(design, run.as_ref());
-        let fails = breaches.iter().map(|breach| breach.check).collect();
+        let fails: Vec<Check> = breaches.iter().map(|breach| breach.check).collect();
         let (known, new): (Vec<Breach>, Vec<Breach>) =
             breaches.into_iter().partition(|breach| known.contains(&breach.check));
         let remarks = run.iter().flat_map(envelope::remarks);
         Self {
+            plastic: Plastic::beside(design, &fails, measure, goes_on),
             fails,
             new: new.iter().map(ToString::to_string).chain(remarks).collect(),
             known: known.iter().map(ToString::to_string).collect(),
         }
     }
+}
+
+/// A design on the plastic interface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plastic {
+    /// Its outcome.
+    pub outcome: PointOutcome,
+    /// The measure that it was found by; `None` where it does not exist.
+    pub value: Option<f64>,
+}
+
+impl Plastic {
+    /// Of a design that fails these checks; `None` where its interface holds, or is plastic.
+    fn beside(
+        design: &Scene,
+        fails: &[Check],
+        measure: &Quantity,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Self> {
+        let is_overloaded = fails.iter().any(|it| matches!(it, Check::Interface | Check::Rebound));
+        if design.interface.law == InterfaceLaw::Plastic || !is_overloaded {
+            return None;
+        }
+        let mut plastic = design.clone();
+        plastic.interface.law = InterfaceLaw::Plastic;
+        let run = run_while(&plastic, STEPS_MAX, goes_on)?;
+        let outcome = PointOutcome::of(&run);
+        let value = measure.value(&run).filter(|_| counts(measure, outcome));
+        Some(Self { outcome, value })
+    }
+
+    /// In words: `plastic: 5.269 mm`, `plastic: perforated`.
+    pub fn words(&self, measure: &Quantity) -> String {
+        let shown = self.value.map(|value| measure.show(value, 4));
+        format!("plastic: {}", shown.unwrap_or_else(|| self.outcome.word().to_owned()))
+    }
+}
+
+/// The checks that make a design infeasible: those by which its answer errs on the unsafe side, but for those of the model's choice
+/// that the scene itself fails (`known`).
+pub fn infeasible(
+    design: &Scene,
+    known: &[Check],
+    goes_on: &mut dyn FnMut() -> bool,
+) -> Vec<Check> {
+    let run = run_while(design, STEPS_MAX, goes_on);
+    let found = breaches(design, run.as_ref()).into_iter();
+    let is_unsafe = |it: &Breach| it.direction == Direction::Unconservative;
+    let checks = found.filter(is_unsafe).map(|it| it.check);
+    checks.filter(|it| it.is_of_load() || !known.contains(it)).collect()
 }
 
 /// The warnings of a design beyond those that are known already, with the values that make it.
@@ -190,19 +250,13 @@ pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> 
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
 
-/// How many designs of a search breach each check: by their runs, and by the scenes alone once `goes_on` is false.
-pub fn breached(
-    designs: impl Iterator<Item = Scene>,
-    goes_on: &mut dyn FnMut() -> bool,
-) -> Vec<(Check, usize)> {
-    let mut counts = [0_usize; Check::ALL.len()];
-    for scene in designs {
-        let fails = Checked::of(&scene, &[], goes_on).fails;
-        for (count, check) in counts.iter_mut().zip(Check::ALL) {
-            *count += usize::from(fails.contains(&check));
-        }
+/// How often each check is among those that designs fail.
+pub fn counts_of<'c>(fails: impl Iterator<Item = &'c [Check]>) -> Vec<(Check, usize)> {
+    let mut counts = Check::ALL.map(|check| (check, 0));
+    for check in fails.flatten() {
+        counts[*check as usize].1 += 1;
     }
-    Check::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0).collect()
+    counts.into_iter().filter(|(_, count)| *count > 0).collect()
 }
 
 /// These counts in words: `h/D 100, interface 88`.
@@ -319,7 +373,10 @@ mod tests {
     #[test]
     fn designs_are_counted_by_their_runs_and_after_a_stop_by_their_scenes() {
         let count = |is_run: bool| {
-            let counts = breached([0.0, 0.5].map(cocked).into_iter(), &mut || is_run);
+            let of =
+                |scene| Checked::of(&scene, named("stroke_m").unwrap(), &[], &mut || is_run).fails;
+            let fails = [0.0, 0.5].map(cocked).map(of);
+            let counts = counts_of(fails.iter().map(Vec::as_slice));
             let of = |check| counts.iter().find(|it| it.0 == check).map_or(0, |it| it.1);
             (of(Check::Thickness), of(Check::Interface))
         };
@@ -328,8 +385,9 @@ mod tests {
 
     #[test]
     fn the_warnings_of_a_design_are_told_from_those_that_its_scene_has() {
-        let known = Checked::of(&cocked(0.0), &[], &mut || true).fails;
-        let of = |distance_m| Checked::of(&cocked(distance_m), &known, &mut || true);
+        let depth = named("final_penetration_m").unwrap();
+        let known = Checked::of(&cocked(0.0), depth, &[], &mut || true).fails;
+        let of = |distance_m| Checked::of(&cocked(distance_m), depth, &known, &mut || true);
         let has = |list: &[String], words| list.iter().any(|text| text.contains(words));
         assert!(of(0.0).new.is_empty() && has(&of(0.0).known, "h/D"), "{:?}", of(0.0));
         let far = of(0.5);

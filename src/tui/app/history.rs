@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::tui::app::Base;
 use crate::tui::pages::explore::state::SamplingPlan;
-use crate::tui::pages::limit;
 use crate::tui::pages::run::runs::Pin;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Page;
@@ -18,12 +17,8 @@ pub struct Snapshot {
     pub base: Base,
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
-    /// The setup of V50.
-    pub limit: limit::setup::Setup,
     /// The points that the Explore tab computes.
     pub plan: SamplingPlan,
-    /// The weights of the screening matrix, percent.
-    pub weights: [f64; 7],
 }
 
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
@@ -50,10 +45,6 @@ pub enum Stepping {
     Variable(usize),
     /// A row of the setup of a search.
     Search(Page, Row),
-    /// A row of the setup of V50.
-    Limit(limit::setup::Row),
-    /// The weight of a criterion of the screening matrix.
-    Weight(usize),
 }
 
 #[derive(Clone, Debug, PartialEq)]

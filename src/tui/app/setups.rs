@@ -6,22 +6,20 @@ use crate::tui::app::find::quantity_called;
 use crate::tui::pages::explore::setup::{self, SetupRow};
 use crate::tui::pages::explore::state::sweep_of;
 use crate::tui::pages::run::steps::{Input, Press};
+use crate::tui::pages::search;
 use crate::tui::pages::search::setup::Bound;
 use crate::tui::pages::search::state::Page;
-use crate::tui::pages::{limit, search};
 use crate::tui::prelude::*;
 use crate::tui::widgets::form::FormRow;
 
 /// A row that is gone through has no more values than these.
 const VALUES_MOST: usize = 12;
 
-const V50: &str = "Limit: V50";
 const ABSORBER: &str = "Limit: absorber";
 
 #[derive(Clone, Copy)]
 enum Row {
     Explore(SetupRow),
-    Limit(limit::setup::Row),
     Search(Page, search::state::Row),
 }
 
@@ -31,16 +29,14 @@ impl Row {
         use SetupRow::{Curves, Design, Output, Picture};
         let is_own = |row: &SetupRow| matches!(row, Output | Picture | Design | Curves);
         let explore = app.setup_choices().into_iter().filter(is_own).map(Self::Explore);
-        let limit = limit::setup::Row::ALL.into_iter().map(Self::Limit);
         let of_page = |page| app.search_choices(page).into_iter().map(move |row| (page, row));
         let search = Page::ALL.into_iter().flat_map(of_page);
-        explore.chain(limit).chain(search.map(|(page, row)| Self::Search(page, row))).collect()
+        explore.chain(search.map(|(page, row)| Self::Search(page, row))).collect()
     }
 
     fn line(self, app: &App, bounds: &[Bound]) -> FormRow {
         match self {
             Self::Explore(row) => app.setup_line(row, &sweep_of(&app.scene)),
-            Self::Limit(row) => app.pages.limit.setup.line(row),
             Self::Search(_, row) => app.search_line(row, bounds),
         }
     }
@@ -48,7 +44,6 @@ impl Row {
     fn change(self, app: &mut App, input: Input<'_>) -> Result<(), String> {
         match self {
             Self::Explore(row) => setup::change(app, row, input),
-            Self::Limit(row) => app.pages.limit.setup.change(row, input),
             Self::Search(_, row) => search::change(app, row, input),
         }
     }
@@ -57,7 +52,6 @@ impl Row {
     fn key(self, line: &FormRow) -> String {
         let page = match self {
             Self::Explore(_) => "Explore",
-            Self::Limit(_) => "Limit",
             Self::Search(page, _) => page.title(),
         };
         let label = if line.value.is_empty() { "quantity" } else { &line.label };
@@ -107,7 +101,6 @@ impl App {
         let lines = rows.into_iter().map(|row| (row, row.line(self, &bounds)));
         let mut kept: BTreeMap<String, String> =
             lines.map(|(row, line)| (row.key(&line), text(&line))).collect();
-        kept.insert(V50.to_owned(), self.pages.limit.sampled.to_string());
         kept.extend(self.pages.limit.absorber.clone().map(|name| (ABSORBER.to_owned(), name)));
         kept
     }
@@ -120,7 +113,6 @@ impl App {
                 row.restore(self, kept);
             }
         }
-        self.pages.limit.sampled = kept.get(V50).is_some_and(|word| word == "true");
         self.pages.limit.absorber = kept.get(ABSORBER).cloned();
         // Restoring is no edit.
         (self.history, self.effects) = Default::default();

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::files::atomic::Existing;
-use crate::files::export::{Destination, Meta};
-use crate::files::report::Format;
+use crate::files::export::Destination;
+use crate::files::report::is_report;
 use crate::model::scene::{SpringKind, WhichSpring};
 use crate::model::{units, variables};
 use crate::report::svg;
@@ -87,7 +87,7 @@ pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
         return app.refuse("nothing to copy yet: press <run> to compute it".to_owned());
     };
-    match Content::Page(table).text(Meta::Beside) {
+    match Content::Page(table).text() {
         Ok(text) => app.request(Effect::Copy(text)),
         Err(why) => app.refuse(why.to_string()),
     }
@@ -145,11 +145,11 @@ fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
     state.text.all_selected = false;
     let asked = match report_file(app, state, overwrite) {
         // It is asked before the report is computed, and not only when it is written.
-        Some((to, _)) if !overwrite && to.path.exists() => {
+        Some(to) if !overwrite && to.path.exists() => {
             state.question = true;
             Ok(None)
         }
-        Some((to, format)) => report::write(app, to, format).map(|()| None),
+        Some(to) => report::write(app, to).map(|()| None),
         None => task(app, state, overwrite),
     };
     match asked {
@@ -159,11 +159,10 @@ fn accept(app: &mut App, state: &mut Ask, overwrite: bool) {
 }
 
 /// The report to write, where an export goes to a path that ends as one.
-fn report_file(app: &App, state: &Ask, overwrite: bool) -> Option<(Destination, Format)> {
+fn report_file(app: &App, state: &Ask, overwrite: bool) -> Option<Destination> {
     let path = path_of(app, state.text.value(), "").ok().filter(|_| state.exports())?;
-    let format = Format::of(&path)?;
     let existing = Existing::replaced(overwrite);
-    Some((Destination { path, existing, meta: Meta::Inline }, format))
+    is_report(&path).then_some(Destination { path, existing, has_scene: false })
 }
 
 /// The file tasks; none if a question comes first.
@@ -174,12 +173,12 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
             let path = path_of(app, state.text.value(), "table.csv")?;
             let table = || pages::of(app.tab).table(app).map(Content::Page);
             let gone = || "the result to write no longer exists".to_owned();
-            export(app, path, overwrite, Meta::Beside, || table().ok_or_else(gone))?
+            export(app, path, overwrite, || table().ok_or_else(gone))?
         }
         Purpose::Runs => {
             let path = path_of(app, state.text.value(), "run.csv")?;
             let table = || runs::table(app, &state.choices).map(Content::Runs);
-            export(app, path, overwrite, state.choices.meta(), table)?
+            export(app, path, overwrite, table)?
         }
         Purpose::Curve(which) => {
             FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)
@@ -194,7 +193,6 @@ fn export(
     app: &App,
     path: PathBuf,
     overwrite: bool,
-    meta: Meta,
     table: impl FnOnce() -> Result<Content, String>,
 ) -> Result<FileTask, String> {
     let content = if is_svg(&path) {
@@ -210,7 +208,7 @@ fn export(
         table()?
     };
     let existing = Existing::replaced(overwrite);
-    Ok(FileTask::Export(Destination { path, existing, meta }, content))
+    Ok(FileTask::Export(Destination { path, existing, has_scene: true }, content))
 }
 
 /// What is written to a path instead of the table, by its ending.
@@ -218,7 +216,7 @@ pub(super) fn instead_of_table(path: &Path) -> Option<&'static str> {
     if is_svg(path) {
         return Some("the charts on the screen, as SVG");
     }
-    Format::of(path).map(|_| "the report: inputs, results, charts, limit, sweep")
+    is_report(path).then_some("the report: inputs, results, charts, limit, sweep")
 }
 
 fn is_svg(path: &Path) -> bool {
@@ -315,7 +313,7 @@ fn hint(app: &App, state: &Ask) -> String {
         Purpose::Runs | Purpose::Table(_) => {
             let path = app.directory.join(state.text.value().trim());
             let other = instead_of_table(&path).unwrap_or(
-                "a name that ends in .svg writes the charts on the screen, .html or .md the report of the scene",
+                "a name that ends in .svg writes the charts on the screen, .html the report of the scene",
             );
             format!("to {}\n{other}", path.display())
         }

@@ -3,8 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::files::export::{Meta, RunTable};
-use crate::files::style::Style;
+use crate::files::export::RunTable;
 use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::{Ask, Purpose, ask, frame, wrap};
@@ -41,8 +40,6 @@ const WHAT: Part = "what";
 const ROWS: Part = "rows";
 const RUNS: Part = "runs";
 const COLUMNS: Part = "columns";
-const STYLE: Part = "style";
-const SCENE: Part = "scene";
 
 #[derive(Clone, Debug)]
 enum Value {
@@ -119,14 +116,6 @@ impl Choices {
         chosen.into_iter().map(str::to_owned).collect()
     }
 
-    fn style(&self) -> Style {
-        Style::ALL[self.choice(STYLE)]
-    }
-
-    pub(super) fn meta(&self) -> Meta {
-        Meta::ALL[self.choice(SCENE)]
-    }
-
     /// The field of the selected line, where that is not the path.
     pub(super) fn field_mut(&mut self) -> Option<&mut TextField> {
         match &mut self.lines.get_mut(self.selected)?.value {
@@ -199,8 +188,6 @@ pub(crate) fn open(app: &mut App) {
     }));
     let names = run::columns(Rows::Series, false).into_iter();
     lines.extend(names.map(|it| line(COLUMNS, tick(it.to_owned(), String::new(), true))));
-    lines.push(line(STYLE, Value::Choice(0, Style::ALL.map(Style::words).to_vec())));
-    lines.push(line(SCENE, Value::Choice(0, Meta::ALL.map(Meta::words).to_vec())));
     let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
     ask::open(app, Purpose::Runs, path, Choices { lines, selected: 0 });
 }
@@ -230,7 +217,7 @@ pub(super) fn table(app: &App, choices: &Choices) -> Result<RunTable, String> {
         columns.clear();
     }
     let rows = (KINDS[what].rows)(grid);
-    Ok(RunTable { rows, runs, columns, style: choices.style(), comments: String::new() })
+    Ok(RunTable { rows, runs, columns })
 }
 
 /// The number of rows typed; all runs together have no more than [`GRID_ROWS_MAX`].
@@ -252,8 +239,7 @@ pub(super) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
     let choices = &state.choices;
     let rows = choices.shown();
     let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
-    let pane =
-        PaneFrame::new("Export to CSV (charts: .svg, report: .html, .md)").right("Enter writes");
+    let pane = PaneFrame::new("Export to CSV (charts: .svg, report: .html)").right("Enter writes");
     let inner = frame(screen, (100, wanted), pane, canvas);
     let foot = FOOT.min(inner.height.saturating_sub(4));
     let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
@@ -309,12 +295,8 @@ fn below(app: &App, state: &Ask, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (0, 1), &clip(&text, width), Role::Text);
     let other = ask::instead_of_table(Path::new(state.text.value().trim()));
     let of_tables = other.map(|what| format!("{what}; choices are for tables"));
-    let note = match state.choices.meta() {
-        _ if of_tables.is_some() => of_tables.as_deref().unwrap_or_default(),
-        Meta::Beside => "with a .toml file beside it that reproduces the same digits",
-        Meta::Inline => "with the scene in # lines at the top, which some programs cannot read",
-    };
-    canvas.put(area, (0, 2), &clip(note, width), Role::Dim);
+    let beside = "with a .toml file beside it that reproduces the same digits";
+    canvas.put(area, (0, 2), &clip(of_tables.as_deref().unwrap_or(beside), width), Role::Dim);
     let lines: Vec<TextLine> = if state.question {
         wrapped(&ask::question(app, state), area.width, Role::Warning).collect()
     } else if let Some(error) = &state.text.error {
@@ -336,6 +318,5 @@ fn preview(app: &App, choices: &Choices) -> Vec<String> {
     let named = [("now".to_owned(), Arc::clone(&shown.run))];
     let rows = (KINDS[choices.choice(WHAT)].rows)(3);
     let text = run::csv(rows, &named, &choices.columns(), 2).unwrap_or_default();
-    let text = choices.style().file("", &text).unwrap_or_default();
-    text.trim_start_matches(choices.style().head()).lines().take(3).map(str::to_owned).collect()
+    text.lines().take(3).map(str::to_owned).collect()
 }

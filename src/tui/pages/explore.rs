@@ -5,8 +5,7 @@ pub mod plan;
 pub mod setup;
 pub mod state;
 
-use crate::files::shard::{self, Written};
-use crate::files::style::Style;
+use crate::files::sweep as sweep_file;
 use crate::model::units;
 use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
@@ -192,15 +191,11 @@ impl Page for ExploreTab {
         let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
-        let (shard, design, style) = (Shard::WHOLE, plan.design(), Style::default());
-        let part = shard::Part { shard, design, name: app.name_of(&scene), style };
+        let part = (plan.design(), Shard::WHOLE);
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
         let own = Arc::clone(&scene);
-        let notes = move |name: &str| {
-            let written = Written { missing: missing.as_deref(), ..Written::default() };
-            (part.beside(&own, written).notes)(name)
-        };
+        let notes = move |name: &str| sweep_file::notes(name, &own, part, missing.as_deref());
         let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);

@@ -1,40 +1,33 @@
 //! The Limit tab: the ballistic limit, the residual velocity, and the comparison at equal areal mass.
 
 pub mod comparison;
-pub mod setup;
 pub mod state;
 
-use crate::model::units;
 use crate::report::{compare, limit};
-use crate::study::limit::monte_carlo::Sampling;
-use crate::study::limit::{Limit, Report};
+use crate::study::limit::{Limit, Request};
+use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::study::validity;
-use crate::tui::app::history::Stepping;
 use crate::tui::app::layout::NARROW;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{around, ask, wrap};
 use crate::tui::pages::limit::comparison::EqualMass;
-use crate::tui::pages::limit::state::LimitSearch;
+use crate::tui::pages::limit::state::{LimitSearch, Spread};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
-use crate::tui::pages::run::steps::Input;
 use crate::tui::update::act::{along, cursor_moved, moved};
-use crate::tui::widgets::form::Form;
 
 /// The residual velocity over the impact velocity.
 pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
 /// The comparison at equal areal mass.
 pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
 pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
-/// The uncertainties of V50; in the place of the map, or of the residual velocity, while it has the keys.
-pub const SETUP: Pane = Pane::of(Tab::Limit, 3);
 
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "V50 and its spread, by the setup (v_i is exact)"),
+        key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo --outputs limit_velocity_m_s`"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),
@@ -50,11 +43,6 @@ pub(super) const PANES: &[PaneSpec] = &[
         key(A::Mark, "pin", "pin the design under the cursor"),
         key(A::ZoomIn, "zoom", "zoom about the cursor: the map is computed again"),
     ] },
-    PaneSpec { pane: SETUP, label: "Limit setup", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type a value in percent"),
-        key(A::Right, "change", "change the value by half a percent"),
-        key(A::Down, "move", "move to another row"),
-    ] },
 ];
 
 pub(super) const PAGES: &[PageSpec] = &[];
@@ -64,7 +52,6 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
     Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay pays mass efficiency compare worth absorber"),
-    Command::new(Call::Show(SETUP, None), "Limit setup", "model bias spread inputs uncertainty monte carlo"),
     Command::new(Call::Show(EFFICIENCY_MAP, None), "Efficiency map", "mass efficiency compare worth"),
 ];
 
@@ -84,11 +71,11 @@ impl Page for LimitTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (app.pane(), action) {
-            (RESIDUAL | SETUP, A::Run) => find(app),
+            (RESIDUAL, A::Run) => find(app),
             (_, A::Run) => compare(app),
             (RESIDUAL, A::View) => {
-                app.pages.limit.sampled = !app.pages.limit.sampled;
-                find(app);
+                let v50 = Spread(monte_carlo::Task::v50(&app.scene));
+                jobs::study(app, Tab::Limit, v50);
             }
             (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),
             (RESIDUAL, A::Up | A::PageUp) => turn(app, -1),
@@ -118,7 +105,7 @@ impl Page for LimitTab {
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            RESIDUAL | SETUP => app.limit_readout(),
+            RESIDUAL => app.limit_readout(),
             COMPARISON => note(app.comparison_readout()),
             _ => note(app.efficiency_readout()),
         }
@@ -142,9 +129,9 @@ impl Page for LimitTab {
             &app.limit_scene(&tab.report.scene),
             |it| format!("finding the limit{}", it.counted("of about", " shots")),
         );
-        let finding = finding
-            .unwrap_or_else(|| if tab.lacks_v50() { Progress::Old("setup") } else { done() });
-        let mut parts = vec![finding.part()];
+        let mut parts = vec![finding.unwrap_or_else(done).part()];
+        let sampling = |it: &Running| format!("V50{}", it.counted("of", " samples"));
+        parts.extend(app.jobs.running::<Spread>().map(|it| Progress::Running(sampling(it)).part()));
         if let Some(report) = &tab.report.found {
             let comparing = app.jobs.running::<EqualMass>();
             parts.extend(comparing.map(|it| Progress::Running(words(it)).part()));
@@ -170,12 +157,11 @@ impl Page for LimitTab {
         let file = |what: &str| format!("{}-{what}.csv", ask::base_stem(app));
         let found = comparison.found.clone();
         Some(match app.pane() {
-            RESIDUAL | SETUP => {
+            RESIDUAL => {
                 let report = limit.found.clone().filter(|report| !report.shots.is_empty())?;
-                let command = again(&report);
+                let command = Request { criterion: report.criterion }.to_string();
                 let csv = move |name: &str| {
-                    let sampling = report.sampled.map(|it| it.sampling);
-                    let warnings = limit::warnings(&report, sampling);
+                    let warnings = limit::warnings(&report);
                     limit::shots(name, &report).with_warnings(&warnings).csv()
                 };
                 let title = "Export the shots to CSV";
@@ -195,31 +181,12 @@ impl Page for LimitTab {
             _ => {
                 let (map, title) = (found?.map.clone()?, "Export the map to CSV");
                 let is_complete = map.is_complete();
-                let command = format!("compare --map {},{}", map.x().over(), map.y().over());
+                let command = format!("compare --map {},{}", map.x(), map.y());
                 let csv = move |name: &str| compare::map_table(name, &map).csv();
                 let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
                 table.of(app, &comparison.scene, &command)
             }
         })
-    }
-
-    fn form(&self, app: &App) -> Option<Form> {
-        (app.pane() == SETUP).then(|| app.pages.limit.form())
-    }
-
-    fn change(&self, app: &mut App, row: usize, input: Input<'_>) -> Result<(), String> {
-        let (row, before) = (setup::Row::ALL[row], app.snapshot());
-        app.pages.limit.setup.change(row, input)?;
-        if app.pages.limit.setup == before.limit {
-            return Ok(());
-        }
-        let stepping = matches!(input, Input::Step(_)).then_some(Stepping::Limit(row));
-        let first = app.history.extended(stepping).unwrap_or(&before).limit;
-        let [old, new] = [first, app.pages.limit.setup].map(|setup| setup.line(row).value);
-        edit::note(app, before, format!("V50: {} {old} -> {new}", row.label()), stepping);
-        app.pages.limit.sampled = true;
-        find(app);
-        Ok(())
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
@@ -233,7 +200,7 @@ impl Page for LimitTab {
                 let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
             }
-            _ => self.form(app).map(|form| form.rows(app.list_rows())),
+            _ => None,
         }
     }
 
@@ -249,7 +216,6 @@ impl Page for LimitTab {
         let (pane, tab) = (app.pane(), &mut app.pages.limit);
         match pane {
             RESIDUAL => tab.cursor = Some(row),
-            SETUP => tab.row = setup::Row::ALL[row],
             _ => tab.scrolled = row,
         }
     }
@@ -290,21 +256,10 @@ impl Page for LimitTab {
             match spec.pane {
                 RESIDUAL => state::render(app, area, canvas),
                 COMPARISON => comparison::render(app, area, canvas),
-                SETUP => app.pages.limit.form().render(app, SETUP, area, canvas),
                 _ => comparison::map(app, area, canvas),
             }
         }
     }
-}
-
-/// The command that finds a limit again.
-fn again(report: &Report) -> String {
-    let Some(sampled) = report.sampled else { return "limit --monte-carlo 0".to_owned() };
-    let Sampling { deviation, samples, seed, model } = sampled.sampling;
-    let [deviation, bias, spread] = [deviation, model.bias, model.spread].map(units::shortest);
-    format!(
-        "limit --monte-carlo {deviation} --model-bias {bias} --model-spread {spread} --samples {samples} --seed {seed}"
-    )
 }
 
 /// The lines of the comparison, and how many of them are shown at once.
@@ -389,19 +344,11 @@ fn turn(app: &mut App, by: isize) {
     app.pages.limit.page = wrap(page, by, count + 1);
 }
 
-/// After another setup: V50 on the screen follows at once.
-pub(crate) fn after_edit(app: &mut App) {
-    if app.tab == Tab::Limit && app.lacks_limit() {
-        find(app);
-    }
-}
-
 fn find(app: &mut App) {
-    let study = LimitSearch(app.pages.limit.effort());
-    jobs::study(app, Tab::Limit, study);
+    jobs::study(app, Tab::Limit, LimitSearch(Request::default()));
 }
 
-/// Where a pane stands: the comparison above the residual velocity and the map or the setup; the pane that has the keys alone where
+/// Where a pane stands: the comparison above the residual velocity and the map; the pane that has the keys alone where
 /// there is no room for three.
 pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let focus = app.pane();
@@ -413,7 +360,7 @@ pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let (left, right) = split_left(below, below.width / 2);
     let is_narrow = body.width < NARROW;
     let at_right = match focus {
-        EFFICIENCY_MAP | SETUP => focus,
+        EFFICIENCY_MAP => focus,
         _ if is_narrow => RESIDUAL,
         _ => EFFICIENCY_MAP,
     };

@@ -1,20 +1,18 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
-mod again;
 pub(crate) mod draw;
 pub mod setup;
 pub mod state;
 pub(crate) mod words;
 
-use crate::model::scene::InterfaceLaw;
 use crate::study::quantities::{Needs, named};
-use crate::study::search::front::Constraint;
+use crate::study::search::front;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
 use crate::tui::app::layout::{NARROW, setup_width};
 use crate::tui::app::status::outside as validity;
-use crate::tui::dialogs::{around, ask, wrap};
+use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
@@ -142,20 +140,21 @@ impl Page for SearchTab {
                 let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
                 Some(format!("{} {at}: {value}{loads}", report.axis.symbol()))
             }
-            StudyResult::Front(_, task) => {
+            StudyResult::Front(front) => {
                 let design = *tab.designs().get(tab.selected())?;
-                let values = task.axes.iter().zip(&design.values);
+                let request = &front.request;
+                let values = request.over.iter().zip(&design.values);
                 let values = values
                     .map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)));
                 let values: Vec<String> = values.collect();
-                let results = design.measures.iter().zip(task.measures());
+                let results = design.measures.iter().zip(request.measures());
                 let results = results.filter_map(|(value, column)| {
                     Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
                 });
                 let (at, count) = (tab.selected() + 1, tab.choices());
                 let results = results.collect::<Vec<String>>().join(", ");
                 let knee =
-                    if tab.selects_knee() { words::of_knee(tab, task) } else { String::new() };
+                    if tab.selects_knee() { words::of_knee(tab, front) } else { String::new() };
                 Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
             }
             StudyResult::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
@@ -228,7 +227,7 @@ impl Page for SearchTab {
         let file = format!("{}-{}", ask::base_stem(app), app.pages.search.page.file());
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
-            (found.searched(), found.is_complete(), found.request.command());
+            (Arc::clone(&found.scene), found.is_complete(), found.request.command());
         let listed = words::listed_rows(&app.pages.search);
         let csv = move |name: &str| found.csv(name, listed.as_deref());
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
@@ -301,8 +300,6 @@ impl Page for SearchTab {
 /// Far along a front, in designs.
 const FAR: i16 = 10;
 /// Steps of numbers that are not typed.
-const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
-const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
 const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
 
 /// The next pair of objectives on the axes of a front.
@@ -415,9 +412,6 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
             setup.bounds[at] = new;
         }
         (Row::Objective(at), Input::Step(_)) => setup.objectives[at] = !setup.objectives[at],
-        (Row::Law, Input::Step(press)) => {
-            setup.law = around(&InterfaceLaw::ALL, setup.law, press.by());
-        }
         (Row::Feasible, Input::Step(_)) => setup.feasible = !setup.feasible,
         (Row::Across | Row::Up, Input::Step(press)) => {
             let (across, up) = &mut setup.axes;
@@ -441,14 +435,12 @@ fn first_goal(app: &App, name: &str) -> f64 {
 }
 
 fn step_number(setup: &mut Setup, row: Row, press: Press) {
-    let within = |value: usize, (least, most, each): (usize, usize, usize)| {
-        let moved = if press.up { value + each } else { value.saturating_sub(each) };
-        moved.clamp(least, most)
-    };
     match row {
         Row::Stroke => setup.stroke_m = press.up.then(|| setup.stroke_m.unwrap_or(1.0)),
-        Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
-        Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
+        Row::Designs => {
+            let tried = if press.up { 2 * setup.designs } else { setup.designs / 2 };
+            setup.designs = tried.clamp(*front::SAMPLES.start(), *front::SAMPLES.end());
+        }
         Row::Percent => {
             setup.percent = (setup.percent + 0.5 * press.by() as f64).clamp(0.5, 50.0);
         }
@@ -473,17 +465,10 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             setup.stroke_m = Some(value);
         }
         Row::Bounds => {
-            let bounds = text.split(',').filter(|_| text != "none").map(Constraint::parse);
+            let bounds = text.split(',').filter(|_| text != "none").map(str::parse);
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
-        Row::Population => {
-            let value = whole(text, &(8..=2000))?;
-            if value % 2 == 1 {
-                return Err(format!("`{text}` must be even"));
-            }
-            setup.effort.0 = value;
-        }
-        Row::Generations => setup.effort.1 = whole(text, &(1..=100_000))?,
+        Row::Designs => setup.designs = whole(text, &front::SAMPLES)?,
         Row::Percent => setup.percent = percent(text, 1e-3..=100.0)?,
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
         _ => {}

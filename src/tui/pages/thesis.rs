@@ -1,53 +1,41 @@
-//! The Thesis tab: its claims, its principles, its screening matrix.
+//! The Thesis tab: what is computed of the thesis, its design principles, its screening of concepts.
 
 pub(crate) mod draw;
 
 use crate::report::thesis;
-use crate::study::principles;
-use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::sweep::Sampling;
-use crate::study::thesis::{ClaimVerdict, Opens, Row, claims, reproduce, tally};
+use crate::study::thesis::{ClaimVerdict, Row, claims, reproduce, tally};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::app::history::Stepping;
 use crate::tui::app::status::fitting;
 use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
 use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::{self, step_of};
+use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
 
 pub const CLAIMS: Pane = Pane::of(Tab::Thesis, 0);
 pub const PRINCIPLES: Pane = Pane::of(Tab::Thesis, 1);
-pub const SCREENING: Pane = Pane::of(Tab::Thesis, 2);
+pub const CONCEPTS: Pane = Pane::of(Tab::Thesis, 2);
 
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CLAIMS, label: "Claims", has: &[Part::Table], keys: &[
         key(A::Down, "claim", "select another claim"),
-        key(A::Enter, "open", "load the claim's scene and show it"),
+        key(A::Enter, "open", "load the preset that shows the claim"),
         key(A::View, "verdict", "show only the rows with the next verdict, or all"),
         key(A::Find, "find", "find a claim"),
         key(A::Sort, "sort", "sort the table by the next column"),
     ] },
-    PaneSpec { pane: PRINCIPLES, label: "Principles", has: &[], keys: &[
-        key(A::Down, "principle", "select another principle"),
-        key(A::Enter, "open", "load the preset that shows the principle"),
-        key(A::Find, "find", "find a principle"),
-    ] },
-    PaneSpec { pane: SCREENING, label: "Screening", has: &[Part::Form], keys: &[
-        key(A::Right, "weight", "change the weight by a percent"),
-        key(A::Down, "criterion", "select another criterion"),
-        key(A::Reset, "printed", "reset the weight to the printed one"),
-        key(A::Enter, "open", "load the preset of the concept that ranks first"),
-    ] },
+    PaneSpec { pane: PRINCIPLES, label: "Principles", has: &[], keys: &[] },
+    PaneSpec { pane: CONCEPTS, label: "Concepts", has: &[], keys: &[] },
 ];
 
 pub(super) const PAGES: &[PageSpec] = &[
     PageSpec { name: "Claims", panes: &[CLAIMS] },
     PageSpec { name: "Principles", panes: &[PRINCIPLES] },
-    PageSpec { name: "Screening", panes: &[SCREENING] },
+    PageSpec { name: "Concepts", panes: &[CONCEPTS] },
 ];
 
 #[rustfmt::skip]
@@ -55,7 +43,7 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Thesis)), "Thesis tab", "reproduce"),
     Command::new(Call::Show(CLAIMS, None), "Claims", "reproduce thesis check verdict"),
     Command::new(Call::Show(PRINCIPLES, None), "Principles", "families functions"),
-    Command::new(Call::Show(SCREENING, None), "Screening", "matrix weights criteria concepts"),
+    Command::new(Call::Show(CONCEPTS, None), "Concepts", "screening matrix weights criteria ratings"),
 ];
 
 pub(crate) struct ThesisTab;
@@ -69,59 +57,27 @@ impl Page for ThesisTab {
     }
 
     fn act(&self, app: &mut App, action: Action) -> bool {
-        let pane = app.pane();
-        if let (SCREENING, Some(press)) = (pane, step_of(action)) {
-            let step = STEP * press.size.factor();
-            let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
-            weights[at] =
-                (weights[at] + if press.up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
-            weigh(app, weights, Some(at));
-            return true;
+        if app.pane() != CLAIMS {
+            return false;
         }
         match action {
             Action::Run => check(app),
             Action::Enter => open(app),
-            Action::View if pane == CLAIMS => app.pages.thesis.next_filter(),
+            Action::View => app.pages.thesis.next_filter(),
             Action::Sort => app.pages.thesis.by_verdict = !app.pages.thesis.by_verdict,
-            Action::Reset => {
-                let (mut weights, at) = (app.pages.thesis.weights, app.pages.thesis.criterion);
-                weights[at] = WEIGHTS_PERCENT[at];
-                weigh(app, weights, None);
-                app.tell("weight reset to that of Table 7.1 (<undo> undoes)");
-            }
             _ => return false,
         }
         true
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        let tab = &app.pages.thesis;
-        let text = match app.pane() {
-            CLAIMS => {
-                let row = app.claim()?;
-                let opens = match row.claim.opens() {
-                    Opens::Nothing => "no scene shows this".to_owned(),
-                    Opens::Scene(_) => "<enter> opens its scene".to_owned(),
-                    Opens::Preset(name) => format!("<enter> opens {name}"),
-                };
-                // The cause is in the detail: a line that changes its height here would move the list.
-                let verdict = row.found.verdict;
-                format!("{} {}: {opens}", verdict.letter(), verdict.words())
-            }
-            // Its name is selected in the list and heads the detail.
-            PRINCIPLES => match principles::PRINCIPLES[tab.principle].preset {
-                Some(name) => format!("<enter> opens {name}"),
-                None => "no preset shows it".to_owned(),
-            },
-            // In one row of the narrowest screen: a second one would hide the ranks.
-            _ => format!(
-                "{}: {} %, printed {} %",
-                CRITERIA[tab.criterion],
-                significant(tab.weights[tab.criterion], 4),
-                significant(WEIGHTS_PERCENT[tab.criterion], 4),
-            ),
+        let claim = app.claim().filter(|_| app.pane() == CLAIMS)?.claim;
+        let opens = match claim.preset {
+            Some(name) => format!("<enter> opens {name}"),
+            None => "no preset shows this".to_owned(),
         };
-        note(Some(text))
+        // The cause is in the detail: a line that changes its height here would move the list.
+        note(Some(format!("{} {}: {opens}", claim.verdict.letter(), claim.verdict.words())))
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -140,11 +96,9 @@ impl Page for ThesisTab {
             let full = listed(|verdict, count| format!("{count} {}", verdict.words()));
             let full = format!("{} rows: {full}", rows.len());
             // The letters are those of the list.
-            let brief =
-                listed(|verdict, count| format!("{}{count} {}", verdict.letter(), verdict.brief()));
             let letters = listed(|verdict, count| format!("{count} {}", verdict.letter()));
             let room = usize::from(app.size.0.saturating_sub(2));
-            parts.push((Severity::Note, full, fitting([brief, letters], room)));
+            parts.push((Severity::Note, full.clone(), fitting([full, letters], room)));
         }
         parts
     }
@@ -157,7 +111,7 @@ impl Page for ThesisTab {
         let tab = &app.pages.thesis;
         let (file, is_complete, text) = match app.pane() {
             PRINCIPLES => ("principles.csv", true, thesis::principles().csv()),
-            SCREENING => ("screening.csv", true, thesis::screening(&tab.weights).csv()),
+            CONCEPTS => ("concepts.csv", true, thesis::concepts().csv()),
             _ => {
                 // Of the claims those that are shown, as far as they are checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
@@ -169,31 +123,12 @@ impl Page for ThesisTab {
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
-        let tab = &app.pages.thesis;
-        let (count, selected) = match app.pane() {
-            CLAIMS => (app.claims().len(), tab.selected),
-            PRINCIPLES => (principles::PRINCIPLES.len(), tab.principle),
-            _ => (CRITERIA.len(), tab.criterion),
-        };
-        Some(Rows { count, selected, shown: app.list_rows() })
+        let (count, selected) = (app.claims().len(), app.pages.thesis.selected);
+        (app.pane() == CLAIMS).then(|| Rows { count, selected, shown: app.list_rows() })
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        match app.pane() {
-            CLAIMS => app.pages.thesis.selected = row,
-            PRINCIPLES => app.pages.thesis.principle = row,
-            _ => app.pages.thesis.criterion = row,
-        }
-    }
-
-    fn row_name(&self, app: &App, row: usize) -> Option<String> {
-        match app.pane() {
-            CLAIMS => None,
-            PRINCIPLES => {
-                principles::PRINCIPLES.get(row).map(|it| format!("{} {}", it.name, it.family))
-            }
-            _ => CRITERIA.get(row).map(|name| (*name).to_owned()),
-        }
+        app.pages.thesis.selected = row;
     }
 
     fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
@@ -205,60 +140,19 @@ impl Page for ThesisTab {
     }
 }
 
-const STEP: f64 = 1.0;
-const WEIGHT_MAX: f64 = 100.0;
-
 /// Check the claims; the scene plays no part.
 fn check(app: &mut App) {
     jobs::study_of(app, Tab::Thesis, &Arc::default(), Claims);
 }
 
-/// Other weights, as one edit; steps of one criterion join.
-fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
-    let before = app.snapshot();
-    app.pages.thesis.weights = weights;
-    if weights.map(f64::to_bits) == before.weights.map(f64::to_bits) {
-        return;
-    }
-    let stepping = stepped.map(Stepping::Weight);
-    let label = match stepped {
-        None => "printed weights".to_owned(),
-        Some(at) => {
-            let first = app.history.extended(stepping).unwrap_or(&before).weights[at];
-            let percent = |weight| significant(weight, 4);
-            format!("{} {} -> {} %", CRITERIA[at], percent(first), percent(weights[at]))
-        }
-    };
-    edit::note(app, before, label, stepping);
-}
-
-/// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.
+/// Open the preset that shows the selected claim: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) {
-    let tab = &app.pages.thesis;
-    let row = app.claim();
-    let opens = match app.pane() {
-        PRINCIPLES => {
-            principles::PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset)
-        }
-        SCREENING => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
-        _ => row.map_or(Opens::Nothing, |row| row.claim.opens()),
-    };
-    let id = row.map_or("claim", |row| row.claim.id);
-    let base = match opens {
-        Opens::Nothing => None,
-        Opens::Scene(scene) => Some(Base {
-            name: format!("claim {id}"),
-            is_mine: false,
-            scene: Arc::new(scene.clone()),
-        }),
-        Opens::Preset(name) => {
-            app.presets.iter().find(|entry| entry.name == name).cloned().map(base_of)
-        }
-    };
-    let Some(base) = base else {
-        return app.tell("no scene shows this");
-    };
-    show(app, base);
+    let preset = app.claim().and_then(|row| row.claim.preset);
+    let entry = app.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
+    match entry.cloned() {
+        Some(entry) => show(app, base_of(entry)),
+        None => app.tell("no preset shows this"),
+    }
 }
 
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
@@ -296,11 +190,11 @@ impl Study for Claims {
     fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.watch(RowsSoFar::part);
         let rows = reproduce(&mut Context::new(reporter.threads(), watch));
-        Ok(Finding::new(RowsSoFar::ended(rows, claims().len())))
+        Ok(Finding::new(RowsSoFar::ended(rows, claims().count())))
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Thesis {
     pub report: Kept<RowsSoFar<Row>>,
     pub filter: Option<ClaimVerdict>,
@@ -308,25 +202,6 @@ pub struct Thesis {
     pub find: String,
     pub by_verdict: bool,
     pub selected: usize,
-    pub principle: usize,
-    pub criterion: usize,
-    /// Weights of the criteria, percent.
-    pub weights: [f64; 7],
-}
-
-impl Default for Thesis {
-    fn default() -> Self {
-        Self {
-            report: Kept::default(),
-            filter: None,
-            find: String::new(),
-            by_verdict: false,
-            selected: 0,
-            principle: 0,
-            criterion: 0,
-            weights: WEIGHTS_PERCENT,
-        }
-    }
 }
 
 impl Thesis {
@@ -346,15 +221,13 @@ impl App {
     /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
     pub fn claims(&self) -> Vec<&Row> {
         let tab = &self.pages.thesis;
-        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
+        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.claim.verdict == wanted);
         let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
             let claim = &row.claim;
             rank(&tab.find, &[claim.id, claim.place], claim.says)
         });
         if tab.by_verdict {
-            let order =
-                |row: &&Row| ClaimVerdict::ALL.iter().position(|it| *it == row.found.verdict);
-            rows.sort_by_key(order);
+            rows.sort_by_key(|row| row.claim.verdict);
         }
         rows
     }

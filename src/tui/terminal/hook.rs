@@ -84,6 +84,9 @@ mod tests {
         let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
         let name = format!("{}::{test}", module_path!().split_once("::").unwrap().1);
         command.args(["--ignored", "--exact", &name, "--nocapture"]);
+        // Neither the directory nor the home of the person who runs the tests counts.
+        command.cwd(place);
+        command.env_clear();
         command.env(PLACE, place);
         command.env("TERM", "xterm-256color");
         let before = format!("{:?}", pair.master.get_termios());

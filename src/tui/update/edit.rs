@@ -13,7 +13,7 @@ use crate::tui::pages::explore::state::SamplingPlan;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
-use crate::tui::pages::{LabelledScene, explore, limit};
+use crate::tui::pages::{LabelledScene, explore};
 use crate::tui::prelude::*;
 use crate::tui::update::jobs;
 
@@ -150,15 +150,10 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
         app.pages.search.setup = to.search;
         (app.pages.search.problem, app.pages.search.zoomed) = Default::default();
     }
-    if from.limit != to.limit {
-        app.pages.limit.setup = to.limit;
-        limit::after_edit(app);
-    }
     if from.plan != to.plan {
         app.pages.explore.plan = to.plan;
         explore::after_edit(app);
     }
-    app.pages.thesis.weights = to.weights;
 }
 
 /// Take the last edit back.

@@ -148,15 +148,6 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
 }
 
 #[test]
-fn the_letter_of_a_front_says_what_it_marks_after_a_load() {
-    let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, &["4", "4", "<Tab>"]);
-    assert!(bench.screen().contains("S scene, A-E thesis"), "{}", bench.screen());
-    keys(&mut bench, &["<Enter>"]);
-    assert!(bench.screen().contains("S start of search, A-E thesis"), "{}", bench.screen());
-}
-
-#[test]
 fn only_the_method_that_runs_a_scene_is_used_for_it() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");
@@ -243,17 +234,17 @@ fn a_goal_begins_at_the_value_of_the_scene() {
 
 #[test]
 fn a_report_that_ends_leaves_another_dialog_alone() {
-    let path: std::path::PathBuf = "/home/ada/work/a.md".into();
+    let path: std::path::PathBuf = "/home/ada/work/a.html".into();
     let ended = Message::Done(EffectReport::Exported(path.clone(), ExportOutcome::Exists(path)));
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("e<C-u>a.md<Enter><Esc>s");
+    bench.keys("e<C-u>a.html<Enter><Esc>s");
     bench.send(ended.clone());
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
-    assert!(bench.message().contains("a.md already exists"), "{}", bench.message());
-    bench.keys("<Esc>e<C-u>b.md");
+    assert!(bench.message().contains("a.html already exists"), "{}", bench.message());
+    bench.keys("<Esc>e<C-u>b.html");
     bench.send(ended.clone());
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if !ask.question));
-    bench.keys("<C-u>a.md");
+    bench.keys("<C-u>a.html");
     bench.send(ended);
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
 }
@@ -263,26 +254,23 @@ fn a_report_asks_about_its_file_first_and_is_computed_once() {
     let place = tempfile::tempdir().unwrap();
     let mut bench = Bench::ascii(80, 24);
     bench.app.directory = place.path().to_owned();
-    std::fs::write(place.path().join("a.md"), "").unwrap();
-    bench.keys("e<C-u>a.md<Enter>");
+    std::fs::write(place.path().join("a.html"), "").unwrap();
+    bench.keys("e<C-u>a.html<Enter>");
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     assert!(bench.studies().is_empty());
     bench.keys("o");
     assert_eq!(bench.studies().len(), 1);
-    bench.keys("<Esc>e<C-u>b.md<Enter>");
+    bench.keys("<Esc>e<C-u>b.html<Enter>");
     assert!(bench.studies().is_empty());
     assert!(bench.screen().contains("another report is being written"), "{}", bench.screen());
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("e<C-u>b.md<Enter><Enter>");
+    bench.keys("e<C-u>b.html<Enter><Enter>");
     assert_eq!(bench.studies().len(), 1);
 }
 
 #[test]
 fn a_name_that_ends_as_a_report_writes_the_report() {
-    for (keys, heading) in [
-        ("e<C-u>rep.html<Enter>", "<h2>Ballistic limit</h2>"),
-        ("e<C-u>rep.md<Enter>", "## Ballistic limit"),
-    ] {
+    for (keys, heading) in [("e<C-u>rep.html<Enter>", "<h2>Ballistic limit</h2>")] {
         let mut bench = Bench::ascii(80, 24);
         bench.keys(keys);
         assert!(bench.screen().contains("writing the report"), "{}", bench.screen());

@@ -7,8 +7,6 @@ use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
 use cmra::files::atomic::Existing;
-use cmra::files::export::Meta;
-use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, StopKind};
 use cmra::report::run::Rows;
@@ -536,25 +534,6 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     bench.export_ended(ExportOutcome::Written(vec!["a.csv".into()]));
     assert!(bench.app.dialog.is_none());
     assert!(bench.message().contains("written: a.csv"));
-}
-
-#[test]
-fn an_export_has_the_chosen_dialect_and_place_of_its_scene() {
-    let mut bench = bench();
-    bench.press("e");
-    // The last two rows: style, and where the scene goes.
-    bench.press(&"<Down>".repeat(30));
-    assert!(bench.screen().contains("scene    < in a .toml file beside it"), "{}", bench.screen());
-    bench.press("l<Up>hl l");
-    assert!(bench.screen().contains("style    < for Excel"), "{}", bench.screen());
-    assert!(bench.screen().contains("time_s;mode;penetration_m"), "{}", bench.screen());
-    bench.press("<Enter>");
-    let request = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(to, Content::Runs(request))) => Some((to, request)),
-        _ => None,
-    });
-    let (to, request) = request.unwrap();
-    assert_eq!((request.style, to.meta), (Style::ExcelEu, Meta::Inline));
 }
 
 #[test]

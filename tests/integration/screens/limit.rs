@@ -8,11 +8,11 @@ use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::context::Context;
-use cmra::study::limit::fit::ResidualLaw;
-use cmra::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
-use cmra::study::limit::{Limit, LimitMethod, LimitOptions, Report, Shot};
+use cmra::study::limit::residual_law::ResidualLaw;
+use cmra::study::limit::{Limit, LimitMethod, Report, Request, Shot};
+use cmra::study::monte_carlo;
 use cmra::tui::message::ExportOutcome;
-use cmra::tui::pages::limit::state::LimitSearch;
+use cmra::tui::pages::limit::state::{LimitSearch, Spread};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
 use insta::assert_snapshot;
@@ -21,7 +21,7 @@ use insta::assert_snapshot;
 const V_BL: f64 = 232.3;
 
 /// A plate that takes a little more than its own share beyond the limit.
-fn found(scene: &Arc<Scene>, effort: LimitOptions) -> Report {
+fn found(scene: &Arc<Scene>) -> Report {
     let below = (0..6).map(|i| 0.5 + f64::from(i) / 12.0);
     let above = (1..=24).map(|i| 1.0 + 1.5 * (f64::from(i) / 24.0).powi(2));
     let law = |v: f64| 0.92 * (v.powf(2.2) - V_BL.powf(2.2)).powf(1.0 / 2.2);
@@ -30,19 +30,6 @@ fn found(scene: &Arc<Scene>, effort: LimitOptions) -> Report {
         outcome: if times > 1.0 { Outcome::Perforated } else { Outcome::Arrested },
         residual_m_s: (times > 1.0).then(|| law(times * V_BL)),
     };
-    let sampled = effort.sampling.map(|sampling| SampledLimit {
-        sampling,
-        found: 200,
-        below: 0,
-        above: 0,
-        undecided: 0,
-        v50_m_s: Some(232.5),
-        v50_95_m_s: (Some(231.1), Some(233.8)),
-        deviation_m_s: Some(9.876),
-        range90_m_s: (Some(216.4), Some(248.9)),
-        perforated: 0.015,
-        perforated95: (0.005, 0.043),
-    });
     Report {
         scene: Arc::clone(scene),
         criterion: cmra::study::limit::Criterion::Passage,
@@ -53,25 +40,21 @@ fn found(scene: &Arc<Scene>, effort: LimitOptions) -> Report {
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
-        sampled,
         is_complete: true,
     }
 }
 
-fn plain() -> LimitOptions {
-    LimitOptions { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
-}
-
-/// V50 for inputs that vary by 2 %, and a model with this error.
-fn sampled(model: ModelError) -> LimitSearch {
-    let sampling = Sampling { deviation: 0.02, samples: 200, seed: 1, model };
-    LimitSearch(LimitOptions { sampling: Some(sampling), ..plain() })
-}
-
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
-        let Some(LimitSearch(effort)) = study.asked.of() else { continue };
-        let mut report = found(&study.scene, *effort);
+        if let Some(Spread(task)) = study.asked.of() {
+            let few = monte_carlo::Task { samples: 20, ..task.clone() };
+            let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
+            let v50 = monte_carlo::sample(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
+            bench.reply(study.id, ended(Finding::new(v50)));
+            continue;
+        }
+        let Some(LimitSearch(_)) = study.asked.of() else { continue };
+        let mut report = found(&study.scene);
         change(&mut report);
         let body = ended(Finding::new(report));
         bench.reply(study.id, body);
@@ -111,7 +94,8 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
     scene.target.thickness_m = 0.003;
     let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
-    let real = cmra::study::limit::find(&Arc::new(scene), plain(), &mut Context::new(1, watch));
+    let real =
+        cmra::study::limit::find(&Arc::new(scene), Request::default(), &mut Context::new(1, watch));
     let at_limit = real.unwrap().at_limit;
     let mut bench = Bench::ascii(120, 36);
     bench.keys("3");
@@ -172,7 +156,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     assert!(bench.screen().contains("finding the limit: 12 of about 111 shots (Esc cancels)"));
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
-    let mut report = found(&bench.app.scene, plain());
+    let mut report = found(&bench.app.scene);
     report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
@@ -182,42 +166,17 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
 }
 
+/// The study is that of `cmra montecarlo --outputs limit_velocity_m_s`, with the known error of the model.
 #[test]
-fn v_asks_for_the_scatter_and_takes_it_away_again() {
+fn v_computes_v50_as_the_command_does() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
-    assert_eq!(asked.of(), Some(&sampled(ModelError::default())));
-    bench.keys("v");
-    let asked = bench.studies().remove(0).asked;
-    assert_eq!(asked.of(), Some(&LimitSearch(plain())));
+    let task = monte_carlo::Task::v50(&bench.app.scene);
+    assert_eq!(asked.of(), Some(&Spread(task)));
 }
 
-/// Bias and spread of the model are those of `cmra limit --model-bias -4% --model-spread 8%`; an undo asks for the V50 before.
-#[test]
-fn the_error_of_the_model_goes_into_v50() {
-    let mut bench = open(GlyphSet::Ascii, (80, 24));
-    bench.keys("<S-Tab>j<Enter>-4<Enter>");
-    let low = ModelError { bias: -0.04, spread: 0.0 };
-    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(low)));
-    bench.keys("j<Enter>8 %<Enter>");
-    let both = ModelError { spread: 0.08, ..low };
-    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(both)));
-    bench.keys("<Enter>80<Enter>");
-    assert!(bench.message().contains("must be from 0 to 50 %"), "{}", bench.message());
-    bench.keys("<Esc>u");
-    assert_eq!(bench.studies().pop().expect("a search").asked.of(), Some(&sampled(low)));
-}
-
-#[test]
-fn the_setup_of_v50_stands_beside_the_curve() {
-    let mut bench = open(GlyphSet::Ascii, (120, 36));
-    bench.keys("<S-Tab>jl");
-    answer(&mut bench);
-    assert_snapshot!("limit_setup", bench.screen());
-}
-
-/// The limit is that of any shot: another impact velocity starts no second search. V50 is compared with the shot.
+/// The limit is that of any shot: another impact velocity starts no second search.
 #[test]
 fn a_search_under_way_goes_on_at_another_impact_velocity() {
     let mut bench = Bench::ascii(80, 24);
@@ -229,10 +188,6 @@ fn a_search_under_way_goes_on_at_another_impact_velocity() {
     assert_eq!(asked(&mut bench), 1);
     bench.keys("1/v_i<Enter><Enter>150<Enter>3");
     assert_eq!(asked(&mut bench), 0);
-    bench.keys("v");
-    assert_eq!(asked(&mut bench), 1);
-    bench.keys("1<Enter>160<Enter>3");
-    assert_eq!(asked(&mut bench), 1);
 }
 
 #[test]
@@ -285,9 +240,6 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
     assert!(curve.contains("Residual velocity") && curve.contains("j: laws"), "{curve}");
     bench.keys("j");
     let words = bench.screen();
-    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "perforation"] {
-        assert!(words.contains(text), "{text}: {words}");
-    }
     assert_snapshot!("limit_in_words_60x16", &words);
     // Page by page to the end, and to the curve again.
     let mut all = words;
@@ -298,7 +250,9 @@ fn j_goes_from_the_curve_to_the_words_where_both_have_no_room() {
         }
         all += &bench.screen();
     }
-    assert!(all.contains("samples, seed 1"), "{all}");
+    for text in ["Recht-Ipson", "Lambert-Jonas", "V50"] {
+        assert!(all.contains(text), "{text}: {all}");
+    }
     assert_eq!(bench.screen(), curve);
 }
 

@@ -5,7 +5,6 @@ use super::sweep::{answer, open_map};
 use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
-use cmra::study::principles::PRINCIPLES;
 use cmra::tui::dialogs::{Dialog, List, Purpose};
 use cmra::tui::message::{Message, Target};
 use cmra::tui::pages::explore::state::Picture;
@@ -246,27 +245,6 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
     assert_eq!(bench.app.pages.limit.cursor, Some(far - 1));
     bench.send(Message::Wheel(false, None));
     assert_eq!(bench.app.pages.limit.cursor, Some(far));
-}
-
-#[test]
-fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.keys("6<Tab>");
-    let at = find(&bench, "Obliquity");
-    click(&mut bench, at);
-    assert_eq!(PRINCIPLES[bench.app.pages.thesis.principle].name, "Obliquity");
-    // A family is a heading.
-    let heading = find(&bench, "Energy minimization");
-    assert_eq!(target(&bench.app, heading), None);
-    bench.keys("<Tab>");
-    let at = find(&bench, "mass efficiency");
-    click(&mut bench, at);
-    assert_eq!(bench.app.pages.thesis.criterion, 4);
-    bench.keys("<Tab><Tab>");
-    let at = find(&bench, "Ricochet induction");
-    click(&mut bench, at);
-    click(&mut bench, at);
-    assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
 }
 
 #[test]

@@ -24,6 +24,8 @@ const BOUNDARIES: usize = 8;
 /// A boundary that is never met.
 const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
 
+/// Tolerance with which a plate comes to rest on its rigid stop.
+const STOP_TOLERANCE: f64 = 1e-9;
 /// How many times the rounding that the rule of the rigid stop allows for is allowed for here.
 const ROUNDINGS: f64 = 4.0;
 const PLACE_ROUNDING: f64 = ROUNDINGS * stop::HEIGHT_ROUNDING;
@@ -224,7 +226,7 @@ impl<'a> Stretch<'a> {
             let after = wall.stop.rebound(&Hit {
                 velocity: before,
                 acceleration: push,
-                velocity_scale: 1.0,
+                slow: stop::SLOW * STOP_TOLERANCE,
                 length_scale: ROUNDINGS * (1.0 + wall.x.abs()),
             });
             // The stop takes the plate's velocity, not the projectile's.

@@ -2,7 +2,6 @@
 
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::event_function::EventId;
-use crate::model::fixed_plate::FIXED_MOTION;
 use crate::model::impact::problem::{PlateResponse, Problem};
 use crate::model::impact::record::Setting;
 use crate::model::impact::simulation::Simulation;
@@ -72,12 +71,26 @@ impl Simulation<'_> {
             if problem.plate_response == PlateResponse::Fixed {
                 self.body.fixed = true;
                 let force = self.body.interface_n() * problem.cos;
-                self.body.state.plate_m =
-                    smaller(problem.mechanism.spring.at_force(force), FIXED_MOTION);
+                let spring_m = problem.mechanism.spring.at_force(force);
+                self.body.state.plate_m = smaller(spring_m, self.crept_m(&passage, &moments));
             }
             self.handle(EventId::SlipZero);
         }
         true
+    }
+
+    /// How far the contact drives a plate without inertia against its damper alone, m; infinite without one.
+    fn crept_m(&self, passage: &Passage<'_>, moments: &[Moment]) -> f64 {
+        let problem = self.body.problem;
+        let speed = |moment: &Moment| {
+            let pressure = passage.strength_pa + passage.drag_kg_m3 * moment.slip_m_s.powi(2);
+            let force = problem.geometry.area_m2(moment.travel_m) * pressure * problem.cos;
+            problem.mechanism.damper.at_force(force)
+        };
+        let part = |pair: &[Moment]| {
+            0.5 * (speed(&pair[0]) + speed(&pair[1])) * (pair[1].t_s - pair[0].t_s)
+        };
+        moments.windows(2).map(part).sum()
     }
 
     /// Rows at equal time steps from the last moment to the next: cubics by the velocities, and by the accelerations.

@@ -10,6 +10,9 @@ use crate::model::impact::simulation::Simulation;
 use crate::model::mechanism::stop::{Hit, SLOW};
 use crate::model::run::{Arrest, Departure, EventKind, Mode};
 
+/// Hits of the stop slower than this part of the impact velocity are not events of the run.
+const NOTED_HIT: f64 = 1e-9;
+
 /// First step of the implicit method, relative to the time reached, where the plate is too slow for Taylor steps.
 const UNRESOLVED_STEP: f64 = 1e-3;
 
@@ -253,10 +256,12 @@ impl Simulation<'_> {
         let after = stop.rebound(&Hit {
             velocity: before,
             acceleration: rate,
-            velocity_scale: self.body.problem.velocity_m_s + self.body.speed_scale_m_s,
+            slow: SLOW
+                * self.body.tolerance
+                * (self.body.problem.velocity_m_s + self.body.speed_scale_m_s),
             length_scale: self.body.stop_scale_m(),
         });
-        if before > SLOW * self.body.problem.velocity_m_s {
+        if before > NOTED_HIT * self.body.problem.velocity_m_s {
             self.note(EventKind::StopHit);
         }
         self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);

@@ -6,8 +6,8 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactLaw, Scales};
 use crate::model::fixed_plate::plate_is_fixed;
-use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
+use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring};
+use crate::model::scene::{Combination, ContactModel, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -185,6 +185,15 @@ impl Problem {
     /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
     pub(super) fn follows_mount_force(&self) -> bool {
         !self.mechanism.damper.is_absent() || self.mechanism.stop.is_some()
+    }
+
+    /// Whether the spring is a combination with a power law that is infinitely steep at zero.
+    pub(super) fn straightens(&self) -> bool {
+        let springs = [&self.scene.mechanism.spring, &self.scene.mechanism.second];
+        let is_steep = |law: PowerLaw| !law.is_absent() && law.exponent < 1.0;
+        self.scene.mechanism.combination != Combination::Alone
+            && self.mechanism.spring.curve().is_some()
+            && springs.iter().any(|spring| spring.power_law().is_some_and(is_steep))
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.

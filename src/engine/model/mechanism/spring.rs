@@ -50,7 +50,13 @@ impl Spring {
             Combination::Alone => alone(first, crushed_m[0]),
             Combination::Parallel if second.is_absent() => alone(first, crushed_m[0]),
             Combination::Parallel if first.is_absent() => alone(second, crushed_m[1]),
-            Combination::Parallel => both(combine::parallel),
+            Combination::Parallel => match (first.power_law(), second.power_law()) {
+                (Some(a), Some(b)) if a.exponent.to_bits() == b.exponent.to_bits() => {
+                    let coefficient = a.coefficient + b.coefficient;
+                    Self::Power(PowerLaw { coefficient, ..a })
+                }
+                _ => both(combine::parallel),
+            },
             Combination::Series => both(combine::series),
         }
     }

@@ -32,8 +32,9 @@ worded! {
     }
 }
 
-/// A rebound slower than this part of the velocities of the impact is a rest.
-pub(in crate::model) const SLOW: f64 = 1e-9;
+/// A rebound slower than this part of the velocities of the impact, per tolerance, is a rest: a plate that leaves its stop with less
+/// drifts apart from one at rest by less than the tolerance.
+pub(in crate::model) const SLOW: f64 = 1e-3;
 /// So is one whose height is below this part of the displacements: their digits end there.
 pub(in crate::model) const HEIGHT_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -43,8 +44,8 @@ pub(in crate::model) struct Hit {
     pub(in crate::model) velocity: f64,
     /// Acceleration by all forces but the stop's, forwards.
     pub(in crate::model) acceleration: f64,
-    /// The velocities that matter.
-    pub(in crate::model) velocity_scale: f64,
+    /// The velocities below which it rests.
+    pub(in crate::model) slow: f64,
     /// The displacements that matter.
     pub(in crate::model) length_scale: f64,
 }
@@ -56,7 +57,7 @@ impl Stop {
         let height = 0.5 * after * after / hit.acceleration.abs();
         let is_within_rounding =
             hit.acceleration > 0.0 && height <= HEIGHT_ROUNDING * hit.length_scale;
-        if after.abs() <= SLOW * hit.velocity_scale || is_within_rounding { 0.0 } else { after }
+        if after.abs() <= hit.slow || is_within_rounding { 0.0 } else { after }
     }
 }
 
@@ -77,7 +78,7 @@ mod tests {
             (0.5, 4e-7, 1e6, 0.0),
             (0.5, 4e-7, -1e6, -2e-7),
         ] {
-            let hit = Hit { velocity, acceleration, velocity_scale: 100.0, length_scale: 1e-3 };
+            let hit = Hit { velocity, acceleration, slow: 1e-7, length_scale: 1e-3 };
             let after = Stop { restitution, ..Stop::default() }.rebound(&hit);
             assert!((after - exact).abs() < 1e-22, "{restitution} {hit:?}: {after}");
         }

@@ -21,7 +21,7 @@ use crate::model::worded::worded;
 const THICKNESS: f64 = 1.0;
 const ABOUT: f64 = 0.1;
 /// Plates of this yield strength, Pa, fail by plugging below this h/D: FE results for rolled armour of 6 to 16 mm (`validate`).
-const HARD_PA: f64 = 7.5e8;
+pub const HARD_PA: f64 = 7.5e8;
 const HARD_THICKNESS: f64 = 2.5;
 /// Strength of a hardened steel projectile, Pa, and the part of it from which it may deform.
 pub const PROJECTILE_STRENGTH_PA: f64 = 2e9;
@@ -68,6 +68,11 @@ worded! {
 }
 
 impl Check {
+    /// Whether it is of what the design itself has to bear, not of the model's choice.
+    pub fn is_of_load(self) -> bool {
+        matches!(self, Self::Face | Self::Spring | Self::Stop | Self::Interface | Self::Rebound)
+    }
+
     /// The variable in whose row the breach is marked.
     pub fn symbol(self) -> &'static str {
         match self {
@@ -133,6 +138,14 @@ impl Breach {
 impl fmt::Display for Breach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "outside validity: {} ({})", self.text, self.direction.word())
+    }
+}
+
+/// The yield stress of the plate, Pa: where the flow strength is given outright, half of it, as Virostek's closure has it.
+pub fn equivalent_yield_pa(scene: &Scene) -> f64 {
+    match scene.closure() {
+        ClosureInEffect::Given => 0.5 * scene.flow_strength_pa(),
+        ClosureInEffect::DoubleYield | ClosureInEffect::Cavity => scene.target.yield_pa,
     }
 }
 

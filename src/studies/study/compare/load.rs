@@ -119,9 +119,11 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     };
     let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
     let left = moving_plate_kg(scene) * row.plate_velocity_m_s;
-    // A plate whose greatest displacement is known comes to rest there, with a projectile that is in it.
+    // A plate whose greatest displacement is known comes to rest there, with a projectile that is in it. It still moves on in the row
+    // in which it meets a rigid stop.
     let known_m = run.max_plate_displacement_m.filter(|_| turn.is_none());
-    if known_m.is_none_or(|far_m| far_m <= row.plate_displacement_m) {
+    let moves_on = row.plate_velocity_m_s > 0.0;
+    if known_m.is_none_or(|far_m| far_m <= row.plate_displacement_m && !moves_on) {
         return Some(lost - left);
     }
     Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost })

@@ -25,19 +25,6 @@ pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
 const LOWER_MAX: usize = 4;
 /// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
-/// The range in which a limit is searched: between two velocities, at a given number of points at equal ratios, and then to a relative width.
-#[derive(Clone, Copy)]
-pub(super) struct Scan {
-    pub(super) low_m_s: f64,
-    pub(super) high_m_s: f64,
-    pub(super) points: usize,
-    pub(super) width: f64,
-}
-
-impl Scan {
-    pub(super) const WHOLE: Self =
-        Self { low_m_s: RANGE_M_S.0, high_m_s: RANGE_M_S.1, points: SCAN, width: WIDTH };
-}
 
 /// What every shot at a scene needs. Shots count as pieces of work.
 pub(super) struct ShotRunner<'s, 'c, 'w> {
@@ -98,8 +85,8 @@ impl ShotRunner<'_, '_, '_> {
         self.goes_on().then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
     }
 
-    /// The limit within a range, searched with a given number of points, to a relative width.
-    pub(super) fn limit(&mut self, scan: Scan) -> Limit {
+    /// The limit over all velocities, by closed form or by outcome.
+    fn limit(&mut self) -> Limit {
         let by_passage = self.criterion == Criterion::Passage;
         if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
             return if velocity_m_s < RANGE_M_S.0 {
@@ -110,12 +97,12 @@ impl ShotRunner<'_, '_, '_> {
                 Limit::Never
             };
         }
-        self.search(scan).unwrap_or(Limit::Unknown)
+        self.search().unwrap_or(Limit::Unknown)
     }
 
-    /// The limit over all velocities, with a look at the outcomes on either side of it.
+    /// The same, with a look at the outcomes on either side of it.
     pub(super) fn whole_limit(&mut self) -> Limit {
-        let mut limit = self.limit(Scan::WHOLE);
+        let mut limit = self.limit();
         for _ in 0..LOWER_MAX {
             let Limit::Found { basis: LimitMethod::Outcome, .. } = limit else { break };
             let Some(beside) = self.beside(limit) else { return Limit::Unknown };
@@ -143,7 +130,7 @@ impl ShotRunner<'_, '_, '_> {
                 ShotOutcome::Undecided => limit = limit.above_undecided(velocity_m_s),
                 ShotOutcome::Perforated => {
                     let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
-                    return self.closed_in(lower_m_s, velocity_m_s, WIDTH, Some(limit_m_s));
+                    return self.closed_in(lower_m_s, velocity_m_s, Some(limit_m_s));
                 }
             }
         }
@@ -188,11 +175,10 @@ impl ShotRunner<'_, '_, '_> {
         &mut self,
         stopped_m_s: f64,
         through_m_s: f64,
-        width: f64,
         stopped_at_m_s: Option<f64>,
     ) -> Option<Limit> {
         let (mut stopped, mut through) = (stopped_m_s, through_m_s);
-        while through - stopped > width * stopped {
+        while through - stopped > WIDTH * stopped {
             let middle = 0.5 * (stopped + through);
             match self.verdict(middle)? {
                 ShotOutcome::Perforated => through = middle,
@@ -230,11 +216,11 @@ impl ShotRunner<'_, '_, '_> {
         })
     }
 
-    pub(super) fn search(&mut self, scan: Scan) -> Option<Limit> {
-        let Scan { low_m_s: low, high_m_s, points, width } = scan;
-        let ratio = (high_m_s / low).powf(1.0 / (points - 1) as f64);
-        let velocities: Vec<f64> =
-            (0..points).map(|point| low * ratio.powf(point as f64)).collect();
+    /// The limit by the outcome of runs: a scan at equal ratios, and bisection.
+    pub(super) fn search(&mut self) -> Option<Limit> {
+        let (low, high): (f64, f64) = RANGE_M_S;
+        let ratio = (high / low).powf(1.0 / (SCAN - 1) as f64);
+        let velocities: Vec<f64> = (0..SCAN).map(|point| low * ratio.powf(point as f64)).collect();
         let mut scan: Vec<(f64, ShotOutcome)> = Vec::new();
         for (point, &velocity) in velocities.iter().enumerate() {
             let found = self.verdict(velocity)?;
@@ -252,7 +238,7 @@ impl ShotRunner<'_, '_, '_> {
                         }
                         ShotOutcome::Stopped => {
                             let Some(through) = through_m_s else { break };
-                            let limit = self.closed_in(above, through, width, None)?;
+                            let limit = self.closed_in(above, through, None)?;
                             return Some(limit.above_undecided(velocity));
                         }
                     }
@@ -269,7 +255,7 @@ impl ShotRunner<'_, '_, '_> {
         }
         let later = scan[first..].iter().find(|point| point.1 == ShotOutcome::Stopped);
         let stopped_at_m_s = later.map(|point| point.0);
-        self.closed_in(scan[first - 1].0, scan[first].0, width, stopped_at_m_s)
+        self.closed_in(scan[first - 1].0, scan[first].0, stopped_at_m_s)
     }
 
     /// Shots on either side of the limit, denser above it, or over the whole range.

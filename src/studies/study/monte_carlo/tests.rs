@@ -4,11 +4,12 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::study::context::{to_its_end, until};
+use crate::study::limit::closed_form;
 use crate::study::testing::rigid;
 
 fn task(tolerances: Vec<Tolerance>, measures: &[&str], samples: usize) -> Task {
     let measures = measures.iter().map(|name| (*name).to_owned()).collect();
-    Task { tolerances, measures, samples, seed: 1 }
+    Task { tolerances, measures, samples, seed: 1, model: ModelError::default() }
 }
 
 fn run(scene: &Scene, task: &Task) -> Report {
@@ -149,7 +150,7 @@ fn tolerances_are_read_as_people_write_them() {
     assert!(told(&task(Vec::new(), &["stroke_m"], 100)).contains("nothing scatters"));
 }
 
-/// A rigid plate's limit is 232.295378 m/s (model page): of velocities uniform over 182.295378 to 282.295378 half perforate.
+/// A rigid plate's limit is 232.295378 m/s in closed form: of velocities uniform over 182.295378 to 282.295378 half perforate.
 #[test]
 fn valid_probability_of_perforation() {
     let limit = 232.295_378;
@@ -162,4 +163,47 @@ fn valid_probability_of_perforation() {
         report.outcomes.of(Outcome::Perforated) + report.summaries[0].sorted.len() as u64,
         4000
     );
+}
+
+/// To first order the squares of the sensitivities of the closed form add up, and the model's own spread with them; a bias of 25 % is
+/// a factor on V50. The bare limit stands beside it.
+#[test]
+fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
+    let mut scene = rigid();
+    scene.projectile.velocity_m_s = 232.295_378;
+    let model = ModelError { bias: 0.25, spread: 0.08 };
+    let mut v50 = Task { model, samples: 400, ..Task::v50(&scene) };
+    v50.tolerances = usual_tolerances(&scene, 0.03);
+    let report = run(&scene, &v50);
+    assert_eq!(report, run(&scene, &v50), "the same seed gives the same digits");
+    // d ln v/d ln x by differences.
+    let sensitivity = |changed: &dyn Fn(&mut Scene, f64)| {
+        let at = |factor: f64| {
+            let mut own = scene.clone();
+            changed(&mut own, factor);
+            closed_form(&own).unwrap().ln()
+        };
+        (at(1.001) - at(0.999)) / 0.002
+    };
+    let all: [f64; 6] = [
+        sensitivity(&|own, by| own.projectile.mass_kg *= by),
+        sensitivity(&|own, by| own.projectile.tip_radius_m *= by),
+        sensitivity(&|own, by| own.target.thickness_m *= by),
+        sensitivity(&|own, by| own.target.density_kg_m3 *= by),
+        sensitivity(&|own, by| own.target.flow_strength_pa *= by),
+        sensitivity(&|own, by| own.target.drag_coefficient *= by),
+    ];
+    let inputs = 0.03 * all.iter().map(|s| s * s).sum::<f64>().sqrt();
+    let [both, bare] = &report.summaries[..] else { panic!("{:?}", report.summaries) };
+    assert!(both.has_model_error && !bare.has_model_error);
+    for (summary, median, spread) in
+        [(bare, 232.295_378, inputs), (both, 232.295_378 / 1.25, inputs.hypot(0.08))]
+    {
+        assert!((summary.nominal.unwrap() / median - 1.0).abs() < 1e-8);
+        assert!((summary.quantile(0.5).unwrap().value / median - 1.0).abs() < 0.02);
+        let found = summary.deviation.unwrap() / median;
+        assert!((found / spread - 1.0).abs() < 0.15, "{found} {spread}");
+    }
+    // Half the shots at the limit itself go through, within three standard errors; v_i scatters too.
+    assert!((report.perforated.unwrap().value - 0.5).abs() < 0.08);
 }

@@ -51,7 +51,7 @@ pub fn nearest(name: &str) -> String {
     let mut all: Vec<&Quantity> = QUANTITIES.iter().collect();
     all.sort_by_key(|quantity| !USUAL.contains(&quantity.name));
     variables::close(&lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
-        format!("the usual ones are {}; `cmra explain quantities` lists all", USUAL.join(", "))
+        format!("the usual ones are {}; `cmra explain` lists all", USUAL.join(", "))
     })
 }
 

@@ -4,12 +4,15 @@
 //! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is reported
 //! apart from a solution. Must not know files, threads, screens or a clock.
 
+use std::fmt;
 use std::ops::RangeInclusive;
+use std::str::FromStr;
 
 use crate::model::run::envelope::Check;
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::units::shortest;
 use crate::study::context::Context;
-use crate::study::quantities::Quantity;
+use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use crate::study::validity::Checked;
 use roots::{Crossing, RootScan};
@@ -21,15 +24,49 @@ pub const SCAN: RangeInclusive<u64> = 3..=100_000;
 /// Points of a scan if none is given.
 pub const SCAN_USUAL: u64 = 65;
 
-/// The goal.
+/// What is searched for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Goal {
+pub struct Request {
     /// The variable, its bounds, and as many points as the scan has.
-    pub axis: Axis,
-    /// The measure's name.
-    pub measure: String,
-    /// The value it should have, SI; percent for percentages.
+    pub over: Axis,
+    /// The quantity, and the value it should have.
+    pub goal: Goal,
+}
+
+/// The command's name and options.
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "seek --over {} --goal {}", self.over, self.goal)
+    }
+}
+
+/// A quantity and the value it should have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal {
+    /// The quantity.
+    pub measure: &'static Quantity,
+    /// The value, SI; percent for percentages.
     pub target: f64,
+}
+
+/// Reads `QUANTITY=VALUE`, SI or with a unit.
+impl FromStr for Goal {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, value) = text
+            .split_once('=')
+            .ok_or("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")?;
+        let measure = named(name.trim()).map_err(|error| error.to_string())?;
+        Ok(Self { measure, target: measure.parse(value)? })
+    }
+}
+
+/// As it is read: `stroke_m=0.045`.
+impl fmt::Display for Goal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.measure.name, shortest(self.target))
+    }
 }
 
 enumeration! {
@@ -126,21 +163,18 @@ impl Report {
     }
 }
 
-/// Whether the interface of a scene has no limit of strength: a search may then end at a design that no real interface holds together.
-pub fn has_unlimited_interface(scene: &Scene) -> bool {
-    scene.interface.law == InterfaceLaw::Fused
-        && scene.contact.model == ContactModel::Hydrodynamic
-        && scene.plate.mount == Mount::Sprung
-}
-
-/// Seek.
+/// Looks for every value of the variable that reaches the goal, on the interface law of the scene.
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
-pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Report, SweepError> {
-    let axis = &goal.axis;
-    let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
-    space.outputs()[0].check_exists(scene)?;
+pub fn seek(
+    scene: &Scene,
+    request: &Request,
+    context: &mut Context<'_>,
+) -> Result<Report, SweepError> {
+    let Request { over: axis, goal } = request;
+    let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.name])?;
+    goal.measure.check_exists(scene)?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut outcomes: Vec<(f64, PointOutcome)> = Vec::new();
@@ -177,15 +211,16 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     }
     let solutions = lines.iter().filter(|line| line.kind.is_solution());
     let designs = solutions.map(|line| space.scene_of(&[line.place.at]));
-    let mut check =
-        |design: &Scene, known: &[Check]| Checked::of(design, known, &mut || context.goes_on());
+    let mut check = |design: &Scene, known: &[Check]| {
+        Checked::of(design, goal.measure, known, &mut || context.goes_on())
+    };
     let known = check(scene, &[]).fails;
     let checked = designs.map(|design| check(&design, &known)).collect();
     lines.extend(gaps(&scanned, axis, outcome_at));
     Ok(Report {
         axis: axis.clone(),
         law: scene.interface.law,
-        measure: space.outputs()[0],
+        measure: goal.measure,
         target: goal.target,
         lines,
         checked,

@@ -3,16 +3,15 @@
 //!
 //! A. Saltelli et al., *Computer Physics Communications* 181 (2010) 259-270: two independent designs A and B, and for every
 //! input a design that is A with the column of B. First order after that paper's table 2 (b), total after Jansen (f).
-//! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence, continued by a Latin hypercube
-//! beyond its dimensions.
+//! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence.
 
 use crate::numerics::random::Random;
+use crate::numerics::sobol;
 use crate::study::monte_carlo::Estimate;
 use crate::study::sensitivity::Function;
-use crate::study::sweep::{AXES_MAX, hypercube, sequence};
 
 /// The most inputs.
-pub const INPUTS_MAX: usize = 12;
+pub const INPUTS_MAX: usize = sobol::DIMENSIONS / 2;
 const RESAMPLINGS: usize = 400;
 const BATCH: usize = 1024;
 
@@ -94,7 +93,7 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
     while next < rows {
         let until = if next + BATCH < rows { next + BATCH } else { rows };
         let points: Vec<Vec<f64>> =
-            (next..until).flat_map(|row| designs(inputs, row, rows, seed)).collect();
+            (next..until).flat_map(|row| designs(inputs, row, seed)).collect();
         let values = function(&points)?;
         all.extend(values.chunks(inputs + 2).filter_map(Row::of));
         next = until;
@@ -129,13 +128,8 @@ pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> O
 }
 
 /// The points of one of the rows: A, B, and A with each column of B.
-fn designs(inputs: usize, row: usize, rows: usize, seed: u64) -> Vec<Vec<f64>> {
-    let column = |axis: usize| {
-        if axis < AXES_MAX {
-            return sequence(row as u64, axis, seed);
-        }
-        hypercube(row as u64, rows as u64, axis as u64, seed)
-    };
+fn designs(inputs: usize, row: usize, seed: u64) -> Vec<Vec<f64>> {
+    let column = |axis: usize| sobol::share(row as u64, axis, seed);
     let a: Vec<f64> = (0..inputs).map(column).collect();
     let b: Vec<f64> = (inputs..2 * inputs).map(column).collect();
     let mixed = (0..inputs).map(|input| {

@@ -3,6 +3,7 @@
 //! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
 //! what is allowed is one interval for every variable. Rules between variables are the plan's business.
 
+use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
 use crate::model::scene::{Scene, Sweep, SweepAxis};
@@ -34,9 +35,18 @@ pub struct Axis {
     range: SweepAxis,
 }
 
-impl std::fmt::Debug for Axis {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Debug for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}={}", self.variable.symbol, self.range())
+    }
+}
+
+/// As `--over` has it; an angle by its full key, whose unit is that of the values.
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let variable = self.variable;
+        let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };
+        write!(f, "{name}={}", self.range())
     }
 }
 
@@ -146,13 +156,6 @@ impl Axis {
         }
         let SweepAxis { from, to, count, log, .. } = self.range;
         format!("{}..{}:{count}{}", shown(from), shown(to), if log { ":log" } else { "" })
-    }
-
-    /// The axis as `--over` has it; an angle by its full key, whose unit is that of the values.
-    pub fn over(&self) -> String {
-        let variable = self.variable;
-        let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };
-        format!("{name}={}", self.range())
     }
 
     /// The values of a list in their order; empty for a range.

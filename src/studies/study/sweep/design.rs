@@ -4,7 +4,7 @@
 use std::fmt;
 
 use crate::numerics::random::Random;
-use crate::study::sweep::{POINTS_MAX, sobol};
+use crate::study::sweep::POINTS_MAX;
 
 enumeration! {
     /// How the points of a sweep are chosen.
@@ -83,18 +83,11 @@ impl fmt::Display for Design {
 }
 
 /// How far along axis `axis` point `index` of a Latin hypercube of `points` lies, in (0, 1).
-pub(in crate::study) fn hypercube(index: u64, points: u64, axis: u64, seed: u64) -> f64 {
+pub(super) fn hypercube(index: u64, points: u64, axis: u64, seed: u64) -> f64 {
     let key = mix(seed ^ mix(axis.wrapping_add(1)));
     let slice = permuted(index, points, key);
     let within = unit(mix(key ^ mix(index)));
     (slice as f64 + within) / points as f64
-}
-
-/// How far along axis `axis` point `index` of Sobol's sequence lies, in [0, 1).
-pub(in crate::study) fn sequence(index: u64, axis: usize, seed: u64) -> f64 {
-    let shift = if seed == 0 { 0 } else { mix(seed ^ mix(axis as u64 + 1)) >> 32 };
-    let bits = u64::from(sobol::bits(index, axis)) ^ shift;
-    bits as f64 / 4_294_967_296.0
 }
 
 /// A permutation of `0..count`, one for each key: a Feistel network of four rounds over the least even number of bits that
@@ -158,11 +151,6 @@ mod tests {
         assert_eq!(column(0, 7), column(0, 7));
         assert_ne!(column(0, 7), column(1, 7));
         assert_ne!(column(0, 7), column(0, 8));
-        let shifted = |seed| -> Vec<u64> {
-            (0..50).map(|index| sequence(index, 1, seed).to_bits()).collect()
-        };
-        assert_ne!(shifted(0), shifted(1));
-        assert_ne!(shifted(2), shifted(1));
     }
 
     #[test]
@@ -170,21 +158,5 @@ mod tests {
         let (points, index) = (100_000_000, 99_999_999);
         let share = hypercube(index, points, 3, 5);
         assert!(share > 0.0 && share < 1.0);
-        assert!(sequence(index, 9, 5) < 1.0);
-    }
-
-    #[test]
-    fn a_shifted_sequence_keeps_one_point_in_each_elementary_interval() {
-        for seed in [0, 3] {
-            for axis in 0..sobol::DIMENSIONS {
-                let mut seen = [false; 64];
-                for index in 0..64 {
-                    let share = sequence(index, axis, seed);
-                    let place = (0..64).rfind(|at| share * 64.0 >= f64::from(*at)).unwrap();
-                    let place = usize::try_from(place).unwrap();
-                    assert!(!std::mem::replace(&mut seen[place], true), "{axis} {seed}");
-                }
-            }
-        }
     }
 }

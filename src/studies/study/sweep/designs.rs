@@ -5,11 +5,10 @@
 
 use std::ops::Range;
 
-use crate::model::run::Outcome;
 use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 use crate::study::context::{Context, Work};
-use crate::study::quantities::Quantity;
+use crate::study::sweep::grid::counts;
 use crate::study::sweep::{Evaluator, Plan, PointOutcome, Rows};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
@@ -21,8 +20,7 @@ const PIECE_OF_RUNS: u64 = 1;
 pub struct EvaluatedDesign {
     /// Its outcome.
     pub outcome: PointOutcome,
-    /// Its measures, in the order requested; `None` where one does not exist, or where a number would mislead (the depth of a
-    /// perforation).
+    /// Its measures, in the order requested; `None` where one does not exist, as [`counts`] has it.
     pub values: Vec<Option<f64>>,
 }
 
@@ -54,7 +52,7 @@ impl Plan {
         let of_row = |row: usize| {
             let outcome = rows.outcome(row);
             let outputs = self.outputs.iter().enumerate();
-            let value = outputs.map(|(at, it)| rows.value(row, at).filter(|_| tells(it, outcome)));
+            let value = outputs.map(|(at, it)| rows.value(row, at).filter(|_| counts(it, outcome)));
             EvaluatedDesign { outcome, values: value.collect() }
         };
         (0..rows.len()).map(of_row).collect()
@@ -71,15 +69,6 @@ impl Plan {
     }
 }
 
-/// Whether designs that end like this may be compared by a number: few may where the plate is perforated.
-fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
-    match outcome {
-        PointOutcome::Ended(Outcome::Perforated) => output.tells_of_perforation(),
-        PointOutcome::Ended(_) => true,
-        PointOutcome::Failed(_) => false,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::ops::ControlFlow;
@@ -87,7 +76,7 @@ mod tests {
 
     use super::*;
     use crate::model::mechanism::Mechanism;
-    use crate::model::run::EndReason;
+    use crate::model::run::{EndReason, Outcome};
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate};
     use crate::study::context::{to_its_end, until};

@@ -80,9 +80,9 @@ impl Summary {
         self.outcomes.total()
     }
 
-    /// Add rows, the first of which is point `first`.
-    pub fn add(&mut self, first: u64, rows: &Rows) {
-        for (row, point) in (0..rows.len()).zip(first..) {
+    /// Add rows, which show these points.
+    pub fn add(&mut self, points: impl Iterator<Item = u64>, rows: &Rows) {
+        for (row, point) in (0..rows.len()).zip(points) {
             let outcome = rows.outcome(row);
             self.outcomes.add(outcome);
             for output in 0..self.outputs.len() {

@@ -6,19 +6,18 @@ use crate::model::run::Outcome;
 use crate::model::units::{self, fixed_significant};
 use crate::report::Remark;
 use crate::report::limit::{remarks, residual, taken_to_hold};
+use crate::report::monte_carlo::{perforation, v50};
 use crate::study::compare::map::Map;
-use crate::study::limit::monte_carlo::ModelError;
-use crate::study::limit::{self, Criterion, Limit, LimitOptions, Report, Shot};
+use crate::study::limit::{self, Limit, Report, Request, Shot};
+use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::status::fitting;
 use crate::tui::chart::{Emphasis, Layout};
 use crate::tui::pages::explore::state::nearest;
 use crate::tui::pages::limit::comparison::Comparison;
-use crate::tui::pages::limit::setup::{Row, Setup};
 use crate::tui::pages::limit::{RESIDUAL, area};
 use crate::tui::pages::prelude::*;
-use crate::tui::widgets::form::Form;
 
 /// From this width on the facts stand beside the chart.
 pub const BESIDE: u16 = 100;
@@ -28,7 +27,7 @@ pub const FACTS: u16 = 40;
 pub const LABEL: u16 = 15;
 
 #[derive(Debug, PartialEq)]
-pub struct LimitSearch(pub LimitOptions);
+pub struct LimitSearch(pub Request);
 
 impl Study for LimitSearch {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
@@ -38,15 +37,23 @@ impl Study for LimitSearch {
     }
 }
 
+/// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
+#[derive(Debug, PartialEq)]
+pub struct Spread(pub monte_carlo::Task);
+
+impl Study for Spread {
+    fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let watch = &mut reporter.progress();
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(Finding::new(monte_carlo::sample(scene, &self.0, context)?))
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 pub struct Ballistic {
     pub report: Kept<Report>,
-    /// V50 and spread are requested, too.
-    pub sampled: bool,
-    /// How uncertain inputs and model are.
-    pub setup: Setup,
-    /// The selected row of that.
-    pub row: Row,
+    /// V50 and its spread, once they were asked for.
+    pub spread: Kept<monte_carlo::Report>,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
     /// The part of the impact velocities in view; `None`: all of them.
@@ -77,6 +84,7 @@ impl Ballistic {
         {
             (self.cursor, self.zoomed) = (None, None);
         }
+        self.spread.keep(running, news, |spread| spread.is_complete);
         let map_before = self.comparison.found.as_ref().and_then(|it| it.map.clone());
         let is_whole =
             |it: &Comparison| it.report.is_complete && it.map.as_ref().is_none_or(Map::is_complete);
@@ -89,23 +97,6 @@ impl Ballistic {
                 self.map_cursor = at(before.x(), map.x(), x).zip(at(before.y(), map.y(), y));
             }
         }
-    }
-
-    pub fn effort(&self) -> LimitOptions {
-        let sampling = self.sampled.then(|| self.setup.sampling());
-        LimitOptions { criterion: Criterion::Passage, sampling }
-    }
-
-    /// Whether V50 is wanted of a limit that was found without it, or with another setup.
-    pub fn lacks_v50(&self) -> bool {
-        let found = self.report.found.as_ref().filter(|report| report.is_complete);
-        let found = found.filter(|report| report.limit.velocity_m_s().is_some());
-        let sampling = found.map(|report| report.sampled.map(|it| it.sampling));
-        self.sampled && sampling.is_some_and(|it| it != Some(self.setup.sampling()))
-    }
-
-    pub(super) fn form(&self) -> Form {
-        Form::new(&Row::ALL, self.row, |row| self.setup.line(row))
     }
 
     pub fn shots(&self) -> &[Shot] {
@@ -170,10 +161,12 @@ impl App {
         let tab = &self.pages.limit;
         let Some(report) = &tab.report.found else { return Vec::new() };
         let mut facts = remarks(report);
-        if report.sampled.is_none() && report.limit.velocity_m_s().is_some() && report.is_complete {
-            let percent = tab.setup.line(Row::Inputs).value;
-            let text = format!("<view>: V50 and spread for inputs but v_i that vary by {percent}");
-            facts.push(Remark::new("V50", self.keymap.shown(&text)));
+        if let Some(spread) = self.v50() {
+            let words = [v50(spread), perforation(spread)].into_iter().flatten();
+            facts.extend(words.map(|text| Remark::new("V50", text)));
+        } else if report.limit.velocity_m_s().is_some() && report.is_complete {
+            let text = self.keymap.shown("<view>: V50 and its spread, inputs varied by 2 %");
+            facts.push(Remark::new("V50", text));
         }
         let is_beside = width >= BESIDE;
         let room = if is_beside { FACTS } else { width.saturating_sub(LABEL) }.saturating_sub(2);
@@ -204,23 +197,25 @@ impl App {
         is_crowded.then_some(WordPages { rows, count, shown })
     }
 
-    /// The scene whose limit is wanted, at the impact velocity of another one: only what the samples are compared with depends on it.
+    /// The scene whose limit is wanted, at the impact velocity of another one: it does not depend on that.
     pub fn limit_scene(&self, other: &Scene) -> Scene {
         let mut scene = (*self.scene).clone();
-        if !self.pages.limit.sampled {
-            scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
-        }
+        scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
         scene
+    }
+
+    /// V50 of the scene on the screen, once it was asked for.
+    fn v50(&self) -> Option<&monte_carlo::Report> {
+        let spread = &self.pages.limit.spread;
+        spread.found.as_deref().filter(|_| !spread.is_old(&self.scene))
     }
 
     /// Whether what is wanted of the limit is neither there nor under way.
     pub(super) fn lacks_limit(&self) -> bool {
         let tab = &self.pages.limit;
         match self.jobs.study::<LimitSearch>() {
-            Some((running, search)) => {
-                search.0 != tab.effort() || *running.scene != self.limit_scene(&running.scene)
-            }
-            None => tab.lacks_v50() || !tab.report.is_there(&self.limit_scene(&tab.report.scene)),
+            Some((running, _)) => *running.scene != self.limit_scene(&running.scene),
+            None => !tab.report.is_there(&self.limit_scene(&tab.report.scene)),
         }
     }
 
@@ -285,15 +280,8 @@ impl App {
         parts.extend(report.undecided());
         parts.extend(report.caution());
         let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
-        if let Some(found) = &report.sampled {
-            let known =
-                |it: Option<f64>| it.map_or_else(|| "?".to_owned(), |it| units::velocity(it, 4));
-            let is_exact = found.sampling.model == ModelError::default();
-            let of = if is_exact { "inputs alone" } else { "inputs and model" };
-            let (v50, spread) = (known(found.v50_m_s), known(found.deviation_m_s));
-            parts.push(format!("V50 {v50}, spread {spread} ({of})"));
-        }
         parts.extend(self.limit_pages().map(|pages| pages.hint().to_owned()));
+        parts.extend(self.v50().and_then(v50).map(|text| format!("V50 {text}")));
         // Where there is one row, the pane itself has the limit in full.
         if self.layout().message.height > 1 {
             let at = usize::from(severity == Severity::Warning);
@@ -331,7 +319,7 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 fn write(lines: &[Remark], hint: &str, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = "Fitted laws and scatter";
+    let title = "Fitted laws and spread";
     let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
     let is_labelled = |line: &Remark| !line.about.is_empty() && !line.text.is_empty();
     let column = if lines.iter().any(is_labelled) { LABEL } else { 0 };

@@ -1,14 +1,13 @@
 //! The report of the scene as one file: its limit and its sweep are computed first.
 
 use crate::files::export::Destination;
-use crate::files::report::{Format, Subject};
+use crate::files::report::Subject;
 use crate::model::run::Run;
-use crate::study::limit::{self, Criterion, LimitOptions};
+use crate::study::limit;
 use crate::study::sweep::Plan;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::message::{Content, FileTask};
 use crate::tui::pages::prelude::*;
-use crate::tui::plain;
 
 /// Makes the text of a report of the scene.
 #[derive(Clone, Debug)]
@@ -16,22 +15,20 @@ pub(crate) struct ReportFile {
     name: String,
     run: Arc<Run>,
     to: Destination,
-    format: Format,
 }
 
 impl Study for ReportFile {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let watch = &mut reporter.progress();
         let context = &mut Context::new(reporter.threads(), watch);
-        let effort = LimitOptions { criterion: Criterion::Passage, sampling: None };
-        let limit = limit::find(scene, effort, context)?;
+        let limit = limit::find(scene, limit::Request::default(), context)?;
         let sweep = if scene.sweep.is_some() { own_sweep(scene, reporter)? } else { None };
         if !limit.is_complete || sweep.as_ref().is_some_and(|grid| !grid.is_complete()) {
             return Err("cancelled: no report was written".into());
         }
-        let Self { name, run, format, .. } = self;
+        let Self { name, run, .. } = self;
         let subject = Subject { name, scene, run, limit: &limit, sweep: sweep.as_ref() };
-        Ok(Finding::new(subject.text(*format, plain::picture)))
+        Ok(Finding::new(subject.html()))
     }
 }
 
@@ -45,7 +42,7 @@ fn own_sweep(scene: &Scene, reporter: &Reporter<'_>) -> Result<Option<Grid>, Box
 }
 
 /// Compute a report for a file, which is written then.
-pub(crate) fn write(app: &mut App, to: Destination, format: Format) -> Result<(), String> {
+pub(crate) fn write(app: &mut App, to: Destination) -> Result<(), String> {
     if let Some((running, report)) = app.jobs.study::<ReportFile>() {
         // A second Enter does not begin again.
         let is_this = report.to.path == to.path && running.scene == app.scene;
@@ -58,7 +55,7 @@ pub(crate) fn write(app: &mut App, to: Destination, format: Format) -> Result<()
         .map(|shown| Arc::clone(&shown.run))
         .ok_or("no run of this scene yet: <run> runs it")?;
     let name = app.name_of(&app.scene);
-    jobs::study(app, Tab::Run, ReportFile { name, run, to, format });
+    jobs::study(app, Tab::Run, ReportFile { name, run, to });
     Ok(())
 }
 

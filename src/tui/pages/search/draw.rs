@@ -73,15 +73,10 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
     let is_table = app.pages.search.page == Page::Front && has_choices;
-    let hint = match (is_table, more && !has_choices) {
-        // The letters of the chart above.
-        (true, _) => format!("S {}, A-E thesis", app.start_word()),
-        (false, true) => "<down>/<up>: more".to_owned(),
-        (false, false) => String::new(),
-    };
+    let hint = if more && !has_choices { "<down>/<up>: more" } else { "" };
     // Where the setup has no room beside, nothing else tells of it.
     let alone = area.width == app.size.0 && !app.is_full();
-    let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint };
+    let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint.to_owned() };
     let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
     // The heading of a table stays.
@@ -164,10 +159,10 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
             let about = about.map(|it| it.place.at);
             Some((axis_of(&report.axis), about))
         }
-        StudyResult::Front(front, task) => {
-            let at = tab.across(task).0;
+        StudyResult::Front(front) => {
+            let at = tab.across(front).0;
             let value = |design: &Design| design.measures.get(at).copied().flatten();
-            let measure = task.measures()[at];
+            let measure = front.request.measures()[at];
             let values: Vec<f64> = front.designs.iter().filter_map(value).collect();
             let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
             Some((x, tab.chosen().and_then(|at| value(&front.designs[at]))))
@@ -182,12 +177,12 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
     }
 }
 
-/// Designs as points, the scene and the thesis's designs as letters.
+/// Designs as points.
 fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.search;
-    let Some((found, task)) = tab.front() else { return };
-    let (across, up) = tab.across(task);
-    let measures = task.measures();
+    let Some(found) = tab.front() else { return };
+    let (across, up) = tab.across(found);
+    let measures = found.request.measures();
     let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
     let designs = tab.designs();
     let x = self::across(tab).map(|(x, _)| x);
@@ -203,24 +198,15 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
-    let dots = |name: &'static str, colour: usize, places: Vec<Option<(f64, f64)>>| {
-        // A gap after every point: no line goes from one to the next.
-        let gap = (f64::NAN, f64::NAN);
-        let points: Vec<_> = places.into_iter().flatten().flat_map(|it| [it, gap]).collect();
-        Curve::new('o', name, points).colour(colour)
-    };
     let curves = || {
-        let own = designs.iter().map(|it| place(&it.measures)).collect();
-        let others = found.candidates.iter().map(|it| place(&it.measures)).collect();
-        vec![dots("designs", 0, own), dots("the scene and the thesis's designs", 1, others)]
+        // A gap after every point: no line goes from one to the next.
+        let places = designs.iter().filter_map(|it| place(&it.measures));
+        let points: Vec<_> = places.flat_map(|it| [it, (f64::NAN, f64::NAN)]).collect();
+        vec![Curve::new('o', "designs", points)]
     };
     let layout = canvas.draw_with_picture(&chart, area, curves);
     for design in &designs {
         mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
-    }
-    for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
-        let letter = letter.to_string();
-        mark(place(&candidate.measures), &letter, Role::Curve(3), &layout, canvas);
     }
     if let Some(design) = designs.get(tab.selected()) {
         mark(place(&design.measures), "X", Role::Crosshair, &layout, canvas);
@@ -274,6 +260,3 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     };
     canvas.draw(&chart, area);
 }
-
-/// Letters of the scene and the designs of the thesis on a front.
-pub(crate) const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];

@@ -1,14 +1,14 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::scene::{InterfaceLaw, SweepAxis};
+use crate::model::scene::SweepAxis;
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Group, Value, Variable};
 use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
-use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
-use crate::study::search::nsga;
-use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, has_unlimited_interface};
+use crate::study::search::front::{self, Constraint, Objective, USUAL};
+use crate::study::search::seek::{self, Goal, SCAN, SCAN_USUAL};
 use crate::study::sensitivity;
+use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Page, Request};
@@ -21,8 +21,6 @@ pub struct Setup {
     pub seek: SweepAxis,
     /// The result and its wanted value.
     pub goal: (&'static str, f64),
-    /// The interface law of a goal seek, where the scene's has no limit of strength.
-    pub law: InterfaceLaw,
     /// Variables of fronts and sensitivity; empty: those of Table 9.2.
     pub bounds: Vec<Bound>,
     /// Which of the usual objectives count.
@@ -33,8 +31,8 @@ pub struct Setup {
     pub subject_to: Vec<Constraint>,
     /// Designs that are not feasible do not count.
     pub feasible: bool,
-    /// Points of a generation, and generations.
-    pub effort: (usize, usize),
+    /// Designs that a front tries.
+    pub designs: usize,
     /// Measures drawn across and up, by their place.
     pub axes: (usize, usize),
     /// The result of sensitivity and scatter.
@@ -54,13 +52,12 @@ impl Default for Setup {
                 usize::try_from(SCAN_USUAL).unwrap_or(usize::MAX),
             ),
             goal: ("percent_of_baseline", 60.0),
-            law: InterfaceLaw::Fused,
             bounds: Vec::new(),
             objectives: [true; 4],
             stroke_m: Some(1.0),
             subject_to: Vec::new(),
             feasible: true,
-            effort: (60, 40),
+            designs: front::Request::default().samples,
             axes: (0, 1),
             output: "percent_of_baseline",
             percent: 2.0,
@@ -78,17 +75,14 @@ pub enum Row {
     /// The goal: what a person changes first.
     #[default]
     Goal,
-    /// The interface law of a goal seek.
-    Law,
     Bound(usize),
     Objective(usize),
     Stroke,
     /// Bounds that designs have to keep, besides that on the stroke.
     Bounds,
     Feasible,
-    /// Points of a generation.
-    Population,
-    Generations,
+    /// Designs that a front tries.
+    Designs,
     Across,
     Up,
     /// The result of sensitivity and scatter.
@@ -112,13 +106,12 @@ pub fn brief(column: &Quantity) -> String {
 
 /// `mount force<=20 kN`.
 fn short_words(bound: &Constraint) -> String {
-    let sign = if bound.at_most { "<=" } else { ">=" };
-    format!("{}{sign}{}", brief(bound.measure), bound.measure.show(bound.bound, 4))
+    format!("{}{}{}", brief(bound.measure), bound.sign(), bound.measure.show(bound.bound, 4))
 }
 
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
 fn usual_bounds(scene: &Scene) -> Vec<Bound> {
-    let thesis = sensitivity::thesis_axes(scene).unwrap_or_default();
+    let thesis = thesis_axes(scene).unwrap_or_default();
     let is_there = |it: &Variable| thesis.iter().any(|axis| axis.variable().key == it.key);
     let others = numeric(scene).filter(|variable| {
         let positive = matches!(variable.value(scene), Value::Number(value) if value > 0.0);
@@ -147,7 +140,6 @@ impl App {
         match page {
             Page::Seek => {
                 rows.extend([Row::Heading("Goal"), Row::Result, Row::Goal]);
-                rows.extend(has_unlimited_interface(&self.scene).then_some(Row::Law));
                 rows.push(Row::Heading("Vary"));
                 let parts = [Part::Name, Part::From, Part::To, Part::Spacing, Part::Points];
                 rows.extend(parts.map(Row::Axis));
@@ -158,7 +150,7 @@ impl App {
                 rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
                 rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
-                rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
+                rows.extend([Row::Heading("Effort"), Row::Designs]);
             }
             Page::Sensitivity => {
                 rows.extend([Row::Heading("Of"), Row::Output, Row::Heading("Vary")]);
@@ -210,9 +202,6 @@ impl App {
                 FormRow { takes_unit: true, ..FormRow::typed("is", goal.unwrap_or_default()) }
                     .means(quantity_meaning(setup.goal.0))
             }
-            Row::Law => FormRow::word("interface", setup.law.word()).means(
-                "plastic: its strength is limited; fused: unlimited, as in the thesis and the scene",
-            ),
             Row::Bound(at) => bounds.get(at).map_or_else(|| FormRow::word("", ""), bound_line),
             Row::Objective(at) => {
                 let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
@@ -225,22 +214,20 @@ impl App {
                     .means("designs with a greater stroke are infeasible; none: no bound")
             }
             Row::Bounds => {
-                let written = |of: fn(&Constraint) -> String| {
+                let written = |of: &dyn Fn(&Constraint) -> String| {
                     let each: Vec<String> = setup.subject_to.iter().map(of).collect();
                     if each.is_empty() { "none".to_owned() } else { each.join(", ") }
                 };
                 let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
-                let (shown, text) = (written(short_words), written(Constraint::text));
+                let (shown, text) = (written(&short_words), written(&Constraint::to_string));
                 FormRow { text: Some(text.clone()), takes_unit: true, ..FormRow::word("bounds", shown) }
                     .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
             }
             Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
-                "yes: only designs within the limits of interface, yield, travel, stop, face",
+                "yes: only designs without a warning on the unsafe side (interface, spring, stop, face)",
             ),
-            Row::Population => FormRow::typed("designs", setup.effort.0.to_string())
-                .means("designs in a generation; also the maximum size of the front"),
-            Row::Generations => FormRow::typed("generations", setup.effort.1.to_string())
-                .means("generations after the first"),
+            Row::Designs => FormRow::typed("designs", setup.designs.to_string())
+                .means("designs to try; the front has at most 100 of them"),
             Row::Across => FormRow::word("across", self.axis_title(setup.axes.0)).means(AXIS),
             Row::Up => FormRow::word("up", self.axis_title(setup.axes.1)).means(AXIS),
             Row::Output => FormRow::quantity(setup.output),
@@ -271,13 +258,11 @@ impl App {
         };
         Ok(match page {
             Page::Seek => {
-                let is_unlimited = has_unlimited_interface(&self.scene);
-                let law = if is_unlimited { setup.law } else { self.scene.interface.law };
-                let axis = Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
-                let (measure, target) = (setup.goal.0.to_owned(), setup.goal.1);
-                Request::Seek(Goal { axis, measure, target }, law)
+                let over = Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
+                let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
+                Request::Seek(seek::Request { over, goal: Goal { measure, target: setup.goal.1 } })
             }
-            Page::Front => Request::Front(self.front_task(axes())?),
+            Page::Front => Request::Front(self.front_request(axes())?),
             Page::Sensitivity => Request::Sensitivity {
                 axes: axes(),
                 output: setup.output.to_owned(),
@@ -288,40 +273,30 @@ impl App {
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
+                model: monte_carlo::model_error(&self.scene),
             }),
         })
     }
 
-    fn front_task(&self, axes: Vec<Axis>) -> Result<Task, String> {
+    fn front_request(&self, over: Vec<Axis>) -> Result<front::Request, String> {
         let setup = &self.pages.search.setup;
-        let chosen: Vec<&str> = self.chosen_objectives().iter().map(|at| USUAL[*at]).collect();
-        if chosen.is_empty() {
+        let chosen = self.chosen_objectives().into_iter();
+        let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
+        let objectives: Vec<Objective> =
+            objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+        if objectives.is_empty() {
             return Err(
                 "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
             );
         }
-        let objectives: Vec<Objective> =
-            front::objectives(&chosen, &[] as &[&str]).map_err(|error| error.to_string())?;
-        let bound = setup.stroke_m.map(|bound| {
-            named("stroke_m").map(|measure| Constraint {
-                measure,
-                at_most: true,
-                bound,
-                is_feasibility: false,
-            })
-        });
-        let constraints = bound.transpose().map_err(|error| error.to_string())?;
-        let (population, generations) = setup.effort;
-        Ok(Task {
-            axes,
+        let stroke = setup.stroke_m.zip(named("stroke_m").ok());
+        let stroke = stroke.map(|(bound, measure)| Constraint { measure, at_most: true, bound });
+        Ok(front::Request {
+            over,
             objectives,
-            constraints: constraints
-                .into_iter()
-                .chain(setup.subject_to.iter().copied())
-                .chain(front::feasibility().filter(|_| setup.feasible))
-                .collect(),
-            laws: vec![self.scene.interface.law],
-            effort: nsga::EvolutionOptions { population, generations, seed: 1 },
+            subject_to: stroke.into_iter().chain(setup.subject_to.iter().copied()).collect(),
+            is_feasible: setup.feasible,
+            samples: setup.designs,
         })
     }
 }

@@ -1,13 +1,12 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
 use crate::model::run::envelope::Check;
-use crate::model::scene::InterfaceLaw;
 use crate::numerics::statistics::ascending;
 use crate::report;
 use crate::report::table::{Cells, Table};
 use crate::study::monte_carlo::{self, Summary};
-use crate::study::search::front::{self, Design, Front, Task};
-use crate::study::search::seek::{self, Goal};
+use crate::study::search::front::{self, Design, Front};
+use crate::study::search::seek;
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
 use crate::study::validity;
@@ -92,9 +91,9 @@ impl Searching {
         self.zoomed[self.page as usize]
     }
 
-    pub fn front(&self) -> Option<(&Front, &Task)> {
+    pub fn front(&self) -> Option<&Front> {
         match &*self.found[Page::Front as usize].as_ref()?.answer {
-            StudyResult::Front(front, task) => Some((front, task)),
+            StudyResult::Front(front) => Some(front),
             _ => None,
         }
     }
@@ -110,10 +109,10 @@ impl Searching {
     }
 
     /// The measure that the table of the front is sorted by, by its place.
-    pub fn sorted(&self, task: &Task) -> usize {
+    pub fn sorted(&self, front: &Front) -> usize {
         let by = self.listing[Page::Front as usize].sorting.0;
-        let chosen = task.measures().iter().position(|measure| Some(measure.name) == by);
-        chosen.unwrap_or_else(|| self.across(task).0)
+        let chosen = front.request.measures().iter().position(|measure| Some(measure.name) == by);
+        chosen.unwrap_or_else(|| self.across(front).0)
     }
 
     /// How the results of the page shown are listed.
@@ -122,8 +121,8 @@ impl Searching {
     }
 
     /// The places of all designs of a front in the order of the table.
-    pub fn sorted_places(&self, front: &Front, task: &Task) -> Vec<usize> {
-        let sorted = self.sorted(task);
+    pub fn sorted_places(&self, front: &Front) -> Vec<usize> {
+        let sorted = self.sorted(front);
         let value =
             |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
         ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
@@ -133,15 +132,17 @@ impl Searching {
     pub fn order(&self) -> Vec<usize> {
         match self.shown().map(|found| &*found.answer) {
             Some(StudyResult::Seek(report)) => {
-                let texts = report.solutions().map(|it| report::seek::solution(report, it));
+                let solutions = report.solutions().zip(&report.checked);
+                let texts =
+                    solutions.map(|(it, checked)| report::seek::solution(report, it, checked));
                 let cells: Vec<String> = texts.collect();
                 let places = (0..cells.len()).collect();
                 let column = Cells { head: String::new(), is_text: true, cells };
                 self.listing().matching(places, || vec![column])
             }
-            Some(StudyResult::Front(front, task)) => {
-                let sorted = self.sorted_places(front, task);
-                self.listing().matching(sorted, || design_cells(self, front, task))
+            Some(StudyResult::Front(front)) => {
+                let sorted = self.sorted_places(front);
+                self.listing().matching(sorted, || design_cells(self, front))
             }
             Some(StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_)) | None => Vec::new(),
         }
@@ -159,13 +160,13 @@ impl Searching {
 
     /// The designs of the front in that order.
     pub fn designs(&self) -> Vec<&Design> {
-        let Some((front, _)) = self.front() else { return Vec::new() };
+        let Some(front) = self.front() else { return Vec::new() };
         self.order().into_iter().map(|at| &front.designs[at]).collect()
     }
 
     /// The places of the measures drawn across and up.
-    pub fn across(&self, task: &Task) -> (usize, usize) {
-        let last = task.measures().len().saturating_sub(1);
+    pub fn across(&self, front: &Front) -> (usize, usize) {
+        let last = front.request.measures().len().saturating_sub(1);
         let (across, up) = self.setup.axes;
         (across.min(last), up.min(last))
     }
@@ -179,7 +180,7 @@ impl Searching {
     fn draws(&self) -> bool {
         match self.shown().map(|found| &*found.answer) {
             Some(StudyResult::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
-            Some(StudyResult::Front(front, _)) => !front.designs.is_empty(),
+            Some(StudyResult::Front(front)) => !front.designs.is_empty(),
             Some(StudyResult::MonteCarlo(report)) => {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
@@ -230,8 +231,8 @@ impl Searching {
     /// The knee of the front, by its place: the design farthest from the line between the ends of the two axes shown, each axis by its
     /// range on the front; `None` where there is no such line.
     pub fn knee(&self) -> Option<usize> {
-        let (front, task) = self.front()?;
-        let (across, up) = self.across(task);
+        let front = self.front()?;
+        let (across, up) = self.across(front);
         let designs = &front.designs;
         let place = |design: &Design| {
             let value = |at: usize| design.measures.get(at).copied().flatten();
@@ -258,9 +259,9 @@ impl Searching {
 
     /// Sort the table of the front by its next objective.
     pub fn sort_next(&mut self) {
-        let Some((_, task)) = self.front() else { return };
-        let measures = task.measures();
-        let next = measures.get((self.sorted(task) + 1) % measures.len().max(1));
+        let Some(front) = self.front() else { return };
+        let measures = front.request.measures();
+        let next = measures.get((self.sorted(front) + 1) % measures.len().max(1));
         self.listing[Page::Front as usize].sorting = Sorting(next.map(|measure| measure.name));
     }
 }
@@ -271,22 +272,17 @@ fn words_rows(lines: usize) -> u16 {
 }
 
 impl App {
-    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over, and the
-    /// interface law that was searched with, do not count: a design of the results may be loaded, and the others stay results.
+    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do not
+    /// count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
         let Some(found) = self.pages.search.shown() else { return false };
         let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
         match &found.request {
-            Request::Seek(goal, law) => {
-                copy_value(&goal.axis, &found.scene, &mut scene);
-                if scene.interface.law == *law {
-                    scene.interface.law = found.scene.interface.law;
-                }
-            }
-            Request::Front(task) => {
-                task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
+            Request::Seek(request) => copy_value(&request.over, &found.scene, &mut scene),
+            Request::Front(request) => {
+                request.over.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
             }
             Request::Sensitivity { .. } | Request::MonteCarlo(_) => {}
         }
@@ -302,30 +298,21 @@ impl App {
         if self.search_is_old() {
             return Err(old("setup"));
         }
-        let mut scene = (*self.scene).clone();
+        let scene = (*self.scene).clone();
         match &*found.answer {
             StudyResult::Seek(report) => {
                 let Some(solution) = tab.chosen().and_then(|at| report.solutions().nth(at)) else {
                     return Err("no solution to load: change the goal or the range".to_owned());
                 };
-                if let Request::Seek(_, law) = found.request {
-                    scene.interface.law = law;
-                }
-                let mut design = placed(scene, [(&report.axis, solution.place.at)]);
-                let law = design.scene.interface.law;
-                if law != self.scene.interface.law {
-                    design.label = format!("{}, interface = {}", design.label, law.word());
-                }
-                Ok(design)
+                Ok(placed(scene, [(&report.axis, solution.place.at)]))
             }
-            StudyResult::Front(front, task) => {
+            StudyResult::Front(front) => {
                 let designs = tab.designs();
                 let Some(design) = designs.get(tab.selected()) else {
                     return Err("no design to load: relax a constraint or a bound".to_owned());
                 };
-                scene.interface.law = front.law;
-                let values = task.axes.iter().zip(design.values.iter().copied());
-                let sorted = tab.sorted_places(front, task);
+                let values = front.request.over.iter().zip(design.values.iter().copied());
+                let sorted = tab.sorted_places(front);
                 let number = sorted.iter().position(|at| Some(*at) == tab.chosen());
                 let label = format!("design {} of the front", number.unwrap_or(0) + 1);
                 Ok(LabelledScene { label, ..placed(scene, values) })
@@ -338,28 +325,15 @@ impl App {
 }
 
 impl SearchResult {
-    /// The scene that was searched: of a goal seek, with its interface law.
-    pub fn searched(&self) -> Arc<Scene> {
-        let mut scene = Arc::clone(&self.scene);
-        if let Request::Seek(_, law) = self.request
-            && law != scene.interface.law
-        {
-            Arc::make_mut(&mut scene).interface.law = law;
-        }
-        scene
-    }
-
     /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        let scene = &self.searched();
+        let scene = &self.scene;
         match (&*self.answer, &self.request) {
             (StudyResult::Seek(it), _) => {
                 only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
             }
-            (StudyResult::Front(front, task), _) => {
-                let fronts = std::slice::from_ref(&**front);
-                let warnings = report::front::warnings(scene, task, fronts);
-                only(report::front::table(name, task, fronts), listed, &warnings)
+            (StudyResult::Front(front), _) => {
+                only(report::front::table(name, front), listed, &report::front::warnings(front))
             }
             (StudyResult::Sensitivity(it), _) => {
                 let warnings = validity::of_axes(scene, &it.axes);
@@ -391,9 +365,8 @@ fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>, warnings: &[String
 pub(super) fn completeness(answer: &StudyResult) -> (bool, Option<String>) {
     match answer {
         StudyResult::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
-        StudyResult::Front(front, _) => {
-            let (designs, generations) = (front.designs.len(), front.generations);
-            let text = format!("{designs} designs after {generations} generations");
+        StudyResult::Front(front) => {
+            let text = format!("{} designs after {} runs", front.designs.len(), front.runs);
             (front.is_complete, Some(text))
         }
         StudyResult::Sensitivity(report) => (report.sobol.is_some(), None),
@@ -405,10 +378,10 @@ pub(super) fn completeness(answer: &StudyResult) -> (bool, Option<String>) {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Which values of a variable give a wanted result, under which interface law.
-    Seek(Goal, InterfaceLaw),
+    /// Which values of a variable give a wanted result.
+    Seek(seek::Request),
     /// The Pareto front: designs that no other one dominates.
-    Front(Task),
+    Front(front::Request),
     /// How strongly each variable acts on a quantity.
     Sensitivity {
         /// The variables and their bounds.
@@ -421,9 +394,36 @@ pub enum Request {
 }
 
 impl Request {
+    /// The command that makes it of the scene that was searched: its name, then its options.
+    pub fn command(&self) -> String {
+        match self {
+            Self::Seek(request) => request.to_string(),
+            Self::Front(request) => request.to_string(),
+            Self::Sensitivity { axes, output, effort } => {
+                let sensitivity::SamplingOptions { rows, trajectories, seed } = effort;
+                let over: Vec<String> = axes.iter().map(|axis| format!("--over {axis}")).collect();
+                let over = over.join(" ");
+                format!(
+                    "sensitivity {over} --output {output} --samples {rows} --trajectories {trajectories} --seed {seed}"
+                )
+            }
+            Self::MonteCarlo(task) => {
+                let vary = task.tolerances.iter().map(|it| match it.distribution {
+                    monte_carlo::Distribution::LogNormal { deviation, .. } => {
+                        let percent = significant(100.0 * deviation, 12);
+                        format!(" --vary {}=lognormal:{percent}%", it.symbol())
+                    }
+                    _ => String::new(),
+                });
+                let vary: String = vary.collect();
+                format!("montecarlo{vary} --samples {} --seed {}", task.samples, task.seed)
+            }
+        }
+    }
+
     pub fn page(&self) -> Page {
         match self {
-            Self::Seek(..) => Page::Seek,
+            Self::Seek(_) => Page::Seek,
             Self::Front(_) => Page::Front,
             Self::Sensitivity { .. } => Page::Sensitivity,
             Self::MonteCarlo(_) => Page::MonteCarlo,
@@ -434,8 +434,7 @@ impl Request {
 #[derive(Clone, Debug)]
 pub enum StudyResult {
     Seek(seek::Report),
-    /// The front, and the task that it answers.
-    Front(Box<Front>, Task),
+    Front(Box<Front>),
     Sensitivity(sensitivity::Report),
     MonteCarlo(monte_carlo::Report),
 }
@@ -445,7 +444,7 @@ impl StudyResult {
     pub fn outside_at_ends(&self) -> &[(Check, String)] {
         match self {
             Self::Sensitivity(report) => &report.outside_at_ends,
-            Self::Seek(_) | Self::Front(..) | Self::MonteCarlo(_) => &[],
+            Self::Seek(_) | Self::Front(_) | Self::MonteCarlo(_) => &[],
         }
     }
 }
@@ -454,18 +453,15 @@ impl Study for Request {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
         let (threads, plain) = (reporter.threads(), &mut reporter.progress());
         let answer = match self {
-            Self::Seek(goal, law) => {
-                let mut scene = (**scene).clone();
-                scene.interface.law = *law;
-                StudyResult::Seek(seek::seek(&scene, goal, &mut Context::new(threads, plain))?)
+            Self::Seek(request) => {
+                let context = &mut Context::new(threads, plain);
+                StudyResult::Seek(seek::seek(scene, request, context)?)
             }
-            Self::Front(task) => {
-                let answer =
-                    |front: &Front| StudyResult::Front(Box::new(front.clone()), task.clone());
+            Self::Front(request) => {
+                let answer = |front: &Front| StudyResult::Front(Box::new(front.clone()));
                 let watch = &mut reporter.watch(answer);
-                let fronts = front::optimise(scene, task, &mut Context::new(threads, watch))?;
-                let front = fronts.into_iter().next().ok_or("no interface law was given")?;
-                StudyResult::Front(Box::new(front), task.clone())
+                let context = &mut Context::new(threads, watch);
+                StudyResult::Front(Box::new(front::optimise(scene, request, context)?))
             }
             Self::Sensitivity { axes, output, effort } => {
                 let context = &mut Context::new(threads, plain);

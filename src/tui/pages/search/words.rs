@@ -1,19 +1,18 @@
 //! The Search tab in words: its results as lines and tables, of which the rows are listed that match a text.
 
-use crate::report::front::{designs, standing};
+use crate::report::front::table as front_table;
 use crate::report::monte_carlo::{perforation, table};
 use crate::report::sensitivity::{indices, tornado};
 use crate::report::table::{Cells, Table};
 use crate::report::{self, Remark};
-use crate::study::search::front::{Front, Task};
+use crate::study::search::front::Front;
 use crate::study::search::seek;
 use crate::study::validity::counted;
-use crate::study::{monte_carlo, sensitivity, sweep};
+use crate::study::{monte_carlo, sensitivity};
 use crate::tui::app::status::outside;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::search::draw::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Request, Searching, StudyResult};
+use crate::tui::pages::search::state::{Searching, StudyResult};
 use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
 use crate::tui::widgets::text::broken;
 
@@ -27,9 +26,10 @@ impl App {
         let Some(found) = self.pages.search.shown() else { return Vec::new() };
         match &*found.answer {
             StudyResult::Seek(report) => broken(self.sought_lines(report), width),
-            StudyResult::Front(front, task) => {
-                let mut lines = self.designs_table(front, task, width);
-                lines.extend(broken(self.candidates(front, task, width), width));
+            StudyResult::Front(front) => {
+                let mut lines = self.designs_table(front, width);
+                let lacks = report::front::lacks(front).into_iter();
+                lines.extend(broken(lacks.map(|text| (text, Role::Warning)).collect(), width));
                 lines
             }
             StudyResult::Sensitivity(report) if report.is_empty() => {
@@ -43,10 +43,10 @@ impl App {
 
 impl App {
     /// The designs of the front as a table: a heading, then one row for each design; `*` marks the column it is sorted by.
-    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
+    fn designs_table(&self, front: &Front, width: usize) -> Vec<TextLine> {
         let tab = &self.pages.search;
         let (order, selected) = (tab.order(), tab.selected());
-        let mut columns = design_cells(tab, front, task);
+        let mut columns = design_cells(tab, front);
         for column in &mut columns {
             column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
         }
@@ -58,45 +58,12 @@ impl App {
             lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
         }
         lines.extend(self.no_match(order.is_empty() && !front.designs.is_empty()));
-        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
         lines
     }
 
     /// A line that says that no row matches, where that is so.
     fn no_match(&self, is_so: bool) -> Option<TextLine> {
         is_so.then(|| (self.keymap.shown(NO_MATCH), Role::Dim))
-    }
-
-    /// What the first letter of a front stands for: the scene, until another design of the front is loaded.
-    pub(crate) fn start_word(&self) -> &'static str {
-        let here = self.pages.search.front().is_none_or(|(front, task)| {
-            task.axes.iter().all(|axis| axis.get(&front.base) == axis.get(&self.scene))
-        });
-        if here { "scene" } else { "start of search" }
-    }
-
-    fn candidates(&self, front: &Front, task: &Task, width: usize) -> Vec<TextLine> {
-        if front.candidates.is_empty() {
-            return vec![note(format!("generation {}: the front so far", front.generations))];
-        }
-        let mut lines = Vec::new();
-        for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
-            let (words, role) = line(standing(candidate, task));
-            let is_start = *letter == LETTERS[0];
-            let name = if is_start { self.start_word() } else { candidate.name };
-            let name = format!("{letter} {name:18}");
-            let measures = task.measures();
-            let value = |at: usize| {
-                let found = candidate.measures.get(at).copied().flatten();
-                format!("{} {}", brief(measures[at]), measures[at].show_any(found, 3))
-            };
-            let found: Vec<String> = task.shown().into_iter().map(value).collect();
-            let values = found.join(", ");
-            let long = format!("{name} {words}; {values}");
-            let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
-            lines.push((text, role));
-        }
-        lines
     }
 }
 
@@ -109,27 +76,24 @@ impl App {
         let listed = order.iter().map(|at| all[*at]).enumerate();
         let solutions = listed.flat_map(|(index, (found, checked))| {
             let mark = if index == selected { ">" } else { " " };
-            let solution = note(format!("{mark} {}", report::seek::solution(report, found)));
+            let solution =
+                note(format!("{mark} {}", report::seek::solution(report, found, checked)));
             let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
             // There is room for the warnings of one solution; the status has every check that fails.
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });
-        let law = match tab.shown().map(|found| &found.request) {
-            Some(Request::Seek(_, law)) => *law,
-            _ => self.scene.interface.law,
-        };
-        let law = report::seek::other_law(law, self.scene.interface.law);
         let solutions = solutions.chain(self.no_match(is_empty));
-        let solutions = solutions.chain(law.map(|text| (text, Role::Warning)));
         solutions.chain(report::seek::remarks(report).into_iter().map(line)).collect()
     }
 
     fn matters(&self, report: &sensitivity::Report, width: usize) -> Vec<TextLine> {
         let output = report.output;
         let own = output.show_any(report.own, 3);
-        let mut lines =
-            vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
+        let mut lines = vec![note(format!("{}; the scene: {own}", output.title()))];
+        let condition = report::sensitivity::condition(report);
+        lines.extend(condition.map(|text| (text, Role::Warning)));
+        lines.push(note(String::new()));
         lines.push(note("one variable at a time, from low to high end".to_owned()));
         if report.is_empty() {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
@@ -140,13 +104,6 @@ impl App {
         lines.extend(table_lines(&tornado(report, bar), &TORNADO, listing, width));
         lines.push(note(String::new()));
         lines.extend(table_lines(&indices(report), &INDICES, listing, width));
-        if let Some(sobol) = &report.sobol {
-            let left = sobol.rows - sobol.used;
-            if left > 0 {
-                let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
-                lines.push((text, Role::Warning));
-            }
-        }
         lines
     }
 
@@ -185,10 +142,10 @@ pub(super) fn validity_of(app: &App, answer: Option<&StudyResult>) -> Option<Sta
             let place = if report.checked.len() > 1 { " of solutions" } else { " of the solution" };
             outside(fails.copied(), place, "")
         }
-        Some(StudyResult::Front(front, _)) if front.designs.len() == 1 => {
+        Some(StudyResult::Front(front)) if front.designs.len() == 1 => {
             outside(front.outside.iter().map(|(check, _)| *check), " of the design", "")
         }
-        Some(StudyResult::Front(front, _)) => (!front.outside.is_empty()).then(|| {
+        Some(StudyResult::Front(front)) => (!front.outside.is_empty()).then(|| {
             let list = format!("of {} designs: {}", front.designs.len(), counted(&front.outside));
             (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
         }),
@@ -204,28 +161,28 @@ fn line(remark: Remark) -> TextLine {
 }
 
 /// The two results whose knee it is.
-pub(super) fn of_knee(tab: &Searching, task: &Task) -> String {
-    let (across, up) = tab.across(task);
-    let [across, up] = [across, up].map(|axis| brief(task.measures()[axis]));
+pub(super) fn of_knee(tab: &Searching, front: &Front) -> String {
+    let (across, up) = tab.across(front);
+    let [across, up] = [across, up].map(|axis| brief(front.request.measures()[axis]));
     format!(", knee of {across} and {up}")
 }
 
 /// The columns of the table of designs, by their places; `*` marks the one it is sorted by.
-pub(crate) fn design_cells(tab: &Searching, front: &Front, task: &Task) -> Vec<Cells> {
-    let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
-    let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
-    let axes = task.axes.iter().map(sweep::Axis::symbol);
-    let keys: Vec<&str> =
-        objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
+pub(crate) fn design_cells(tab: &Searching, front: &Front) -> Vec<Cells> {
+    let measures = front.request.measures();
+    let objectives = front.request.objectives.len();
+    let mut keys = report::front::page_keys(front);
+    // The objectives first, then the variables.
+    keys[..front.request.over.len() + objectives].rotate_left(front.request.over.len());
     let count = front.designs.len();
     let mut names = vec![String::new(); count];
     let knee = tab.knee();
-    for (number, at) in tab.sorted_places(front, task).into_iter().enumerate() {
+    for (number, at) in tab.sorted_places(front).into_iter().enumerate() {
         let is_knee = knee == Some(at);
         names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
     }
-    let mut columns = designs(task, front, 0..count).cells(&keys);
-    if let Some(sorted) = keys.iter().position(|key| Some(key) == measures.get(tab.sorted(task))) {
+    let mut columns = front_table("", front).cells(&keys);
+    if let Some(sorted) = keys.iter().position(|key| *key == measures[tab.sorted(front)].name) {
         columns[sorted].head.insert(0, '*');
     }
     columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });

@@ -1,10 +1,9 @@
-//! The Thesis tab: claims with the selected one in full, principles with what serves them, the screening matrix.
+//! Draws the Thesis tab: claims with the selected one in full, principles with what serves them, the concepts' ratings.
 
-use crate::study::principles::PRINCIPLES;
-use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
+use crate::study::principles::{CONCEPTS, CRITERIA, PRINCIPLES};
 use crate::study::thesis::ClaimVerdict;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::thesis::{self, CLAIMS, Claims, SCREENING};
+use crate::tui::pages::thesis::{self, CLAIMS, Claims};
 use crate::tui::widgets::table::{NO_MATCH, filtered};
 
 /// From this width on the detail stands beside the list.
@@ -16,8 +15,8 @@ const LABEL: u16 = 12;
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     match app.pane() {
         CLAIMS => claims(app, area, canvas),
-        SCREENING => screening(app, area, canvas),
-        _ => principles(app, area, canvas),
+        thesis::PRINCIPLES => principles(app, area, canvas),
+        _ => concepts(app, area, canvas),
     }
 }
 
@@ -31,10 +30,9 @@ fn split(area: Rect, below: u16) -> (Rect, Rect) {
 
 fn role(verdict: ClaimVerdict) -> Role {
     match verdict {
-        ClaimVerdict::Reproduced | ClaimVerdict::TrendHolds => Role::Text,
+        ClaimVerdict::Reproduced => Role::Text,
         ClaimVerdict::Corrected | ClaimVerdict::Misprint => Role::Warning,
-        ClaimVerdict::TrendFails => Role::Error,
-        ClaimVerdict::Unchecked => Role::Dim,
+        ClaimVerdict::NotReproduced => Role::Error,
     }
 }
 
@@ -75,9 +73,9 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     rows.render(canvas, inner, target, |canvas, line, at| {
         let (index, is_first, part) = &lines[at];
         let row = shown[*index];
-        let role = role(row.found.verdict);
+        let role = role(row.claim.verdict);
         if *is_first {
-            canvas.put(line, (0, 0), &row.found.verdict.letter().to_string(), role);
+            canvas.put(line, (0, 0), &row.claim.verdict.letter().to_string(), role);
             let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
             canvas.put(line, (2, 0), &place, role);
         }
@@ -95,12 +93,12 @@ fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner =
         PaneFrame::new(place).right(app.keymap.shown("<next-pane>: principles")).draw(area, canvas);
     if let Some(row) = app.claim() {
-        let found = &row.found;
-        let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
+        let verdict = row.claim.verdict;
+        let verdict = format!("{} {}", verdict.letter(), verdict.words());
         let texts = [
             ("says", row.claim.says),
-            ("computed", &found.sound),
-            ("as printed", &found.printed),
+            ("computed", &row.computed),
+            ("as printed", &row.as_printed),
             ("verdict", &verdict),
             ("cause", row.claim.cause),
         ];
@@ -125,120 +123,61 @@ fn labelled<'a>(
     }
 }
 
-enum Line {
-    Family(&'static str),
-    /// By its place.
-    Principle(usize),
-}
-
-/// Every family with its principles below it.
-fn listed() -> Vec<Line> {
-    let mut lines = Vec::new();
-    let mut family = "";
-    for (index, principle) in PRINCIPLES.iter().enumerate() {
-        if principle.family != family {
-            family = principle.family;
-            lines.push(Line::Family(family));
-        }
-        lines.push(Line::Principle(index));
-    }
-    lines
-}
+/// A letter for each function of Table 5.1; the title explains them.
+const FUNCTIONS: [(char, &str); 4] = [
+    ('O', "armor plate orientation"),
+    ('A', "accelerated elements"),
+    ('S', "controlled stiffness"),
+    ('L', "lateral array"),
+];
+const LEGEND: &str = "O orientation, A acceleration, S stiffness, L lateral";
 
 fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.pages.thesis;
-    let (list, detail) = split(area, 8);
-    let pane = PaneFrame::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
-    let inner = pane.draw(list, canvas);
-    let lines = listed();
-    let here = |line: &Line| matches!(line, Line::Principle(index) if *index == tab.principle);
-    let selected = lines.iter().position(here).unwrap_or(0);
-    let rows = RowList { count: lines.len(), selected, painted: app.dialog.is_none() };
-    let target = |row: usize| match lines[row] {
-        Line::Family(_) => None,
-        Line::Principle(index) => Some(Target::Row(thesis::PRINCIPLES, index)),
-    };
-    rows.render(canvas, inner, target, |canvas, row, at| {
-        match lines[at] {
-            Line::Family(name) => canvas.put(row, (0, 0), name, Role::Title),
-            Line::Principle(index) => canvas.put(row, (2, 0), PRINCIPLES[index].name, Role::Text),
-        };
-    });
-    let principle = &PRINCIPLES[tab.principle];
-    let title = format!("{}, section {}", principle.name, principle.section);
-    let inner = PaneFrame::new(title)
-        .right(app.keymap.shown("<next-pane>: screening"))
-        .draw(detail, canvas);
-    let functions = principle.functions.join(", ");
-    let presets: Vec<&str> =
-        principle.preset.into_iter().chain(principle.see_also.iter().copied()).collect();
-    let presets = presets.join(", ");
-    let texts = [
-        ("idea", principle.idea),
-        ("functions", &functions),
-        ("computed", principle.computed),
-        ("presets", &presets),
-    ];
-    labelled(inner, texts, canvas);
+    let pane = PaneFrame::new(LEGEND)
+        .right(app.keymap.shown("<next-pane>: concepts"))
+        .focused(app.dialog.is_none());
+    let inner = pane.draw(area, canvas);
+    let (mut y, mut family) = (0, "");
+    for principle in PRINCIPLES {
+        if principle.family != family {
+            family = principle.family;
+            canvas.put(inner, (0, y), family, Role::Title);
+            y += 1;
+        }
+        canvas.put(inner, (1, y), principle.name, Role::Text);
+        for (column, (letter, function)) in (47..).step_by(3).zip(FUNCTIONS) {
+            if principle.functions.contains(&function) {
+                canvas.put(inner, (column, y), &letter.to_string(), Role::Text);
+            }
+        }
+        y += 1;
+    }
 }
 
-fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let tab = &app.pages.thesis;
-    let pane =
-        PaneFrame::new(app.keymap.shown("Screening matrix (Table 7.1), weights <left>/<right>"))
-            .right(app.keymap.shown("<next-pane>: claims"))
-            .focused(app.dialog.is_none());
+fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let pane = PaneFrame::new("Ratings of the concepts, 3 is the reference (Table 7.1)")
+        .right(app.keymap.shown("<next-pane>: claims"))
+        .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
-    let places = rank(&tab.weights);
-    // On a narrow screen every concept counts for more than the end of a criterion's name, which is in the message row.
-    let (name, start, cell) = if inner.width < 78 { (11, 18, 5) } else { (22, 30, 6) };
-    canvas.put(inner, (0, 0), "criterion", Role::Dim);
-    canvas.put(inner, (name, 0), "weight", Role::Dim);
-    for (index, concept) in CONCEPTS.iter().enumerate() {
-        let column = start + cell * u16::try_from(index).unwrap_or(0);
-        canvas.put(inner, (column + 1, 0), &initials(concept.name), Role::Dim);
-    }
-    let count = CRITERIA.len();
-    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
-    let list = Rect { y: inner.y + 1, height, ..inner };
-    let rows = RowList { count, selected: tab.criterion, painted: app.dialog.is_none() };
-    let target = |row| Some(Target::Row(SCREENING, row));
-    rows.render(canvas, list, target, |canvas, row, index| {
-        canvas.put(row, (1, 0), &clip(CRITERIA[index], usize::from(name) - 1), Role::Text);
-        let weight = format!("{} %", significant(tab.weights[index], 3));
-        canvas.put(row, (name + 6 - columns(&weight).min(6), 0), &weight, Role::Text);
-        for (at, concept) in CONCEPTS.iter().enumerate() {
-            let column = start + cell * u16::try_from(at).unwrap_or(0);
-            canvas.put(row, (column + 2, 0), &significant(concept.ratings[index], 2), Role::Text);
+    // A narrow screen cuts the ends of the criteria's names.
+    let (name, cell) = if inner.width < 78 { (11, 5) } else { (22, 6) };
+    let put = |canvas: &mut Canvas<'_>, y: u16, label: &str, weight: &str, cells: [String; 8]| {
+        canvas.put(inner, (0, y), &clip(label, usize::from(name) - 1), Role::Text);
+        canvas.put(inner, (name, y), weight, Role::Text);
+        for (column, text) in (name + 7..).step_by(cell).zip(cells) {
+            canvas.put(inner, (column, y), &text, Role::Text);
         }
-    });
-    for (y, label) in [(8, "total"), (9, "rank (printed)")] {
-        canvas.put(inner, (0, y), label, Role::Title);
+    };
+    put(canvas, 0, "criterion", "weight", CONCEPTS.map(|it| initials(it.name)));
+    for (y, (at, (criterion, weight))) in (1..).zip(CRITERIA.iter().enumerate()) {
+        let ratings = CONCEPTS.map(|it| significant(it.ratings[at], 2));
+        put(canvas, y, criterion, &format!("{weight:>3} %"), ratings);
     }
-    for place in &places {
-        let column = start + cell * u16::try_from(place.concept).unwrap_or(0);
-        canvas.put(inner, (column, 8), &format!("{:.2}", place.total), Role::Text);
-        let concept = &CONCEPTS[place.concept];
-        let printed = if cell > 5 {
-            format!("{} ({})", place.rank, concept.rank)
-        } else {
-            format!("{}({})", place.rank, concept.rank)
-        };
-        let moved = place.rank != concept.rank;
-        let role = if moved { Role::Warning } else { Role::Text };
-        canvas.put(inner, (column, 9), &printed, role);
-    }
-    for (y, place) in (10..inner.height).zip(ranking(&tab.weights)) {
-        let concept = &CONCEPTS[place.concept];
-        let line = format!(
-            "{}  {:<4}{:<24} {:.2}   section {}",
-            place.rank,
-            initials(concept.name),
-            concept.name,
-            place.total,
-            concept.section
-        );
-        canvas.put(inner, (1, y), &line, Role::Text);
+    put(canvas, 8, "total", "", CONCEPTS.map(|it| format!("{:.2}", it.total)));
+    put(canvas, 9, "rank", "", CONCEPTS.map(|it| it.rank.to_string()));
+    for (y, it) in (11..inner.height).zip(CONCEPTS) {
+        let line = format!("{}  {}", initials(it.name), it.name);
+        canvas.put(inner, (0, y), &line, Role::Dim);
     }
 }
 

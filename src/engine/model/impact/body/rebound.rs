@@ -13,6 +13,10 @@ impl Body<'_> {
     /// unloaded yet.
     pub(in crate::model::impact) fn rebound_pull_n(&self, farthest_m: f64) -> Option<f64> {
         let mechanism = &self.problem.mechanism;
+        if self.fixed && mechanism.damper.is_absent() {
+            // The spring swings by what the contact has pressed it, however little that is.
+            return Some(self.problem.interface_fraction * self.interface_n() * self.problem.cos);
+        }
         let meets_stop = mechanism.rigid_stop().is_some() && farthest_m >= mechanism.stop_at_m;
         if self.is_still() || meets_stop || self.problem.has_absorber() {
             return None;

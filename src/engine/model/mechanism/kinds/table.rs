@@ -52,7 +52,7 @@ impl Law for Table {
         Curve::new(Segments { knots_m, pieces }, scale_m)
     }
 
-    /// A table has enough points, which are finite and rise in x.
+    /// A table has enough points, which are finite, rise in x, and reach the rest position.
     fn check(&self, path: &str) -> Result<(), VariableError> {
         let points = &self.points;
         let refuse = |what: String| Err(VariableError::new(format!("{path}.table{what}")));
@@ -77,6 +77,15 @@ impl Law for Table {
                 units::shortest(points[at + 1][0]),
                 at + 2,
                 units::shortest(points[at][0])
+            ));
+        }
+        let ([first, force], [last, _]) = (points[0], points[count - 1]);
+        if first > 0.0 || last < 0.0 {
+            return refuse(format!(
+                ": it goes from x = {} m, F = {} N to x = {} m, and the force at rest, x = 0, is not measured; add the point                  [0, 0], or subtract the first point from all",
+                units::shortest(first),
+                units::shortest(force),
+                units::shortest(last)
             ));
         }
         Ok(())

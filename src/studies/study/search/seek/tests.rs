@@ -8,24 +8,24 @@ use crate::model::scene::Mount;
 use crate::study::context::{to_its_end, until};
 use crate::study::sweep::Spacing;
 
-fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Goal {
-    let axis = Axis::new(name, ends, 33, Spacing::Linear).unwrap();
-    Goal { axis, measure: measure.to_owned(), target }
+fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
+    let over = Axis::new(name, ends, 33, Spacing::Linear).unwrap();
+    Request { over, goal: Goal { measure: named(measure).unwrap(), target } }
 }
 
-fn found(scene: &Scene, goal: &Goal) -> Report {
-    on(2, scene, goal).unwrap()
+fn found(scene: &Scene, request: &Request) -> Report {
+    on(2, scene, request).unwrap()
 }
 
-fn on(threads: usize, scene: &Scene, goal: &Goal) -> Result<Report, SweepError> {
-    seek(scene, goal, &mut Context::new(threads, &mut to_its_end))
+fn on(threads: usize, scene: &Scene, request: &Request) -> Result<Report, SweepError> {
+    seek(scene, request, &mut Context::new(threads, &mut to_its_end))
 }
 
 fn close(value: f64, exact: f64, relative: f64) {
     assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
 }
 
-/// Swept volume for a depth p <= R of a hemisphere under dishing, m³ (model page, section 2).
+/// Swept volume for a depth p <= R of a hemisphere under dishing, m³.
 fn volume(scene: &Scene, p: f64) -> f64 {
     let (r, h) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
     (h + 2.0 * r) / h * PI * (r * p * p - p.powi(3) / 3.0)
@@ -90,7 +90,9 @@ fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
     let asked = goal("d", (0.0, 0.5), "percent_of_baseline", 50.0);
     let solutions = |threads| on(threads, &scene, &asked).unwrap();
     assert!(solutions(1).solutions().eq(solutions(3).solutions()));
-    assert!(on(1, &scene, &Goal { measure: "depth".to_owned(), ..asked.clone() }).is_err());
+    assert!("depth=5mm".parse::<Goal>().unwrap_err().contains("depth"));
+    assert!("stroke_m".parse::<Goal>().unwrap_err().contains("QUANTITY=VALUE"));
+    assert_eq!(asked.to_string(), "seek --over d=0..0.5:33 --goal percent_of_baseline=50");
     let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
     assert!(!stopped.is_complete && stopped.solutions().next().is_none());
 }
@@ -104,4 +106,14 @@ fn an_unreachable_goal_gives_the_nearest_value() {
     let nearest = report.of(Kind::Nearest).next().unwrap().place;
     assert!(nearest.at.abs() < 1.0, "{nearest:?}");
     close(nearest.value, 100.0 * 4.568_088_344_392 / 7.113_055, 1e-6);
+}
+
+/// A free plate of 6 kg/m² is 6/2710 m thick, and perforated.
+#[test]
+fn valid_areal_mass_of_a_plate_that_does_not_hold() {
+    let scene = crate::study::testing::scene("k=0 v_i=300");
+    let report = found(&scene, &goal("h", (1e-3, 5e-3), "areal_mass_kg_m2", 6.0));
+    let solution = report.solutions().next().unwrap();
+    close(solution.place.at, 6.0 / 2710.0, 1e-9);
+    assert_eq!(solution.outcome, Some(PointOutcome::Ended(Outcome::Perforated)));
 }

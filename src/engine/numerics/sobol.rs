@@ -3,8 +3,10 @@
 //! Direction numbers: S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM J.
 //! Sci. Comput. 30 (2008), file new-joe-kuo-6.21201.
 
-/// Axes the table is good for.
-pub(super) const DIMENSIONS: usize = 12;
+use crate::numerics::random::Random;
+
+/// Dimensions the table is good for.
+pub const DIMENSIONS: usize = 24;
 
 /// Degree s and coefficients a of the primitive polynomial, and the first s odd numbers m, of dimensions 2 and on.
 const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
@@ -19,6 +21,18 @@ const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
     (5, 7, &[1, 1, 7, 11, 19]),
     (5, 11, &[1, 1, 5, 1, 1]),
     (5, 13, &[1, 1, 1, 3, 11]),
+    (5, 14, &[1, 3, 5, 5, 31]),
+    (6, 1, &[1, 3, 3, 9, 7, 49]),
+    (6, 13, &[1, 1, 1, 15, 21, 21]),
+    (6, 16, &[1, 3, 1, 13, 27, 49]),
+    (6, 19, &[1, 1, 1, 15, 7, 5]),
+    (6, 22, &[1, 3, 1, 15, 13, 25]),
+    (6, 25, &[1, 1, 5, 5, 19, 61]),
+    (7, 1, &[1, 3, 7, 11, 23, 15, 103]),
+    (7, 4, &[1, 3, 7, 13, 13, 15, 69]),
+    (7, 7, &[1, 1, 3, 13, 7, 35, 63]),
+    (7, 8, &[1, 3, 5, 9, 1, 25, 53]),
+    (7, 14, &[1, 3, 1, 13, 9, 35, 107]),
 ];
 
 const DIGITS: usize = 32;
@@ -56,11 +70,23 @@ const fn directions() -> [[u32; DIGITS]; DIMENSIONS] {
     all
 }
 
-/// The 32 digits of point `index` in dimension `axis` (from 0, below [`DIMENSIONS`]); the sequence repeats after 2^32 points.
-pub(super) fn bits(index: u64, axis: usize) -> u32 {
+/// Where point `index` lies in a dimension (from 0, below [`DIMENSIONS`]), in [0, 1); the sequence repeats after 2^32 points. A seed
+/// other than 0 shifts it digit by digit.
+pub fn share(index: u64, dimension: usize, seed: u64) -> f64 {
+    let shift = if seed == 0 { 0 } else { mix(seed ^ mix(dimension as u64 + 1)) >> 32 };
+    (u64::from(bits(index, dimension)) ^ shift) as f64 / 4_294_967_296.0
+}
+
+/// The first random bits of a seed.
+fn mix(seed: u64) -> u64 {
+    Random::new(seed).bits()
+}
+
+/// The 32 digits of a point.
+fn bits(index: u64, dimension: usize) -> u32 {
     let mut gray = index ^ (index >> 1);
     let mut bits = 0;
-    for direction in &DIRECTIONS[axis] {
+    for direction in &DIRECTIONS[dimension] {
         if gray & 1 == 1 {
             bits ^= direction;
         }
@@ -90,21 +116,46 @@ mod tests {
         ];
         for (index, point) in (0..).zip(points) {
             for (axis, expected) in point.into_iter().enumerate() {
-                let found = f64::from(bits(index, axis)) / 4_294_967_296.0;
+                let found = share(index, axis, 0);
                 assert_eq!(found.to_bits(), expected.to_bits(), "{index} {axis}");
             }
         }
     }
 
     /// Sobol's property A: the first 2^d points lie one in each of the 2^d half-cubes, which most tables of initial numbers
-    /// fail and Joe and Kuo's were chosen to keep.
+    /// fail and Joe and Kuo's were chosen to keep. It holds where the leading digits of the directions are linearly independent.
     #[test]
-    fn halves_of_every_axis_are_independent() {
-        let d = DIMENSIONS;
-        let mut seen = vec![false; 1 << d];
-        for index in 0..1u64 << d {
-            let corner = (0..d).fold(0, |at, axis| at << 1 | (bits(index, axis) >> 31) as usize);
-            assert!(!std::mem::replace(&mut seen[corner], true), "{index}");
+    fn halves_of_every_dimension_are_independent() {
+        for d in 1..=DIMENSIONS {
+            let row = |axis: usize| {
+                (0..d).fold(0u32, |row, digit| row | (DIRECTIONS[axis][digit] >> 31) << digit)
+            };
+            let mut rows: Vec<u32> = (0..d).map(row).collect();
+            for digit in 0..d {
+                let pivot = (digit..d).find(|at| rows[*at] >> digit & 1 == 1);
+                rows.swap(digit, pivot.unwrap_or_else(|| panic!("{d} {digit}")));
+                for at in digit + 1..d {
+                    if rows[at] >> digit & 1 == 1 {
+                        rows[at] ^= rows[digit];
+                    }
+                }
+            }
         }
+    }
+
+    #[test]
+    fn a_shifted_sequence_keeps_one_point_in_each_elementary_interval() {
+        for seed in [0, 3] {
+            for dimension in 0..DIMENSIONS {
+                let mut seen = [false; 64];
+                for index in 0..64 {
+                    let share = share(index, dimension, seed);
+                    let place = (0..64).rfind(|at| share * 64.0 >= f64::from(*at)).unwrap();
+                    let place = usize::try_from(place).unwrap();
+                    assert!(!std::mem::replace(&mut seen[place], true), "{dimension} {seed}");
+                }
+            }
+        }
+        assert_ne!(share(3, 1, 2).to_bits(), share(3, 1, 1).to_bits());
     }
 }

@@ -1,0 +1,179 @@
+//! The best points of any function of the unit cube, by sampling: Sobol's sequence over the cube, then over boxes around the best
+//! points found so far, narrower each round.
+//!
+//! No gradient, no chance and no clock: the same request gives the same digits. With several objectives the best points are the
+//! feasible ones that no other dominates, with one the point of least value.
+
+use crate::numerics::sobol;
+
+/// Rounds after the first, which takes a quarter of the points.
+const ROUNDS: usize = 20;
+/// Points that are kept of a round, at least and at most: a single best point alone would hold the search to its neighbourhood.
+const KEPT_LEAST: usize = 8;
+/// See [`search`].
+pub const KEPT_MOST: usize = 100;
+/// Half the side of the first boxes over the mean distance of the points among which their centres were found.
+const REACH: f64 = 1.5;
+/// The side of a box over that of the round before.
+const SHRINK: f64 = 0.7;
+
+/// The result of a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// The objectives, all to be made small.
+    pub objectives: Vec<f64>,
+    /// By how much constraints are violated, together; 0: not at all; infinite where there is no value.
+    pub violation: f64,
+}
+
+impl Judged {
+    /// Whether it keeps every constraint.
+    pub fn is_feasible(&self) -> bool {
+        self.violation == 0.0
+    }
+
+    /// Whether it is feasible and the other is not, or violates less, or is no worse in any objective and better in one.
+    pub fn dominates(&self, other: &Self) -> bool {
+        if !self.is_feasible() || !other.is_feasible() {
+            return self.violation < other.violation;
+        }
+        let mut pairs = self.objectives.iter().zip(&other.objectives);
+        let no_worse = pairs.clone().all(|(own, others)| own <= others);
+        no_worse && pairs.any(|(own, others)| own < others)
+    }
+}
+
+/// A point and its result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample<T> {
+    /// Where, 0 to 1 along every input.
+    pub shares: Vec<f64>,
+    /// Its result.
+    pub judged: Judged,
+    /// What else is known of it.
+    pub found: T,
+}
+
+/// The function, many points at once, and the best points before them; `None` when it was stopped.
+pub type Function<'a, T> = &'a mut dyn FnMut(&[Vec<f64>], &[Sample<T>]) -> Option<Vec<(Judged, T)>>;
+
+/// The best points after about a given number of evaluations, at most [`KEPT_MOST`] of which are on the [`front`]; of a function that
+/// was stopped those of the rounds before. `start` is tried first.
+pub fn search<T>(
+    inputs: usize,
+    start: Option<Vec<f64>>,
+    evaluations: usize,
+    function: Function<'_, T>,
+) -> Vec<Sample<T>> {
+    let first = evaluations / 4;
+    let mut points: Vec<Vec<f64>> = start.into_iter().collect();
+    points.extend((0..first as u64).map(|index| {
+        // The outermost points lie on the bounds, where designs often are best.
+        (0..inputs)
+            .map(|input| (1.02 * sobol::share(index, input, 0) - 0.01).clamp(0.0, 1.0))
+            .collect()
+    }));
+    let mut reach = REACH * (first as f64).powf(-1.0 / inputs as f64);
+    let mut best: Vec<Sample<T>> = Vec::new();
+    for round in 0..=ROUNDS {
+        let Some(judged) = function(&points, &best) else { break };
+        let found = points.drain(..).zip(judged);
+        best.extend(found.map(|(shares, (judged, found))| Sample { shares, judged, found }));
+        best = fittest(best);
+        // One box after the other, each with a part of the sequence of its own.
+        let count = (evaluations - first) / ROUNDS;
+        let each = count.div_ceil(best.len());
+        points.extend((0..count).map(|at| {
+            let (centre, place) = (at % best.len(), at / best.len());
+            let index = ((round * best.len() + centre) * each + place) as u64;
+            let side = |(input, share): (usize, &f64)| {
+                (share + reach * (2.0 * sobol::share(index, input, 0) - 1.0)).clamp(0.0, 1.0)
+            };
+            best[centre].shares.iter().enumerate().map(side).collect()
+        }));
+        reach *= SHRINK;
+    }
+    best
+}
+
+/// The feasible points that no other dominates.
+pub fn front<T>(points: &[Sample<T>]) -> Vec<&Sample<T>> {
+    let feasible = || points.iter().filter(|one| one.judged.is_feasible());
+    let is_best = |one: &&Sample<T>| feasible().all(|it| !it.judged.dominates(&one.judged));
+    feasible().filter(is_best).collect()
+}
+
+/// The points that no other dominates, spread over their front where there are too many; where there are too few, those that only
+/// these dominate, and so on.
+fn fittest<T>(mut points: Vec<Sample<T>>) -> Vec<Sample<T>> {
+    let mut kept = Vec::new();
+    while kept.len() < KEPT_LEAST && !points.is_empty() {
+        let (front, rest) = split(points);
+        kept.extend(spread(front));
+        points = rest;
+    }
+    kept
+}
+
+/// The points that no other dominates, each result once, and the rest.
+fn split<T>(points: Vec<Sample<T>>) -> (Vec<Sample<T>>, Vec<Sample<T>>) {
+    let (mut front, mut rest): (Vec<Sample<T>>, Vec<Sample<T>>) = (Vec::new(), Vec::new());
+    for one in points {
+        if front.iter().any(|other| other.judged == one.judged) {
+            continue;
+        }
+        if front.iter().any(|other| other.judged.dominates(&one.judged)) {
+            rest.push(one);
+            continue;
+        }
+        rest.extend(front.extract_if(.., |other| one.judged.dominates(&other.judged)));
+        front.push(one);
+    }
+    (front, rest)
+}
+
+/// At most [`KEPT_MOST`] points of a front, as far apart as can be: the least of each objective, then again and again the one
+/// farthest from those taken, each objective by its range.
+fn spread<T>(mut front: Vec<Sample<T>>) -> Vec<Sample<T>> {
+    if front.len() <= KEPT_MOST {
+        return front;
+    }
+    let count = front[0].judged.objectives.len();
+    let value = |at: usize, objective: usize| front[at].judged.objectives[objective];
+    let mut taken = Vec::new();
+    let mut ranges = Vec::new();
+    for objective in 0..count {
+        let by = |a: &usize, b: &usize| value(*a, objective).total_cmp(&value(*b, objective));
+        let Some((least, most)) = (0..front.len()).min_by(by).zip((0..front.len()).max_by(by))
+        else {
+            continue;
+        };
+        ranges.push(value(most, objective) - value(least, objective));
+        taken.push(least);
+    }
+    let distance = |a: usize, b: usize| -> f64 {
+        let parts = ranges.iter().enumerate().filter(|(_, range)| **range > 0.0);
+        parts.map(|(it, range)| ((value(a, it) - value(b, it)) / range).powi(2)).sum()
+    };
+    let nearest =
+        |at: usize| taken.iter().map(|it| distance(at, *it)).fold(f64::INFINITY, f64::min);
+    let mut gaps: Vec<f64> = (0..front.len()).map(nearest).collect();
+    while taken.len() < KEPT_MOST {
+        let Some(next) = (0..front.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])) else {
+            break;
+        };
+        taken.push(next);
+        for (at, gap) in gaps.iter_mut().enumerate() {
+            *gap = gap.min(distance(at, next));
+        }
+    }
+    let mut at = 0;
+    front.retain(|_| {
+        at += 1;
+        taken.contains(&(at - 1))
+    });
+    front
+}
+
+#[cfg(test)]
+mod tests;

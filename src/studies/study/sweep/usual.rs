@@ -1,0 +1,86 @@
+//! The variables of a search, and their bounds, where none are named.
+
+use crate::model::run::envelope::FACE_LEAST;
+use crate::model::scene::Scene;
+use crate::model::units::significant;
+use crate::model::variables::{self, VARIABLES, Variable};
+use crate::study::sweep::{Axis, Spacing, SweepError};
+
+/// The plate's face over the projectile's diameter at the upper bound of the mass ratio.
+const FACE_MOST: f64 = 4.0 * FACE_LEAST;
+
+/// The bounds of Table 9.2 for every variable that has some and an effect within them. Those of the mass ratio are for the
+/// projectile of the thesis: for any other they are the ratios of plates from [`FACE_LEAST`] to 12 diameters wide.
+///
+/// # Errors
+/// None in practice: the table's ranges are sound.
+pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
+    let ranges = || {
+        let of = |it: &'static Variable| Some((it, it.number()?, it.thesis_range()?));
+        VARIABLES.iter().filter_map(of)
+    };
+    // A spring's exponent matters where there is a spring: judged with every range at its end.
+    let mut far = scene.clone();
+    for (_, number, (_, high)) in ranges() {
+        (number.set)(&mut far, Some(high));
+    }
+    ranges()
+        .filter(|(variable, ..)| {
+            // A mass ratio that follows from the plate's face is not an input.
+            variables::is_used(variable, &far) && !variables::overrules_size(variable, scene)
+        })
+        .map(|(variable, _, ends)| {
+            let ends = if variable.symbol == "gamma" { mass_ratios(scene, ends) } else { ends };
+            Axis::new(variable.symbol, ends, 2, Spacing::Linear)
+        })
+        .collect()
+}
+
+fn mass_ratios(scene: &Scene, table: (f64, f64)) -> (f64, f64) {
+    let (own, thesis) = (&scene.projectile, Scene::default().projectile);
+    if (own.mass_kg, own.tip_radius_m) == (thesis.mass_kg, thesis.tip_radius_m) {
+        return table;
+    }
+    let ratio = |face: f64| {
+        let side_m = 2.0 * face * own.tip_radius_m;
+        let kg = scene.target.density_kg_m3 * scene.target.thickness_m * side_m * side_m;
+        let ratio = kg / own.mass_kg;
+        significant(ratio, 3).parse().unwrap_or(ratio)
+    };
+    (ratio(FACE_LEAST), ratio(FACE_MOST))
+}
+
+/// These axes, or where there are none the usual ones.
+///
+/// # Errors
+/// A [`SweepError`] where there are no usual ones either.
+pub fn or_usual(
+    axes: &[Axis],
+    usual: impl FnOnce() -> Result<Vec<Axis>, SweepError>,
+) -> Result<Vec<Axis>, SweepError> {
+    let axes = if axes.is_empty() { usual()? } else { axes.to_vec() };
+    if axes.is_empty() {
+        return Err(SweepError(
+            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
+                .to_owned(),
+        ));
+    }
+    Ok(axes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::testing::scene;
+
+    /// A ball of 9.5 g and 7.62 mm on 6 mm of steel: plates of 22.86 and 91.44 mm weigh 24.6 and 394 g.
+    #[test]
+    fn valid_mass_ratios_of_another_threat() {
+        let gamma = |scene: &Scene| {
+            let axes = thesis_axes(scene).unwrap();
+            axes.iter().find(|axis| axis.symbol() == "gamma").unwrap().ends()
+        };
+        assert_eq!(gamma(&Scene::default()), (0.8, 7.0));
+        assert_eq!(gamma(&scene("m_p=9.5g R=3.81mm h=6mm rho=7850")), (2.59, 41.5));
+    }
+}
