@@ -118,7 +118,7 @@ pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
 /// The role that colours it.
 pub(super) fn role(curve: &Curve<'_>) -> Role {
     match curve.emphasis {
-        Emphasis::Stale => Role::Dim,
+        Emphasis::Faint | Emphasis::Stale => Role::Dim,
         Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
     }
 }

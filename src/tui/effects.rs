@@ -343,7 +343,7 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
-        let io_thread = 
+        let io_thread =
             IoThread::spawn(Some(paths.clone()), Known::default(), delay, send).unwrap();
         (place, paths, io_thread, receive)
     }

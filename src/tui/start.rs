@@ -15,6 +15,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
+use crate::tui::pages::thesis;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
@@ -50,7 +51,11 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         _ => None,
     });
     let mut app = match (options.scene, loaded.session) {
-        (Some(preset), _) => App::new(base_of(preset), theme, directory),
+        (Some(preset), _) => {
+            let mut app = App::new(base_of(preset), theme, directory);
+            thesis::begin(&mut app);
+            app
+        }
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);
@@ -262,7 +267,9 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
-    use crate::tui::message::Message;
+    use crate::tui::message::{Effect, Message};
+    use crate::tui::pages::Tab;
+    use crate::tui::pages::explore::plan::PictureSweep;
     use crate::tui::update;
 
     fn state() -> App {
@@ -317,6 +324,25 @@ mod tests {
         again.restore_setups(&kept);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
         assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
+    }
+
+    /// A figure is its sweep, whichever door it comes through.
+    #[test]
+    fn a_figure_of_the_command_line_opens_on_explore() {
+        for (name, tab) in [
+            ("figure-9.4", Tab::Explore),
+            ("figure-9.8", Tab::Explore),
+            ("thesis-baseline", Tab::Run),
+        ] {
+            let scene = preset::resolve(name, None).unwrap();
+            let options = Options { scene: Some(scene), fresh: false, glyphs: None };
+            let (mut state, _) = app(options, None);
+            assert_eq!(state.tab, tab, "{name}");
+            assert!(state.history.edits.is_empty(), "nothing to undo yet");
+            let effects = update::start(&mut state);
+            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if task.study.of::<PictureSweep>().is_some());
+            assert_eq!(effects.iter().any(is_sweep), tab == Tab::Explore, "{name}");
+        }
     }
 
     #[test]

@@ -184,13 +184,12 @@ fn in_list(list: List, typing: bool) -> Keys {
             &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")]
         }
         (List::Palette, _) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
-        (List::Presets, true) => &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")],
-        (List::Presets, false) => &[
+        (List::Presets, _) => &[
+            ("type", "a name or a path"),
             ("Enter", "load"),
-            ("Space", "pin only"),
-            ("j/k", "move"),
-            ("/", "search, or a file's path"),
-            ("q", "close"),
+            ("Tab", "pin only"),
+            ("Up/Down", "move"),
+            ("Esc", "close"),
         ],
         (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
         (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],

@@ -85,6 +85,7 @@ pub(super) fn run(
     // The time is that of the run by itself.
     let took = reporter.elapsed();
     reporter.took.set(Some(took));
+    run.cost.took = Some(took);
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
         let mut observer = |t_s| {

@@ -368,7 +368,8 @@ fn an_interrupted_sweep_keeps_its_finished_points() {
             found.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
         };
         let written = || {
-            let size = |name: String| fs::metadata(place.path().join(name)).map_or(0, |it| it.len());
+            let size =
+                |name: String| fs::metadata(place.path().join(name)).map_or(0, |it| it.len());
             names().into_iter().map(size).max().unwrap_or(0)
         };
         wait_while("nothing is written", || written() < 10_000);

@@ -310,13 +310,8 @@ fn the_scene_beside_an_export_holds_the_values_and_names_the_source() {
     let again = again.to_str().unwrap();
     let over = ["--over", "v_i=100..200:3", "--outputs", "stroke_m"];
     let map = ["--map", "v_i=20..40:2,gamma=1..2:2"];
-    let studies: [(&str, &[&str]); 5] = [
-        ("run", &[]),
-        ("sweep", &over),
-        ("compare", &[]),
-        ("compare", &map),
-        ("limit", &[]),
-    ];
+    let studies: [(&str, &[&str]); 5] =
+        [("run", &[]), ("sweep", &over), ("compare", &[]), ("compare", &map), ("limit", &[])];
     for (command, more) in studies {
         let page = says(command, &[&[again], more].concat(), 0).0;
         assert!(page.contains("threat warning: m80-ball: lead core"), "{command}: {page}");

@@ -1,6 +1,5 @@
 //! `cmra run --compare`, and models set by name.
 
-
 fn cmra(arguments: &[&str]) -> (String, i32) {
     let output = crate::support::program().args(arguments).output().unwrap();
     let text =

@@ -131,7 +131,7 @@ fn dialogs() {
         ("help_charts", "<Tab>?/zoom"),
         ("palette", ":expo"),
         ("options", "oj"),
-        ("presets", "pjj"),
+        ("presets", "p<Down><Down>"),
         ("history", "jl jjjjll<Esc>l:list of<Enter>"),
         ("save", "jls"),
         ("save_over", "s<C-u>heavy-plate<Enter>"),

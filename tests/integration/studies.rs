@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::Path;
 
-
 struct Done {
     out: String,
     err: String,
@@ -12,11 +11,8 @@ struct Done {
 }
 
 fn cmra(place: &Path, words: &str) -> Done {
-    let output = crate::support::program()
-        .current_dir(place)
-        .args(words.split(' '))
-        .output()
-        .unwrap();
+    let output =
+        crate::support::program().current_dir(place).args(words.split(' ')).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     Done { out: text(output.stdout), err: text(output.stderr), code: output.status.code().unwrap() }
 }

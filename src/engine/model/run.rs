@@ -6,6 +6,7 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::time::Duration;
 
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
@@ -391,6 +392,8 @@ pub struct Cost {
     pub events: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub rhs_evaluations: usize,
+    /// The wall-clock time it took with its error estimate, as whoever ran it measured; `None` where nobody did.
+    pub took: Option<Duration>,
     /// The method that did it, or the methods.
     pub method: &'static str,
     /// Why that method.

@@ -137,6 +137,8 @@ impl<'a> Mark<'a> {
 /// How a curve stands among the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Emphasis {
+    /// What the others are held against: faint, at the bottom.
+    Faint,
     /// Of results that a newer computation is about to replace: faint, at the bottom, `(old)` in the legend.
     Stale,
     /// One of many, in the order given.

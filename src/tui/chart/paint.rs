@@ -287,7 +287,7 @@ impl Painter<'_> {
         let style = self.theme.style(role(curve));
         match curve.emphasis {
             Emphasis::Selected => style.add_modifier(Modifier::BOLD),
-            Emphasis::Normal | Emphasis::Stale => style,
+            Emphasis::Normal | Emphasis::Faint | Emphasis::Stale => style,
         }
     }
 

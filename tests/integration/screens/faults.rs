@@ -30,7 +30,7 @@ fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
     let problem = "mine.toml, line 3: unknown key `gama`".to_owned();
     bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), problem));
     let before = Arc::clone(&bench.app.scene);
-    bench.press("p/mine-too");
+    bench.press("pmine-too");
     let screen = bench.screen();
     assert!(screen.contains("!mine-too") && screen.contains("unknown key"), "{screen}");
     bench.press("<Enter>");
@@ -40,14 +40,14 @@ fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
     let mut bench = Bench::ascii(80, 24);
     let why = ["expected a length;"; 10].join(" ") + " write\nfor example 0.0295";
     bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), why.clone()));
-    bench.press("p/mine-too<Enter>");
+    bench.press("pmine-too<Enter>");
     let screen = bench.screen();
     let lines: Vec<&str> = screen.lines().skip(18).map(str::trim).collect();
     let refusal = format!("mine-too cannot be loaded: {why}").replace('\n', "; ");
     assert!(lines.join(" ").contains(&refusal), "{screen}");
     // A text that no preset has loads none.
     let mut bench = Bench::ascii(80, 24);
-    bench.press("p/zqx<Enter>");
+    bench.press("pzqx<Enter>");
     assert!(bench.app.history.edits.is_empty());
 }
 
@@ -130,7 +130,7 @@ fn a_preset_of_a_figure_opens_its_sweep() {
     let (comment, part, problem) = (String::new(), None, None);
     let name = "figure-9.8".to_owned();
     bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part, problem });
-    bench.press("p/figure 9.8");
+    bench.press("pfigure 9.8");
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");
     assert_eq!(bench.app.tab, Tab::Explore);

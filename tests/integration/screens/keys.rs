@@ -356,7 +356,7 @@ fn eight_pins_are_the_most() {
 #[test]
 fn a_pin_of_a_scene_that_is_not_on_the_screen_is_computed() {
     let mut bench = bench();
-    bench.keys("pj ");
+    bench.keys("p<Down><Tab>");
     assert!(
         matches!(bench.app.dialog, Some(Dialog::List(List::Presets, _))),
         "the picker stays open"
@@ -414,7 +414,7 @@ fn zoom_keeps_the_crosshair_and_fit_shows_everything() {
 #[test]
 fn loading_a_preset_is_one_edit() {
     let mut bench = bench();
-    bench.keys("pjj<Enter>");
+    bench.keys("p<Down><Down><Enter>");
     assert_eq!(bench.app.base.name, "cocked");
     assert!(!bench.app.is_modified());
     assert!(bench.message().contains("fused interface"), "the run's warning is shown");
@@ -429,7 +429,7 @@ fn undoing_a_sweep_brings_the_setup_of_explore_back() {
     let before = bench.app.pages.explore.plan;
     let preset = bench.app.presets.iter_mut().find(|entry| entry.name == "cocked").unwrap();
     preset.scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
-    bench.keys("pjj<Enter>");
+    bench.keys("p<Down><Down><Enter>");
     assert_eq!(bench.app.base.name, "cocked");
     assert_ne!(bench.app.pages.explore.plan, before);
     bench.keys("u");
@@ -454,7 +454,7 @@ fn the_title_never_cuts_the_word_off() {
 #[test]
 fn the_picker_opens_files_by_their_path() {
     let mut bench = bench();
-    bench.press("p/./mine.toml<Enter>");
+    bench.press("p./mine.toml<Enter>");
     let path = bench.effects.iter().find_map(|effect| match effect {
         Effect::Files(FileTask::Load(path)) => Some(path.clone()),
         _ => None,
@@ -633,18 +633,9 @@ fn leaving_keeps_the_session() {
 
 #[test]
 fn popups_close_by_q_and_escape() {
-    for keys in [
-        "?q",
-        "?<Esc>",
-        "pq",
-        "p<Esc>",
-        "oq",
-        ":<Esc>",
-        "s<Esc>",
-        "e<Esc>",
-        "?/x<Esc><Esc>",
-        "o<Esc>",
-    ] {
+    for keys in
+        ["?q", "?<Esc>", "p<Esc>", "oq", ":<Esc>", "s<Esc>", "e<Esc>", "?/x<Esc><Esc>", "o<Esc>"]
+    {
         let mut bench = bench();
         bench.effects.clear();
         bench.keys(keys);

@@ -240,7 +240,7 @@ fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
 #[test]
 fn a_search_without_a_match_explains_how_to_open_a_file() {
     let mut bench = Bench::ascii(80, 24);
-    bench.press("p/");
+    bench.press("p");
     bench.press("zzz");
     bench.press("<Enter>");
     assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
