@@ -248,7 +248,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
 fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
-    format!("last session restored: {}{modified}{pins} (cmra --fresh starts anew)", app.base.name)
+    format!("session restored: {}{modified}{pins} (or: cmra --fresh)", app.base.name)
 }
 
 /// `, 2 pinned runs`; empty where there is none.

@@ -85,7 +85,7 @@ pub(super) fn run(
     // The time is that of the run by itself.
     let took = reporter.elapsed();
     reporter.took.set(Some(took));
-    run.cost.took = Some(took);
+    run.cost.took_s = Some(took.as_secs_f64());
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
         let mut observer = |t_s| {

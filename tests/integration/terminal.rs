@@ -345,7 +345,7 @@ fn stopped_and_continued_from_outside_it_redraws() {
 fn bytes_stay_few() {
     let mut terminal = Terminal::start_with(Start { arguments: &["--fresh"], ..Start::default() });
     terminal.wait_for(DONE);
-    terminal.send("jj");
+    terminal.send("jjjjjjj");
     for key in ["l", "L"] {
         terminal.send(key);
     }

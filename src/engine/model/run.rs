@@ -6,7 +6,6 @@
 use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Duration;
 
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
@@ -380,7 +379,7 @@ pub struct MechanismLoad {
 }
 
 /// The cost of the computation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Cost {
     /// Accepted steps.
     pub steps: usize,
@@ -392,8 +391,8 @@ pub struct Cost {
     pub events: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub rhs_evaluations: usize,
-    /// The wall-clock time it took with its error estimate, as whoever ran it measured; `None` where nobody did.
-    pub took: Option<Duration>,
+    /// The wall-clock time it took with its error estimate, as whoever ran it measured, s; `None` where nobody did.
+    pub took_s: Option<f64>,
     /// The method that did it, or the methods.
     pub method: &'static str,
     /// Why that method.

@@ -152,7 +152,7 @@ fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
         .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())
         .with("end", "end", "", |it| it.1.end.words())
         .with("method", "method", "", |it| it.1.cost.method)
-        .with("run_time_s", "run time", "s", |it| Some(it.1.cost.took?.as_secs_f64()));
+        .with("run_time_s", "run time", "s", |it| it.1.cost.took_s);
     of_runs().fold(table, |table, quantity| {
         table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
     })

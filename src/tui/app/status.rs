@@ -41,11 +41,8 @@ impl App {
             return lines;
         };
         let mut lines = wrapped(&text);
-        // On Run a message leaves the meaning of the row and the results in sight; what is refused says why in full.
-        let is_brief = self.tab == Tab::Run && severity != Severity::Error && self.dialog.is_none();
-        let most = if is_brief { (area - 1).max(1) } else { MESSAGE_LINES };
-        if lines.len() > most {
-            lines.truncate(most);
+        if lines.len() > MESSAGE_LINES {
+            lines.truncate(MESSAGE_LINES);
             let end = self.keymap.shown(" ...: <tab-log>:Log");
             if let Some(last) = lines.last_mut() {
                 *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()

@@ -417,7 +417,7 @@ fn loading_a_preset_is_one_edit() {
     bench.keys("p<Down><Down><Enter>");
     assert_eq!(bench.app.base.name, "cocked");
     assert!(!bench.app.is_modified());
-    assert!(bench.message().contains("fused interface"), "the run's warning is shown");
+    assert!(bench.screen().contains("! interface 2.90"), "the run's warning is shown");
     bench.keys("u");
     assert_eq!(bench.app.base.name, "thesis-baseline");
     assert_eq!(bench.app.scene.plate.cocking_m, 0.0);

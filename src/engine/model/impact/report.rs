@@ -284,7 +284,7 @@ fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
         turns: simulation.control.turns,
         events: simulation.control.event_count,
         rhs_evaluations: simulation.control.evaluations,
-        took: None,
+        took_s: None,
         method,
         reason,
     }

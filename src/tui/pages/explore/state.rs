@@ -276,7 +276,7 @@ impl App {
             let name = words.of(output);
             let text = match grid.cell(x, y, index) {
                 Cell::Value(value) if output.unit() == "%" => {
-                    format!("{} of the rigid mount's depth", output_value(output, value))
+                    format!("{} of rigid mount", output_value(output, value))
                 }
                 Cell::Value(value) => format!("{name} {}", output_value(output, value)),
                 Cell::Outcome(outcome) if outcome.is_stopped() => {
