@@ -19,7 +19,7 @@ use cmra::study::parallel::{self, Work, cores};
 use cmra::study::quantities::named;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
 use cmra::study::sweep::grid::PIECE;
-use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
+use cmra::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 
 use crate::equations::Equations;
 use crate::explicit;
@@ -98,7 +98,7 @@ fn linear(out: &mut impl Write) -> std::io::Result<()> {
         let axes = [axis("gamma", (0.8, 7.0)), axis("k", (0.0, 7.5e6))];
         let axes = axes.into_iter().collect::<Result<_, _>>().expect("sound axes");
         let scene = at(&Scene::default(), 1e-6);
-        let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).expect("sound");
+        let plan = Plan::new(&scene, axes, &USUAL_OUTPUTS).expect("sound");
         let time_s = (0..3).map(|_| seconds(|| drop(rows(&plan, 1)))).fold(f64::MAX, f64::min);
         let points = plan.points() as f64;
         writeln!(out, "{points:9.0} runs  {time_s:9.5} s  {:10.0} runs/s", points / time_s)?;

@@ -14,7 +14,8 @@ use crate::files::bundled;
 use crate::model::contact_phase::Ending;
 use crate::model::units::engineering;
 use crate::report::accuracy::{
-    self, ANSWERS, Named, TARGETS, by, error_over_time, methods, seconds,
+    self, ANSWERS, Named, TARGETS, advice, by, error_over_time, methods, printed_scheme, savings,
+    seconds,
 };
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{ComparisonOptions, MethodReport, Report, compare};
@@ -23,14 +24,13 @@ use crate::worker::clock;
 
 const SIZE: draw::Size = (80, 20);
 /// Columns of the table of methods.
-const KEYS: [&str; 8] = [
+const KEYS: [&str; 7] = [
     "letter",
     "method",
     "observed_order",
     "least_error",
     "run_time_s_to_1e-6",
     "run_time_s_to_1e-9",
-    "run_time_spread",
     "cheapest",
 ];
 
@@ -106,7 +106,13 @@ fn page(reports: &[Named]) -> String {
 }
 
 fn page_of(name: &str, report: &Report) -> String {
-    let mut page = format!("{name}: error against run time of the first contact\n\n");
+    let mut page = format!("{name}: error against run time\n\n");
+    if report.is_complete {
+        let _ = writeln!(page, "{}", advice(report));
+    }
+    if let Some(printed) = printed_scheme(report) {
+        let _ = writeln!(page, "{printed}; T is the error of its step\n");
+    }
     page.push_str(&chart(report));
     page.push_str(&table_of(report));
     if !report.is_complete {
@@ -147,39 +153,24 @@ fn table_of(report: &Report) -> String {
     format!("\n{}", table.page(&KEYS, width()))
 }
 
-/// The run times for some accuracies, and those of the simulation with no term omitted.
+/// The run times for some accuracies, and what is gained by leaving out parts of a run.
 fn answers(page: &mut String, report: &Report) {
-    let _ =
-        writeln!(page, "\n{:<55}{:>23}", "run time for a given accuracy", "full simulation (N)");
+    page.push_str("\nrun time for a given accuracy\n");
     for target in ANSWERS {
         let found = report.cheapest(target).map_or_else(
             || "no method reaches it".to_owned(),
             |found| format!("{} {}", seconds(found.min_s), by(&found)),
         );
-        let full = report.cheapest_in_full(target);
-        let full = full.map_or_else(|| "-".to_owned(), |full| seconds(full.min_s));
-        let _ = writeln!(page, "  {target:>5.0e}: {found:<50}{full:>19}");
+        let _ = writeln!(page, "  {target:>5.0e}: {found}");
     }
-    if let Some(found) = thesis_step(report) {
-        let _ = writeln!(page, "the thesis's own dt 1e-6 s: error {found:.1e}");
+    if !report.savings.is_empty() {
+        let keys = ["part", "with_s", "without_s", "gain"];
+        let _ = write!(page, "\n{}", savings(&report.savings).page(&keys, width()));
     }
-    page.push_str("times: least of repeated runs; spread: their median deviation from the median");
-    match report.unsteady() {
-        0 => page.push('\n'),
-        1 => page.push_str(",\n       above 20 % at one point: busy machine\n"),
-        count => {
-            let _ = writeln!(page, ",\n       above 20 % at {count} points: busy machine");
-        }
+    let unsteady = report.unsteady();
+    if unsteady > 0 {
+        let _ = writeln!(page, "timings that spread by more than 20 %: {unsteady} (busy machine)");
     }
-}
-
-fn thesis_step(report: &Report) -> Option<f64> {
-    let printed = report.methods.iter().find(|it| it.method == Method::ThesisPrinted)?;
-    let own = |parameter: f64| (parameter / 1e-6 - 1.0).abs() < 1e-9;
-    let mut points = printed.measured();
-    points
-        .find(|(parameter, _)| parameter.value().is_some_and(own))
-        .map(|(_, measured)| measured.error())
 }
 
 fn references(page: &mut String, report: &Report) {

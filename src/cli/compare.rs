@@ -21,7 +21,7 @@ use crate::report::compare::beside;
 use crate::report::figures::axis_of;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
-use crate::study::compare::{Absence, Candidate, Hardware, Report, compare, summary};
+use crate::study::compare::{Absence, Candidate, Hardware, Report, Request, compare};
 use crate::study::sweep::Axis;
 use crate::study::validity;
 
@@ -39,15 +39,9 @@ const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
                   Above the line of 1 the armour is lighter than the solid plate that stops the same shot."
 )]
 pub(super) struct CompareArguments {
-    /// Velocity at which the candidates are sized and compared, m/s or with a unit [default: the scene's]
-    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, value_parser = above_zero(Dimension::Velocity, "230m/s"))]
-    design_velocity: Option<f64>,
-    /// Energy per mass of the spring or absorber, J/kg or with a unit (10kJ/kg) [default: the scene's, or its wire's]
-    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true, value_parser = above_zero(Dimension::SpecificEnergy, "197J/kg"))]
-    spring_energy: Option<f64>,
-    /// Mass of the spring, kg or with a unit [default: the least for the energy that it stores]
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = mass)]
-    spring_mass: Option<f64>,
+    /// Give a spring of unknown mass just the mass that the design shot needs: it holds no faster one
+    #[arg(long)]
+    size: bool,
     /// Mass of damper, stop and mount together, kg or with a unit
     #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true, value_parser = mass)]
     mount_mass: f64,
@@ -57,14 +51,6 @@ pub(super) struct CompareArguments {
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
-    /// Name one of the two variables of the map; give it twice instead of --map
-    #[arg(
-        long,
-        value_name = "NAME[=LO..HI:COUNT[:log]]",
-        allow_hyphen_values = true,
-        conflicts_with = "map"
-    )]
-    over: Vec<String>,
     #[command(flatten)]
     pictures: PictureArguments,
     #[command(flatten)]
@@ -74,36 +60,17 @@ pub(super) struct CompareArguments {
 /// Runs the comparison; a mechanism that does not pay is a valid result.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.pictures.check(&arguments.study.table)?;
-    let hardware = Hardware {
-        spring_kg: arguments.spring_mass,
-        mount_kg: arguments.mount_mass,
-        stroke_m: arguments.stroke,
-    };
-    let mut preset = arguments.study.load()?;
-    if let Some(velocity_m_s) = arguments.design_velocity {
-        preset.scene.projectile.velocity_m_s = velocity_m_s;
-    }
-    if let Some(energy_j_kg) = arguments.spring_energy {
-        preset.scene.mechanism.energy_j_kg = Some(energy_j_kg);
-    }
-    let over = (!arguments.over.is_empty()).then(|| arguments.over.join(","));
-    if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
-        let option = if arguments.map.is_some() { "--map" } else { "--over" };
-        let axes = axes(&preset.scene, option, text)?;
-        let over_velocity = axes.iter().any(|axis| axis.symbol() == "v_i");
-        if let Some(velocity_m_s) = arguments.design_velocity.filter(|_| over_velocity) {
-            return Err(CliError::Option(format!(
-                "--design-velocity {velocity_m_s} and {option} {text}: both give v_i; omit one of them"
-            )));
-        }
-        return arguments.draw_map(&preset, &axes, hardware);
+    let preset = arguments.study.load()?;
+    let request = arguments.request(&preset.scene)?;
+    if let Some(axes) = &request.map {
+        return arguments.draw_map(&preset, axes, request.hardware);
     }
     if arguments.pictures.is_wanted() {
         let text = "--svg draws a map: add --map v_i,gamma, or any two variables";
         return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
-    let report = arguments.study.run("candidates", |it| compare(&scene, hardware, it))?;
+    let report = arguments.study.run("candidates", |it| compare(&scene, request.hardware, it))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         warnings: validity::of_scene(&scene),
@@ -116,6 +83,13 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
 }
 
 impl CompareArguments {
+    fn request(&self, scene: &Scene) -> Result<Request, CliError> {
+        let hardware =
+            Hardware { is_sized: self.size, mount_kg: self.mount_mass, stroke_m: self.stroke };
+        let map = self.map.as_ref().map(|text| axes(scene, text)).transpose()?;
+        Ok(Request { hardware, map })
+    }
+
     fn draw_map(
         &self,
         preset: &Preset,
@@ -138,11 +112,11 @@ impl CompareArguments {
     }
 }
 
-fn axes(scene: &Scene, option: &str, text: &str) -> Result<[Axis; 2], CliError> {
+fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let [x, y] = parts[..] else {
         return Err(CliError::Option(format!(
-            "{option} {text}: give two variables, for example v_i,gamma or v_i=10..90:101,gamma=0.2..7:101:log"
+            "--map {text}: give two variables, for example v_i,gamma or v_i=10..90:101,gamma=0.2..7:101:log"
         )));
     };
     let axis = |part: &str| {
@@ -155,7 +129,7 @@ fn axes(scene: &Scene, option: &str, text: &str) -> Result<[Axis; 2], CliError> 
     let (x, y) = (axis(x)?, axis(y)?);
     if x.variable().key == y.variable().key {
         return Err(CliError::Option(format!(
-            "{option} {text}: both variables are {}; give two different ones",
+            "--map {text}: both variables are {}; give two different ones",
             x.symbol()
         )));
     }
@@ -168,14 +142,14 @@ fn page(name: &str, report: &Report) -> String {
         .map(|value| fixed_significant(value, 4));
     let mut page = format!("{name}: does moving armour pay? {gram} g, design velocity {v} m/s\n\n");
     let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
-    say(&mut page, &summary::verdict(report));
+    say(&mut page, &tables::verdict(report));
     if let Some(caution) = report.caution() {
         say(&mut page, &format!("caution: {caution}"));
     }
     page.push('\n');
     page += &beside(report, width());
     page.push('\n');
-    for reason in summary::reasons(report) {
+    for reason in tables::reasons(report) {
         say(&mut page, &reason);
     }
     page.push('\n');
@@ -188,21 +162,22 @@ fn masses(page: &mut String, report: &Report) {
     let own = report.of(Candidate::Scene);
     let known = own.and_then(|own| own.spring_kg);
     let spring = match known {
-        Some(kg) if report.hardware.spring_kg.is_some() => format!("{} g as given", gram(kg)),
         Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
-        Some(kg) => format!(
-            "{} g, the least for the energy at {} (--spring-energy)",
-            gram(kg),
-            per_mass(&report.scene)
-        ),
+        Some(kg) => {
+            let holds = if report.hardware.is_sized {
+                "it holds no faster shot (--size)"
+            } else {
+                "taken to hold faster shots, too; --size: it does not"
+            };
+            let (gram, energy) = (gram(kg), per_mass(&report.scene));
+            format!("{gram} g, the least for the design shot at {energy} (e_spring); {holds}")
+        }
         None if report.scene.mechanism.specific_energy_j_kg().is_none() => {
-            "not known, since it is no coil; give --spring-energy, --absorber or --spring-mass"
+            "not known, since it is no coil; set e_spring or m_spring, or give --absorber"
                 .to_owned()
         }
-        None => {
-            "not known, since nothing stops the plate or the run ended early; give --spring-mass"
-                .to_owned()
-        }
+        None => "not known, since nothing stops the plate or the run ended early; set m_spring"
+            .to_owned(),
     };
     let _ = writeln!(
         page,
@@ -267,12 +242,12 @@ mod tests {
     #[test]
     fn a_map_has_two_different_variables() {
         let scene = Scene::default();
-        let [x, y] = axes(&scene, "--map", "v_i=10..90:5,gamma").unwrap();
+        let [x, y] = axes(&scene, "v_i=10..90:5,gamma").unwrap();
         assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 101));
         for (text, word) in
             [("v_i", "two variables"), ("v_i,v_i", "both variables"), ("v_i,gama", "gama")]
         {
-            assert!(axes(&scene, "--map", text).unwrap_err().to_string().contains(word), "{text}");
+            assert!(axes(&scene, text).unwrap_err().to_string().contains(word), "{text}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How far a long computation is, and whether somebody wants it to end.
 //!
 //! After half a second there is one line on standard error, on a terminal only, taken away when the result comes. The first
-//! interrupt, or a dropped connection, keeps what is finished; the second ends the process.
+//! interrupt, or a dropped connection, keeps what is finished; a second Ctrl-C ends the process.
 
 use std::io::{self, IsTerminal as _};
 use std::ops::ControlFlow;
@@ -146,14 +146,16 @@ pub(super) fn exit_code(good: bool) -> ExitCode {
     if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
+/// A flag that the first interrupt, or a dropped connection, sets; a second Ctrl-C ends the process.
 pub(super) fn interruptible() -> CancelFlag {
     let stop = STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
+        // In this order: the second Ctrl-C finds the flag set. Programs that end others send their signal twice, to the process and
+        // to its group: only a person's second one ends it at once.
+        let _ = flag::register_conditional_shutdown(SIGINT, 128 + SIGINT, Arc::clone(&stop));
         let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
         for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
-            // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
-            let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
+            // Where it cannot be done, the interrupt just ends the process.
             let _ = flag::register(signal, Arc::clone(&stop));
         }
         stop

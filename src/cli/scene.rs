@@ -16,7 +16,7 @@ use crate::files::read::{self, Accepts};
 use crate::files::{clean, read_table};
 use crate::model::library::{Library, note_closure};
 use crate::model::mechanism::PowerLaw;
-use crate::model::scene::{Closure, PlateSize, Scene, Spring, SpringKind, Table, WhichSpring};
+use crate::model::scene::{Closure, Mechanism, PlateSize, Scene, Spring, SpringKind, Table};
 use crate::model::units::{self, Bare, Dimension, shortest};
 use crate::model::variables::{self, VARIABLES, Variable, is_used, used_where};
 
@@ -183,8 +183,9 @@ fn bent_law(variable: &Variable, value: &str, scene: &Scene) -> Option<PowerLaw>
     let number = variable.number()?;
     let (linear, exponent) = match number.quantity {
         Dimension::SpringCoefficient => {
-            let (which, _) = WhichSpring::of_key(variable.key)?;
-            (Dimension::Stiffness, scene.mechanism.one(which).exponent)
+            let Mechanism { spring, second, .. } = &scene.mechanism;
+            let is_second = variable.key.starts_with("mechanism.second.");
+            (Dimension::Stiffness, if is_second { second.exponent } else { spring.exponent })
         }
         Dimension::DamperCoefficient => (Dimension::Damping, scene.mechanism.damper.exponent),
         _ => return None,
@@ -207,32 +208,29 @@ fn say_changed(before: &Scene, scene: &mut Scene) {
 
 fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
     refuse_two_sizes(set)?;
-    let old = scene.mechanism.clone();
-    let mut with_curve = Vec::new();
+    let was = scene.mechanism.spring.kind;
+    let mut has_curve = false;
     for argument in set {
         let refuse = |why: &str| CliError::Option(format!("--set {argument}: {why}"));
         let (name, value) = argument
             .split_once('=')
             .ok_or_else(|| refuse("write NAME=VALUE, for example --set gamma=2"))?;
-        if let Some(which) = whose_curve(name.trim()) {
-            take_curve(scene.mechanism.one_mut(which), value.trim())?;
-            with_curve.push(which);
+        if CURVE_NAMES.contains(&name.trim()) {
+            take_curve(&mut scene.mechanism.spring, value.trim())?;
+            has_curve = true;
             continue;
         }
         let set = variables::set_by_name(scene, name, value, Bare::Si);
         set.map_err(|problem| refuse(&problem.to_string()))?;
     }
-    for which in WhichSpring::ALL {
-        let (old, new) = (old.one(which), scene.mechanism.one(which));
-        let begins = new.kind == SpringKind::Table && old.kind != SpringKind::Table;
-        // The scene may have the points of a curve that it did not use.
-        if begins && !with_curve.contains(&which) && new.table == Table::default() {
-            let suffix = which.suffix();
-            return Err(CliError::Option(format!(
-                "--set spring{suffix}=table: the table has no measured curve: add --set table{suffix}=FILE, a CSV file of \
-                 displacement (m) and force (N)"
-            )));
-        }
+    let spring = &scene.mechanism.spring;
+    let begins = spring.kind == SpringKind::Table && was != SpringKind::Table;
+    // The scene may have the points of a curve that it did not use.
+    if begins && !has_curve && spring.table == Table::default() {
+        return Err(CliError::Option(
+            "--set spring=table: the table has no measured curve: add --set table=FILE, a CSV file of displacement (m) and force (N)"
+                .to_owned(),
+        ));
     }
     Ok(())
 }
@@ -252,14 +250,8 @@ fn refuse_two_sizes(set: &[String]) -> Result<(), CliError> {
     })
 }
 
-/// The spring whose measured curve a name means.
-fn whose_curve(name: &str) -> Option<WhichSpring> {
-    let short = |which: &WhichSpring| name.strip_prefix("table") == Some(which.suffix());
-    WhichSpring::ALL.into_iter().find(short).or_else(|| {
-        let (which, row) = WhichSpring::of_key(name)?;
-        matches!(row, "table" | "table.file").then_some(which)
-    })
-}
+/// The names of the spring's measured curve.
+const CURVE_NAMES: [&str; 3] = ["table", "mechanism.spring.table", "mechanism.spring.table.file"];
 
 /// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
 fn take_curve(spring: &mut Spring, file: &str) -> Result<(), CliError> {

@@ -2,27 +2,21 @@
 
 use std::fmt::Write as _;
 use std::num::ParseIntError;
-use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::amount::count;
 use crate::cli::study::{Random, StudyArguments, StudyOutput, axes};
 use crate::cli::text::{hanging, width};
 use crate::cli::{CliError, progress};
 use crate::report::sensitivity;
 use crate::report::sensitivity::{table, tornado};
-use crate::study::quantities::usual_of;
-use crate::study::sensitivity::{Report, SCATTER, SamplingOptions, study, usual_axes};
-use crate::study::sweep::usual::or_usual;
+use crate::study::quantities::named;
+use crate::study::sensitivity::{Report, Request, SAMPLES, SCATTER, study};
 use crate::study::validity;
 
 /// Cells of the longest bar.
 const BAR: usize = 20;
-/// Rows of the design and trajectories.
-const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
-const TRAJECTORIES_MAX: u64 = 100_000;
 
 #[derive(Debug, Args)]
 pub(super) struct SensitivityArguments {
@@ -34,15 +28,12 @@ pub(super) struct SensitivityArguments {
         long,
         alias = "outputs",
         value_name = "NAME",
-        help = "The quantity: `cmra explain` lists all [default: percent_of_baseline, of a stack stack_penetration_m]"
+        help = "The quantity: `cmra explain` lists all [default: percent_of_baseline, of a stack final_penetration_m]"
     )]
     output: Option<String>,
     /// Base samples for Sobol's indices, a power of two; each takes two runs and one more per variable
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024, value_parser = samples)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = Request::default().samples, value_parser = samples)]
     samples: usize,
-    /// Trajectories for Morris's elementary effects; each takes one run and one more per variable
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100, value_parser = count(2..=TRAJECTORIES_MAX))]
-    trajectories: usize,
     #[command(flatten)]
     random: Random,
     #[command(flatten)]
@@ -60,17 +51,14 @@ fn samples(text: &str) -> Result<usize, String> {
 }
 
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
-    let effort = SamplingOptions {
-        rows: arguments.samples,
-        trajectories: arguments.trajectories,
+    let request = Request {
+        over: axes(&arguments.over)?,
+        output: arguments.output.as_deref().map(named).transpose()?,
+        samples: arguments.samples,
         seed: arguments.random.seed,
     };
     let preset = arguments.study.load()?;
-    let axes = or_usual(&axes(&arguments.over)?, || usual_axes(&preset.scene))?;
-    let output = arguments.output.as_deref().unwrap_or_else(|| usual_of(&preset.scene));
-    let report = arguments
-        .study
-        .run("runs", |context| study(&preset.scene, axes, output, effort, context))?;
+    let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
         warnings: validity::of_axes(&preset.scene, &report.axes),
@@ -105,23 +93,8 @@ fn page(name: &str, report: &Report, is_usual: bool) -> String {
     let keys = ["variable", "low", "high", "output_at_low", "output_at_high", "bar"];
     let bars = tornado(report, BAR).page(&keys, width());
     let _ = writeln!(page, "one at a time, the others as in the scene\n{bars}");
-    morris(&mut page, report);
     sobol(&mut page, report);
     page
-}
-
-fn morris(page: &mut String, report: &Report) {
-    if report.effects.is_empty() {
-        return;
-    }
-    let table = table("", report).with("steps", "steps", "", |at| report.effects[*at].used);
-    let keys = ["variable", "morris_mu_star", "morris_mu", "morris_sigma", "steps"];
-    let _ = writeln!(
-        page,
-        "Morris's effects over the whole range ({} trajectories)\n{}",
-        report.effort.trajectories,
-        table.page(&keys, width())
-    );
 }
 
 fn sobol(page: &mut String, report: &Report) {
@@ -129,7 +102,7 @@ fn sobol(page: &mut String, report: &Report) {
     let _ = writeln!(
         page,
         "Sobol's indices: fractions of the variance, 95 % intervals ({} samples, seed {})",
-        found.rows, report.effort.seed
+        found.rows, report.seed
     );
     let mut keys = table("", report).keys();
     keys.retain(|key| *key == "variable" || key.starts_with("sobol_"));

@@ -6,8 +6,8 @@
 //! with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
 //! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
 //! `maximum` and [`minimum`] search extremes; [`linear`] solves small systems; `monotone` interpolates data; [`double_double`] has
-//! numbers of some 31 digits, for references; [`random`], [`sobol`] and [`statistics`] serve samples; `wide` is several numbers at once, and `power` what their vectors need that the
-//! standard library has for single ones alone; `exponential` has the functions of closed forms.
+//! numbers of some 31 digits, for references; [`random`], [`sobol`] and [`statistics`] serve samples; `exponential` has the functions
+//! of closed forms.
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
 
@@ -21,7 +21,6 @@ pub mod linear;
 pub(crate) mod maximum;
 pub mod minimum;
 pub(crate) mod monotone;
-pub(crate) mod power;
 pub mod quadrature;
 pub mod random;
 pub mod root;
@@ -30,7 +29,6 @@ pub mod sobol;
 pub mod statistics;
 pub mod stepper;
 pub(crate) mod taylor;
-pub(crate) mod wide;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
 pub fn larger(a: f64, b: f64) -> f64 {

@@ -65,7 +65,7 @@ pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
 /// # Errors
 /// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
-    Growing::prepare(path, existing).map(drop)
+    Growing::prepare(path, existing, hidden).map(drop)
 }
 
 /// Whether only an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
@@ -86,8 +86,11 @@ pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
 }
 
-/// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in
-/// between leaves a file alone, and never beside one that belongs to another.
+/// What an old file is called while the one that it belongs to is replaced.
+const PREVIOUS: &str = ".previous";
+
+/// Give all files their names. Those after the first belong to it: the old ones step aside first, so that a program that is killed in
+/// between leaves a file alone, never beside one that belongs to another, and the old one under another name.
 fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
     for Growing { target, place, .. } in &ready {
         if let Place::Beside(file) = place {
@@ -95,16 +98,24 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
             synced.map_err(|source| FileError::write(target, source))?;
         }
     }
+    let mut previous = Vec::new();
     if existing == Existing::Replace {
         for file in ready.iter().skip(1).filter(|file| matches!(file.place, Place::Beside(_))) {
-            // Where there is none, or it cannot be taken away, naming the new one tells.
-            let _ = fs::remove_file(&file.target);
+            let aside = with_end(&file.target, PREVIOUS);
+            // Where there is none, or it cannot step aside, naming the new one tells.
+            if fs::rename(&file.target, &aside).is_ok() {
+                previous.push(aside);
+            }
         }
     }
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();
         if let Err(error) = file.name(existing) {
+            // Nothing is in their place yet if it was the first.
+            for path in previous.iter().filter(|_| named.is_empty()) {
+                let _ = fs::rename(path, path.with_extension(""));
+            }
             // Only files that were not there before are taken back: a replaced one cannot be.
             if existing == Existing::Keep {
                 for path in &named {
@@ -114,6 +125,10 @@ fn name_all(ready: Vec<Growing>, existing: Existing) -> Result<(), FileError> {
             return Err(error);
         }
         named.push(path);
+    }
+    for path in previous {
+        // Where it cannot be taken away it does no harm.
+        let _ = fs::remove_file(path);
     }
     // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
     for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
@@ -153,7 +168,7 @@ fn lock(file: &File) -> bool {
 
 /// How often a lock that another program holds is tried again, and for how long.
 const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
-const LOCK_TRIES: u32 = 100;
+const LOCK_TRIES: u32 = 1000;
 
 /// Waits for the lock of this file, which one program has at a time: until the result is dropped, or the program ends, however it
 /// ends. Where it cannot be had (the file system has no locks, its holder was stopped), the work goes on without it: what it guards
@@ -169,6 +184,9 @@ pub fn wait_for_lock(path: &Path) -> Option<File> {
     }
     None
 }
+
+/// How the name of a table ends that is not finished.
+const PARTIAL: &str = ".partial";
 
 /// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
 pub struct Growing {
@@ -194,12 +212,27 @@ impl Growing {
     /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
         clear_leftovers(directory_of(path));
-        let mut file = Self::prepare(path, existing)?;
+        let mut file = Self::prepare(path, existing, hidden)?;
         file.add(b"")?;
         Ok(file)
     }
 
-    fn prepare(path: &Path, existing: Existing) -> Result<Self, FileError> {
+    /// Begin a table, whose making takes long. Until it is finished its rows are in `NAME.partial`, which stays there with what it has
+    /// if the program is killed, and which no other program takes away.
+    ///
+    /// # Errors
+    /// As [`Growing::begin`].
+    pub fn begin_table(path: &Path, existing: Existing) -> Result<Self, FileError> {
+        let mut file = Self::prepare(path, existing, visible)?;
+        file.add(b"")?;
+        Ok(file)
+    }
+
+    fn prepare(
+        path: &Path,
+        existing: Existing,
+        temporary: fn(&Path) -> io::Result<NamedTempFile>,
+    ) -> Result<Self, FileError> {
         // A link stays a link: what it points to is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let failed = |source| FileError::write(path, source);
@@ -223,14 +256,16 @@ impl Growing {
         if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
             return Err(FileError::Exists(path.to_owned()));
         }
+        if found.is_none() && fs::symlink_metadata(&target).is_ok() {
+            let problem =
+                "it is a link to a file that is not there: remove the link, or choose another name";
+            return Err(FileError::target(path, problem));
+        }
         if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
             let problem = "it is read-only: make it writable, or choose another name";
             return Err(FileError::target(path, problem));
         }
-        let mut builder = tempfile::Builder::new();
-        // The permissions of any new file: of these the system takes away what the user's mask says.
-        builder.prefix(PREFIX).suffix(SUFFIX).permissions(fs::Permissions::from_mode(0o666));
-        let file = builder.tempfile_in(directory_of(&target)).map_err(failed)?;
+        let file = temporary(&target).map_err(failed)?;
         // So that no other program takes it for one that was left behind.
         let _ = lock(file.as_file());
         if let Some(found) = found {
@@ -246,7 +281,12 @@ impl Growing {
     /// [`FileError::Write`].
     pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
         let written = match &mut self.place {
-            Place::Beside(file) => file.as_file_mut().write_all(content),
+            Place::Beside(file) => {
+                // From its first row on a table is worth keeping, however the program ends.
+                let is_visible = !file.path().extension().is_some_and(|end| end == "tmp");
+                file.disable_cleanup(is_visible && !content.is_empty());
+                file.as_file_mut().write_all(content)
+            }
             Place::Direct(Some(device)) => device.write_all(content),
             Place::Direct(device) => {
                 let opened = OpenOptions::new().write(true).open(&self.target);
@@ -268,7 +308,7 @@ impl Growing {
         };
         file.as_file().set_len(self.length)?;
         let target = self.target.with_file_name(path.file_name().unwrap_or_default());
-        file.persist_noclobber(target).map(drop).map_err(|error| error.error)
+        persist_free(file, &target)
     }
 
     /// Give it its name, or another one in the same folder, and write the files that belong to it.
@@ -288,7 +328,7 @@ impl Growing {
         }
         let mut ready = vec![self];
         for (path, content) in beside {
-            let mut file = Self::prepare(path, existing)?;
+            let mut file = Self::prepare(path, existing, hidden)?;
             file.add(content)?;
             ready.push(file);
         }
@@ -299,14 +339,88 @@ impl Growing {
     fn name(self, existing: Existing) -> Result<(), FileError> {
         let (target, Place::Beside(file)) = (self.target, self.place) else { return Ok(()) };
         let named = match existing {
-            Existing::Keep => file.persist_noclobber(&target),
-            Existing::Replace => file.persist(&target),
+            Existing::Keep => persist_free(file, &target),
+            Existing::Replace => persist_over(file, &target),
         };
-        named.map(drop).map_err(|error| match error.error.kind() {
+        named.map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => FileError::Exists(target.clone()),
-            _ => FileError::write(&target, error.error),
+            _ => FileError::write(&target, error),
         })
     }
+}
+
+/// A temporary file beside a target, which is small and soon gone.
+fn hidden(target: &Path) -> io::Result<NamedTempFile> {
+    builder().prefix(PREFIX).suffix(SUFFIX).tempfile_in(directory_of(target))
+}
+
+/// A temporary file beside a target, `NAME.partial`, or with a number where there is one.
+fn visible(target: &Path) -> io::Result<NamedTempFile> {
+    let name = target.file_name().unwrap_or_default();
+    let ends = (1..10_000).map(|number| match number {
+        1 => PARTIAL.to_owned(),
+        _ => format!("{PARTIAL}-{number}"),
+    });
+    for end in ends {
+        let path = with_end(Path::new(name), &end);
+        let made = builder().prefix(&path).rand_bytes(0).tempfile_in(directory_of(target));
+        if !made.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::AlreadyExists) {
+            return made;
+        }
+    }
+    Err(io::ErrorKind::AlreadyExists.into())
+}
+
+/// With the permissions of any new file: of these the system takes away what the user's mask says.
+fn builder<'n>() -> tempfile::Builder<'n, 'n> {
+    let mut builder = tempfile::Builder::new();
+    builder.permissions(fs::Permissions::from_mode(0o666));
+    builder
+}
+
+/// Gives a file a name that is free.
+fn persist_free(file: NamedTempFile, target: &Path) -> io::Result<()> {
+    match file.persist_noclobber(target) {
+        Ok(_) => Ok(()),
+        Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => Err(failed.error),
+        Err(failed) => persist_reserved(failed.file, target),
+    }
+}
+
+/// The same where the file system can neither rename without replacing nor link, as over FUSE and SMB: an empty file takes the name
+/// first, which fails where there is one.
+fn persist_reserved(file: NamedTempFile, target: &Path) -> io::Result<()> {
+    File::create_new(target)?;
+    file.persist(target).map(drop).map_err(|failed| {
+        let _ = fs::remove_file(target);
+        failed.error
+    })
+}
+
+/// Gives a file the name of another one.
+fn persist_over(file: NamedTempFile, target: &Path) -> io::Result<()> {
+    match file.persist(target) {
+        Ok(_) => Ok(()),
+        Err(failed) if failed.error.kind() == io::ErrorKind::ResourceBusy => {
+            copy_over(failed.file, target)
+        }
+        Err(failed) => Err(failed.error),
+    }
+}
+
+/// Writes into a file that cannot be replaced, such as one that is mounted by itself.
+fn copy_over(mut file: NamedTempFile, target: &Path) -> io::Result<()> {
+    let mut into = OpenOptions::new().write(true).truncate(true).open(target)?;
+    io::copy(&mut file.reopen()?, &mut into)?;
+    file.disable_cleanup(false);
+    into.sync_all()
+}
+
+/// A path whose name has a further ending.
+fn with_end(path: &Path, end: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(end);
+    PathBuf::from(name)
 }
 
 /// The new name itself reaches the disk only with its directory. Not every file system can do this, and the content is safe
@@ -376,6 +490,69 @@ mod tests {
         drop(Growing::begin(&path, Existing::Replace).unwrap());
         assert_eq!(fs::read(&path).unwrap(), b"one two");
         assert_eq!(names(place.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn a_growing_table_can_be_seen_and_is_left_alone() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("a.csv");
+        let begin = || Growing::begin_table(&path, Existing::Keep).unwrap();
+        let mut first = begin();
+        first.add(b"1\n").unwrap();
+        let mut second = begin();
+        second.add(b"2\n").unwrap();
+        // One without a row is nothing to keep.
+        drop(begin());
+        clear_older(place.path(), Duration::ZERO);
+        assert_eq!(names(place.path()), ["a.csv.partial", "a.csv.partial-2"]);
+        // As if it had been killed.
+        drop(first);
+        assert_eq!(fs::read(place.path().join("a.csv.partial")).unwrap(), b"1\n");
+        second.finish(&path, &[], Existing::Keep).unwrap();
+        assert_eq!(names(place.path()), ["a.csv", "a.csv.partial"]);
+        assert_eq!(fs::read(&path).unwrap(), b"2\n");
+    }
+
+    #[test]
+    fn a_file_system_that_lacks_something_costs_no_row() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("a.csv");
+        let made = |content: &[u8]| {
+            let mut file = hidden(&path).unwrap();
+            file.write_all(content).unwrap();
+            file
+        };
+        // Neither a rename that replaces nothing nor a link.
+        persist_reserved(made(b"1"), &path).unwrap();
+        let taken = persist_reserved(made(b"2"), &path).unwrap_err();
+        assert_eq!(taken.kind(), io::ErrorKind::AlreadyExists);
+        assert_eq!(fs::read(&path).unwrap(), b"1");
+        // No rename at all over this one.
+        copy_over(made(b"3"), &path).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"3");
+        assert_eq!(names(place.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn an_old_scene_is_there_until_the_new_table_is() {
+        let place = tempfile::tempdir().unwrap();
+        let (table, scene) = (place.path().join("a.csv"), place.path().join("a.toml"));
+        fs::write(&scene, "old").unwrap();
+        // A folder takes the table's name meanwhile: it cannot be named.
+        let file = Growing::begin(&table, Existing::Replace).unwrap();
+        fs::create_dir(&table).unwrap();
+        assert!(file.finish(&table, &[(scene, b"new")], Existing::Replace).is_err());
+        assert_eq!(names(place.path()), ["a.csv", "a.toml"]);
+    }
+
+    #[test]
+    fn a_link_to_nothing_is_not_replaced() {
+        let place = tempfile::tempdir().unwrap();
+        let link = place.path().join("a.csv");
+        std::os::unix::fs::symlink(place.path().join("absent"), &link).unwrap();
+        let error = write(&link, b"1", Existing::Replace).unwrap_err().to_string();
+        assert!(error.contains("a link to a file that is not there"), "{error}");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
     }
 
     #[test]

@@ -114,7 +114,7 @@ impl Destination {
     /// [`FileError`].
     pub fn begin(&self) -> Result<Growing, FileError> {
         self.check()?;
-        Growing::begin(&self.path, self.existing)
+        Growing::begin_table(&self.path, self.existing)
     }
 
     /// The error of a table that cannot be written further; its whole rows are kept under the name of an incomplete one.
@@ -253,9 +253,10 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
         return Err(FileError::target(csv, problem));
     }
     match fs::metadata(sidecar) {
-        Err(_) => return Ok(()),
+        // A link to nothing is in the way, too.
+        Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
         Ok(found) if found.is_file() && begins_with_mark(sidecar) => return Ok(()),
-        Ok(_) => {}
+        _ => {}
     }
     let problem = format!(
         "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name",

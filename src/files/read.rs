@@ -12,8 +12,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors, nearest, shown};
-use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
-use crate::model::scene::{PlateSize, Scene, SpringKind, WhichSpring};
+use crate::files::{clean, read_stack, read_sweep, read_table};
+use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
@@ -44,12 +44,27 @@ pub fn text_file(path: &Path, accepts: Accepts, bytes_max: u64) -> Result<String
     let found = fs::metadata(path).map_err(failed)?;
     let is_refused = match accepts {
         Accepts::Ordinary => !found.is_file() && !found.is_dir(),
-        Accepts::Handed => atomic::is_named_pipe(path, &found),
+        Accepts::Handed => {
+            !is_handed(path) && (!found.is_file() && !found.is_dir() || is_of_system(path))
+        }
     };
     if is_refused {
         return Err(FileError::special(path));
     }
     text_from(fs::File::open(path).map_err(failed)?, path, bytes_max)
+}
+
+/// Whether a shell hands this over: standard input, or `<(...)`.
+fn is_handed(path: &Path) -> bool {
+    path == Path::new("/dev/stdin")
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc") && path.iter().any(|part| part == "fd")
+}
+
+/// Whether the system itself answers here: such a file has no end, or waits for one.
+fn is_of_system(path: &Path) -> bool {
+    fs::canonicalize(path)
+        .is_ok_and(|real| ["/proc", "/sys"].iter().any(|folder| real.starts_with(folder)))
 }
 
 /// The text that a source of at most this many bytes gives; `path` is the name used in errors. A device may never end: no more is
@@ -156,7 +171,7 @@ impl<'t> Reader<'t> {
                 name => self.entry(scene, name, key.span(), value),
             }
         }
-        self.measured_curves(scene, document);
+        self.measured_curve(scene, document);
         // After gamma, which follows from them.
         self.one_size(document);
         for key in &PlateSize::KEYS[1..] {
@@ -179,7 +194,7 @@ impl<'t> Reader<'t> {
         {
             // Every value has passed by itself: what is left concerns several together.
             let text = error.to_string();
-            let named = VARIABLES.iter().map(|variable| variable.key).chain(read_table::KEYS);
+            let named = VARIABLES.iter().map(|variable| variable.key).chain([read_table::KEY]);
             let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
             let span = key.unwrap_or(0..0);
             self.problem(span, error.to_string());
@@ -187,20 +202,17 @@ impl<'t> Reader<'t> {
     }
 
     /// A spring that is a table needs its points: the example in their place was not measured.
-    fn measured_curves(&mut self, scene: &Scene, document: &DeTable<'_>) {
-        for (which, key) in WhichSpring::ALL.into_iter().zip(read_table::KEYS) {
-            let spring = scene.mechanism.one(which);
-            let kind = format!("{}.kind", which.key());
-            let Some(span) = find(document, &kind) else { continue };
-            if spring.kind == SpringKind::Table && find(document, key).is_none() {
-                self.problem(
-                    span,
-                    format!(
-                        "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] \
-                         in m and N"
-                    ),
-                );
-            }
+    fn measured_curve(&mut self, scene: &Scene, document: &DeTable<'_>) {
+        let (kind, key) = ("mechanism.spring.kind", read_table::KEY);
+        let Some(span) = find(document, kind) else { return };
+        if scene.mechanism.spring.kind == SpringKind::Table && find(document, key).is_none() {
+            self.problem(
+                span,
+                format!(
+                    "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] in m \
+                     and N"
+                ),
+            );
         }
     }
 
@@ -235,9 +247,9 @@ impl<'t> Reader<'t> {
         if self.is_full() {
             return;
         }
-        if let Some((which, "table")) = WhichSpring::of_key(path) {
+        if path == read_table::KEY {
             if let Some(points) = read_table::points(self, path, value) {
-                scene.mechanism.one_mut(which).table.points = points;
+                scene.mechanism.spring.table.points = points;
             }
             return;
         }
@@ -401,7 +413,9 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Integer(integer) => {
-            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|whole| whole as f64)
+            let radix = integer.radix();
+            let mut digits = integer.as_str().chars().map(|digit| digit.to_digit(radix));
+            digits.try_fold(0.0, |all, digit| Some(all * f64::from(radix) + f64::from(digit?)))
         }
         _ => None,
     }
@@ -478,6 +492,6 @@ fn keys_below(table: &str) -> String {
     let own: &[&str] = if table.is_empty() { &["format", "title", "notes", "sweep"] } else { &[] };
     let rest = VARIABLES.iter().filter_map(|variable| variable.key.strip_prefix(&prefix));
     let names = rest.filter_map(|rest| rest.split('.').next());
-    let points = WhichSpring::WORDS.contains(&table).then_some("table");
+    let points = (table == read_table::SPRING).then_some("table");
     once_each(own.iter().copied().chain(names).chain(points)).join(", ")
 }

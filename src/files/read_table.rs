@@ -12,8 +12,9 @@ use crate::files::error::FileError;
 use crate::files::read::{self, Accepts, Reader};
 use crate::model::units::{self, Bare, Dimension};
 
-/// The key of a table of each spring.
-pub(super) const KEYS: [&str; 2] = ["mechanism.spring.table", "mechanism.second.table"];
+/// The table of the spring, and the key of its measured points.
+pub(super) const SPRING: &str = "mechanism.spring";
+pub(super) const KEY: &str = "mechanism.spring.table";
 
 /// The table as it is written.
 #[derive(Deserialize)]

@@ -6,22 +6,12 @@ use crate::files::{clean, export};
 use crate::model::scene::Scene;
 use crate::study::quantities;
 use crate::study::sweep::axis::scene_with;
-use crate::study::sweep::{Axis, Design, Sampling, Shard};
+use crate::study::sweep::{Axis, Shard};
 use crate::study::validity;
 
 /// The comment lines above a scene with its `[sweep]`, whose file is called `own`; `missing`: that the table is not complete.
-pub fn notes(
-    own: &str,
-    scene: &Scene,
-    (design, shard): (Design, Shard),
-    missing: Option<&str>,
-) -> String {
+pub fn notes(own: &str, scene: &Scene, shard: Shard, missing: Option<&str>) -> String {
     let mut again = format!("cmra sweep {}", clean::shell_word(own));
-    let Design { sampling, points, seed } = design;
-    if sampling != Sampling::Factorial {
-        let word = sampling.word();
-        let _ = write!(again, " --design {word} --points {points} --seed {seed}");
-    }
     if shard != Shard::WHOLE {
         let _ = write!(again, " --shard {shard}");
     }

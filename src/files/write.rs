@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::{read, read_table};
-use crate::model::scene::{Layer, PlateSize, Scene, Spring, SpringKind, Sweep, WhichSpring};
+use crate::model::scene::{Layer, PlateSize, Scene, SpringKind, Sweep};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -42,7 +42,7 @@ pub fn fresh(scene: &Scene) -> String {
             width = COMMENT_COLUMN - 1
         );
     }
-    for (key, points) in changed_tables(&Scene::default(), scene) {
+    if let Some((key, points)) = changed_table(&Scene::default(), scene) {
         let _ = writeln!(text, "\n[{key}]\npoints = {points}");
     }
     text.push_str(&layers_text(scene));
@@ -88,7 +88,7 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
             }
         }
     }
-    for (key, points) in changed_tables(&old, scene) {
+    if let Some((key, points)) = changed_table(&old, scene) {
         let table = table_at(root, key);
         table.remove("file");
         put(table, "points", &points);
@@ -167,7 +167,7 @@ fn layers_text(scene: &Scene) -> String {
             let value = value_text(variable, &own).unwrap_or_else(|| quoted(&variable.show(&own)));
             let _ = writeln!(text, "{} = {value}", variable.key);
         }
-        for (key, points) in changed_tables(scene, &own) {
+        if let Some((key, points)) = changed_table(scene, &own) {
             let _ = writeln!(text, "{key}.points = {points}");
         }
     }
@@ -184,26 +184,15 @@ fn put_layers(root: &mut Table, scene: &Scene) {
     }
 }
 
-/// The tables of measured points that differ from another scene's, as TOML.
-fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
-    let springs = WhichSpring::ALL
-        .into_iter()
-        .zip(read_table::KEYS)
-        .map(|(which, key)| (key, old.mechanism.one(which), scene.mechanism.one(which)));
+/// The table of measured points that differs from another scene's, as TOML.
+fn changed_table(old: &Scene, scene: &Scene) -> Option<(&'static str, String)> {
+    let (was, is) = (&old.mechanism.spring, &scene.mechanism.spring);
     // A spring that has become a table needs its points, whatever they are.
-    let begins = |was: &Spring, is: &Spring| is.kind == SpringKind::Table && was.kind != is.kind;
-    let changed = springs.filter(|(_, was, is)| was.table != is.table || begins(was, is));
-    changed
-        .map(|(key, _, is)| {
-            let points: Vec<String> = is
-                .table
-                .points
-                .iter()
-                .map(|[x, force]| format!("[{}, {}]", float(*x), float(*force)))
-                .collect();
-            (key, format!("[{}]", points.join(", ")))
-        })
-        .collect()
+    let begins = is.kind == SpringKind::Table && was.kind != is.kind;
+    let point = |[x, force]: &[f64; 2]| format!("[{}, {}]", float(*x), float(*force));
+    let points: Vec<String> = is.table.points.iter().map(point).collect();
+    let is_changed = was.table != is.table || begins;
+    is_changed.then(|| (read_table::KEY, format!("[{}]", points.join(", "))))
 }
 
 /// A stop is written only where there is one, or where its settings would otherwise be lost; of the springs what their kind
@@ -230,7 +219,9 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
 
 /// Whether a variable belongs to a spring or to how two act together.
 fn is_spring(variable: &Variable) -> bool {
-    WhichSpring::of_key(variable.key).is_some() || variable.key == "mechanism.combination"
+    ["mechanism.spring.", "mechanism.second.", "mechanism.combination"]
+        .iter()
+        .any(|start| variable.key.starts_with(start))
 }
 
 fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {

@@ -7,6 +7,7 @@ pub mod accuracy;
 pub mod compare;
 pub mod context;
 pub mod limit;
+pub mod load;
 pub mod models;
 pub mod monte_carlo;
 pub mod parallel;

@@ -12,7 +12,6 @@ use std::path::Path;
 
 use ratatui::widgets::{Clear, Widget};
 
-use crate::model::scene::WhichSpring;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::dialogs::export::Choices;
 use crate::tui::keymap::{KeyHelp, LINES, Scope};
@@ -122,7 +121,7 @@ pub enum Purpose {
     /// The file to write the page's table to; what the table is.
     Table(&'static str),
     /// The file that has a spring's measured curve.
-    Curve(WhichSpring),
+    Curve,
 }
 
 /// The one by this many places further on, round and round.

@@ -206,10 +206,10 @@ impl FileQueue {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
-            Task::ReadCurve(which, path) => {
+            Task::ReadCurve(path) => {
                 let points =
                     read_table::curve(&path, Accepts::Ordinary).map_err(|error| error.to_string());
-                EffectReport::Curve(which, path, points)
+                EffectReport::Curve(path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
             Task::KeepCopy(text, sent) => {
@@ -352,7 +352,7 @@ mod tests {
         loop {
             match inbox.recv_timeout(HANG).expect("a report in time") {
                 Incoming::Message(Message::Done(report)) => return report,
-                Incoming::Message(_) | Incoming::Mouse(_) | Incoming::Signal(_) => {}
+                _ => {}
             }
         }
     }

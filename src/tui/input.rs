@@ -1,35 +1,36 @@
-//! The input thread: keys, pastes and sizes from the terminal become messages.
+//! The input thread: what comes from the terminal becomes messages.
 //!
-//! crossterm's reading never returns once the terminal is gone (crossterm issue 793: it retries for ever), so it has a thread
-//! of its own that is never joined: the loop detects a hang-up by itself, and the end of the process ends this thread.
-//!
-//! It waits by crossterm's feature `use-dev-tty`. Without it crossterm is woken by what is new only, takes a kilobyte at a time,
-//! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
-//! fill the line, and no further key could ever get through.
+//! It is never joined: the loop detects a hang-up by itself, and the end of the process ends this thread.
 
-use std::collections::VecDeque;
 use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
 
-use crossterm::event::{
-    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
-    MouseEventKind,
-};
-
+use super::Incoming;
 use super::signals::{HUNG_UP, Signal};
-use super::{Incoming, terminal};
+use super::terminal;
+use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;
 
+/// How long a lone escape may be the beginning of a key whose rest is under way; over SSH the rest may come in another packet.
+const HOLD: Duration = Duration::from_millis(50);
+const HOLD_OVER_SSH: Duration = Duration::from_millis(100);
+
+/// The time a lone escape is held in this environment.
+pub(super) fn hold(env: impl Fn(&str) -> Option<String>) -> Duration {
+    let is_remote = ["SSH_CONNECTION", "SSH_TTY"].into_iter().any(|name| env(name).is_some());
+    if is_remote { HOLD_OVER_SSH } else { HOLD }
+}
+
 /// Start the thread. When it ends, whatever the reason, the terminal counts as gone.
-pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
+pub(super) fn spawn(inbox: Sender<Incoming>, hold: Duration) -> io::Result<()> {
     let reading = move || {
-        // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
-        let waits = || event::poll(Duration::from_millis(1)).unwrap_or(false);
+        let decoder = Decoder::new(hold);
+        let read = |buffer: &mut [u8], patience| terminal::read(buffer, patience);
         // A panic is in the log.
-        let ended = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, event::read, waits)));
+        let ended = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
         if let Ok(Err(error)) = ended {
             log::warn!("reading from the terminal failed: {error}");
         }
@@ -39,20 +40,27 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
-/// Pass events on until reading fails or the loop is over.
+/// Pass on what comes until reading fails or the loop is over. `read` waits for bytes, at most as long as it is given, and gives
+/// their number; `None` when the time has passed.
 fn listen(
     inbox: &Sender<Incoming>,
-    mut read: impl FnMut() -> io::Result<Event>,
-    mut waits: impl FnMut() -> bool,
+    mut decoder: Decoder,
+    mut read: impl FnMut(&mut [u8], Option<Duration>) -> io::Result<Option<usize>>,
 ) -> io::Result<()> {
+    let mut buffer = [0; 4096];
+    let mut found = Vec::new();
     loop {
-        let event = read()?;
-        let follows = is_escape(&event) && waits();
-        let mut events = VecDeque::from([event]);
-        if follows {
-            events.extend(after_escape(&mut read, &mut waits)?);
+        match read(&mut buffer, decoder.patience())? {
+            Some(count) => decoder.feed(&buffer[..count], &mut found),
+            None => decoder.expire(&mut found),
         }
-        for incoming in events.into_iter().filter_map(incoming_of) {
+        for input in found.drain(..) {
+            let incoming = match input {
+                Input::Key(key) => Incoming::Message(Message::Key(key)),
+                Input::Paste(text) => Incoming::Message(Message::Paste(text)),
+                Input::Mouse(mouse) => Incoming::Mouse(mouse),
+                Input::Arrived => Incoming::Arrived,
+            };
             if inbox.send(incoming).is_err() {
                 return Ok(());
             }
@@ -60,165 +68,73 @@ fn listen(
     }
 }
 
-fn is_escape(event: &Event) -> bool {
-    matches!(event, Event::Key(key) if key.code == KeyCode::Esc && key.modifiers.is_empty())
-}
-
-/// What came in the same read as an Esc. crossterm takes the two escapes of `Esc` and an arrow (`\x1b\x1b[D`) for one Esc and
-/// leaves `[D` as letters; a person cannot type a bracket and a letter within one read, so they are the arrow again.
-fn after_escape(
-    read: &mut impl FnMut() -> io::Result<Event>,
-    waits: &mut impl FnMut() -> bool,
-) -> io::Result<VecDeque<Event>> {
-    let mut events: VecDeque<Event> = VecDeque::new();
-    let mut text = String::new();
-    loop {
-        let event = read()?;
-        let letter = match event {
-            Event::Key(KeyEvent { code: KeyCode::Char(c), modifiers, .. })
-                if (modifiers - KeyModifiers::SHIFT).is_empty() =>
-            {
-                Some(c)
-            }
-            _ => None,
-        };
-        events.push_back(event);
-        let Some(letter) = letter else { return Ok(events) };
-        text.push(letter);
-        if let Some(key) = arrow(&text) {
-            return Ok([Event::Key(key)].into());
-        }
-        let may_become = matches!(text.as_bytes(), [b'[' | b'O', rest @ ..]
-            if rest.iter().all(|byte| byte.is_ascii_digit() || *byte == b';'));
-        if !may_become || text.len() > 6 || !waits() {
-            return Ok(events);
-        }
-    }
-}
-
-/// The key of what follows the escape of a control sequence: `[D`, `[1;2D`, `[5~`.
-fn arrow(text: &str) -> Option<KeyEvent> {
-    let rest = text.strip_prefix(['[', 'O'])?;
-    let (numbers, last) = rest.split_at_checked(rest.len().checked_sub(1)?)?;
-    let (number, modifier) = numbers.split_once(';').unwrap_or((numbers, "1"));
-    let code = match (last, number) {
-        ("A", _) => KeyCode::Up,
-        ("B", _) => KeyCode::Down,
-        ("C", _) => KeyCode::Right,
-        ("D", _) => KeyCode::Left,
-        ("H", _) | ("~", "1" | "7") => KeyCode::Home,
-        ("F", _) | ("~", "4" | "8") => KeyCode::End,
-        ("Z", _) => KeyCode::BackTab,
-        ("~", "3") => KeyCode::Delete,
-        ("~", "5") => KeyCode::PageUp,
-        ("~", "6") => KeyCode::PageDown,
-        _ => return None,
-    };
-    let shift = if modifier == "2" { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
-    Some(KeyEvent::new(code, shift))
-}
-
-/// Translates an event of the terminal into a message.
-fn incoming_of(event: Event) -> Option<Incoming> {
-    Some(Incoming::Message(match event {
-        // Some terminals also report releases.
-        Event::Key(key) if key.kind == KeyEventKind::Release => return None,
-        Event::Key(key) => Message::Key(key),
-        Event::Paste(text) => Message::Paste(text),
-        Event::Resize(..) => {
-            let (columns, rows) = terminal::size().ok()?;
-            Message::Resize(columns, rows)
-        }
-        Event::Mouse(mouse) => return pointing(mouse),
-        Event::FocusGained | Event::FocusLost => return None,
-    }))
-}
-
-/// The left button and the wheel; other buttons are left to the terminal's own menus. What they point at only the loop knows,
-/// which has the screen.
-fn pointing(mouse: MouseEvent) -> Option<Incoming> {
-    // The wheel turned sideways would step values by mistake when a touchpad is brushed.
-    let used = matches!(
-        mouse.kind,
-        MouseEventKind::Down(MouseButton::Left)
-            | MouseEventKind::ScrollUp
-            | MouseEventKind::ScrollDown
-    );
-    // A terminal counts from one; one that sends a zero has clicked nowhere, and crossterm makes 65535 of it.
-    (used && mouse.column.max(mouse.row) < u16::MAX).then_some(Incoming::Mouse(mouse))
-}
-
 #[cfg(test)]
 mod tests {
+    use std::collections::VecDeque;
+    use std::sync::mpsc;
+
+    use crossterm::event::KeyCode;
+
     use super::*;
 
-    #[test]
-    fn releases_are_not_keys() {
-        let mut key = KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE);
-        let seen = incoming_of(Event::Key(key));
-        assert!(matches!(seen, Some(Incoming::Message(Message::Key(seen))) if seen == key));
-        key.kind = KeyEventKind::Repeat;
-        assert!(incoming_of(Event::Key(key)).is_some());
-        key.kind = KeyEventKind::Release;
-        assert!(incoming_of(Event::Key(key)).is_none());
-    }
-
-    /// `Esc` and an arrow in one read: the arrow is an arrow, not the letters of its sequence.
-    #[test]
-    fn an_arrow_in_the_same_read_as_an_escape_stays_an_arrow() {
-        let press = |code| Event::Key(KeyEvent::new(code, KeyModifiers::NONE));
-        let keys_of = |text: &str| {
-            let (send, inbox) = std::sync::mpsc::channel();
-            let mut rest: VecDeque<Event> = text
-                .chars()
-                .map(|c| press(if c == '\x1b' { KeyCode::Esc } else { KeyCode::Char(c) }))
-                .collect();
-            let left = std::cell::Cell::new(rest.len());
-            let read = || {
-                left.set(left.get().saturating_sub(1));
-                rest.pop_front().ok_or_else(|| io::ErrorKind::NotConnected.into())
+    /// What comes of packets, each so many milliseconds after the one before.
+    fn keys(hold: Duration, packets: &[(u64, &[u8])]) -> Vec<KeyCode> {
+        let (send, inbox) = mpsc::channel();
+        let mut rest: VecDeque<(Duration, &[u8])> =
+            packets.iter().map(|(ms, bytes)| (Duration::from_millis(*ms), *bytes)).collect();
+        let read = |buffer: &mut [u8], patience: Option<Duration>| {
+            let Some((delay, bytes)) = rest.front_mut() else {
+                return match patience {
+                    Some(_) => Ok(None),
+                    None => Err(io::ErrorKind::UnexpectedEof.into()),
+                };
             };
-            listen(&send, read, || left.get() > 0).unwrap_err();
-            drop(send);
-            let code = |incoming| match incoming {
-                Incoming::Message(Message::Key(key)) => Some(key.code),
-                _ => None,
-            };
-            inbox.iter().filter_map(code).collect::<Vec<_>>()
+            if let Some(patience) = patience.filter(|patience| *patience < *delay) {
+                *delay -= patience;
+                return Ok(None);
+            }
+            let bytes = *bytes;
+            rest.pop_front();
+            buffer[..bytes.len()].copy_from_slice(bytes);
+            Ok(Some(bytes.len()))
         };
-        // crossterm has taken both escapes as one.
-        assert_eq!(keys_of("\x1b[D"), [KeyCode::Esc, KeyCode::Left]);
-        assert_eq!(keys_of("\x1b[5~"), [KeyCode::Esc, KeyCode::PageUp]);
-        assert_eq!(keys_of("\x1b[1;2C"), [KeyCode::Esc, KeyCode::Right]);
-        assert_eq!(keys_of("\x1bOA"), [KeyCode::Esc, KeyCode::Up]);
-        assert_eq!(keys_of("\x1bj"), [KeyCode::Esc, KeyCode::Char('j')]);
-        assert_eq!(keys_of("\x1b"), [KeyCode::Esc]);
+        listen(&send, Decoder::new(hold), read).unwrap_err();
+        drop(send);
+        let code = |incoming| match incoming {
+            Incoming::Message(Message::Key(key)) => key.code,
+            _ => panic!("no key"),
+        };
+        inbox.iter().map(code).collect()
     }
 
     #[test]
-    fn a_click_nowhere_is_not_one() {
-        let kind = MouseEventKind::Down(MouseButton::Left);
-        let seen = |column, row| {
-            incoming_of(Event::Mouse(MouseEvent {
-                kind,
-                column,
-                row,
-                modifiers: KeyModifiers::NONE,
-            }))
-        };
-        assert!(seen(u16::MAX, 4).is_none() && seen(4, u16::MAX).is_none());
-        assert!(seen(0, 0).is_some());
+    fn a_key_in_two_packets_is_one_key() {
+        use KeyCode as K;
+        for (first, second, code) in [
+            (&b"\x1b"[..], &b"[H"[..], K::Home),
+            (b"\x1b[", b"3~", K::Delete),
+            (b"\x1b[1", b"5~", K::F(5)),
+            (b"\x1bO", b"A", K::Up),
+            ("ö".as_bytes().split_at(1).0, "ö".as_bytes().split_at(1).1, K::Char('ö')),
+        ] {
+            assert_eq!(keys(HOLD, &[(0, first), (20, second)]), [code], "{first:?} {second:?}");
+        }
+        // What comes later than the hold is another key; over SSH it may come later.
+        assert_eq!(keys(HOLD, &[(0, b"\x1b"), (60, b"j")]), [K::Esc, K::Char('j')]);
+        assert_eq!(keys(HOLD_OVER_SSH, &[(0, b"\x1b"), (60, b"[D")]), [K::Left]);
     }
 
     #[test]
-    fn only_the_left_button_and_the_wheel_upward_and_downward_count() {
-        let counts = |kind| {
-            let mouse = MouseEvent { kind, column: 3, row: 4, modifiers: KeyModifiers::NONE };
-            matches!(incoming_of(Event::Mouse(mouse)), Some(Incoming::Mouse(seen)) if seen == mouse)
-        };
-        assert!(counts(MouseEventKind::Down(MouseButton::Left)));
-        assert!(counts(MouseEventKind::ScrollUp) && counts(MouseEventKind::ScrollDown));
-        assert!(!counts(MouseEventKind::Down(MouseButton::Right)));
-        assert!(!counts(MouseEventKind::ScrollLeft) && !counts(MouseEventKind::Moved));
+    fn a_lone_escape_is_a_key_once_nothing_follows() {
+        assert_eq!(keys(HOLD, &[(0, b"\x1b")]), [KeyCode::Esc]);
+        assert_eq!(keys(HOLD, &[(0, b"\x1b\x1b")]), [KeyCode::Esc; 2]);
+    }
+
+    #[test]
+    fn an_escape_is_held_longer_over_ssh() {
+        assert_eq!(hold(|_| None), HOLD);
+        let over_ssh =
+            |name: &str| (name == "SSH_CONNECTION").then(|| "10.0.0.1 1 10.0.0.2 22".to_owned());
+        assert_eq!(hold(over_ssh), HOLD_OVER_SSH);
     }
 }

@@ -129,9 +129,6 @@ pub enum Action {
     Switch(OptionRow),
     FitVertical,
     Contour,
-    FitResiduals,
-    SlopeGuides,
-    SpreadBars,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -258,6 +255,14 @@ impl Keymap {
     pub fn action(&self, event: KeyEvent) -> Option<Action> {
         let pressed = Key::of(event);
         self.keys.iter().find(|(_, keys)| keys.contains(&pressed)).map(|(action, _)| *action)
+    }
+
+    /// The key of the table for the action that a key was given instead: dialogs know the keys of the table.
+    pub fn original(&self, event: KeyEvent) -> KeyEvent {
+        let table = Self::default();
+        let given = self.action(event).filter(|action| table.action(event) != Some(*action));
+        let key = given.and_then(|action| table.keys(action).first().copied());
+        key.map_or(event, |Key(code, modifiers)| KeyEvent::new(code, modifiers))
     }
 
     pub fn keys(&self, action: Action) -> &[Key] {

@@ -11,7 +11,7 @@ use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
-use crate::model::scene::{Scene, WhichSpring};
+use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::tui::prelude::*;
 use crate::worker::{Report, Task};
@@ -75,7 +75,7 @@ pub enum EffectReport {
     Session(Result<(), String>),
     Completions(Vec<String>),
     /// A spring's measured curve was read: whose, the file, and its points.
-    Curve(WhichSpring, PathBuf, Result<Arc<[[f64; 2]]>, String>),
+    Curve(PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -171,7 +171,7 @@ pub enum FileTask {
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
     /// Read a measured curve for a spring.
-    ReadCurve(WhichSpring, PathBuf),
+    ReadCurve(PathBuf),
     Complete(String),
     /// Write copied text to a file; the second text says where else it went.
     KeepCopy(String, String),

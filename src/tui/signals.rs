@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use signal_hook::consts::{
     SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
-    SIGVTALRM, SIGXCPU,
+    SIGVTALRM, SIGWINCH, SIGXCPU,
 };
 use signal_hook::iterator::Signals;
 
@@ -31,6 +31,8 @@ pub(super) enum Signal {
     End(u8),
     /// Stop the process (`kill -TSTP`).
     Stop,
+    /// The terminal has another size.
+    Resized,
     /// The process was stopped and goes on: take the terminal over again.
     Continued,
 }
@@ -44,7 +46,7 @@ pub(super) fn spawn(
     inbox: Sender<Incoming>,
     last_resort: impl Fn() + Send + 'static,
 ) -> std::io::Result<Sender<()>> {
-    let mut signals = Signals::new(ENDING.into_iter().chain([SIGTSTP, SIGCONT]))?;
+    let mut signals = Signals::new(ENDING.into_iter().chain([SIGTSTP, SIGCONT, SIGWINCH]))?;
     let (left, loop_left) = mpsc::channel::<()>();
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
         for number in signals.forever() {
@@ -80,6 +82,7 @@ fn meaning(number: i32) -> Signal {
     match number {
         SIGCONT => Signal::Continued,
         SIGTSTP => Signal::Stop,
+        SIGWINCH => Signal::Resized,
         other => Signal::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
     }
 }

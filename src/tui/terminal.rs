@@ -2,9 +2,11 @@
 //!
 //! Leaving must work from anywhere (return, panic, signal, suspension), so the little state it needs is global and
 //! [`restore`] may be called at any time, any number of times. A frame goes out as begin-synchronised-update, the changed
-//! cells, end, in one write; a frame without a change writes nothing. The terminal is never asked anything: no round trips.
+//! cells, end, in one write; a frame without a change writes nothing. A frame may end in the one question that the terminal is
+//! ever asked: to report its status, which it does when all before has arrived.
 //! Knows nothing of what is drawn; how cells become bytes is in `encode`.
 
+pub(super) mod decode;
 mod encode;
 pub(super) mod hook;
 
@@ -25,7 +27,7 @@ use ratatui::layout::Rect;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::Errno;
 use rustix::process::{Signal, getpgrp, getpid, kill_current_process_group, kill_process};
-use rustix::stdio::stdout;
+use rustix::stdio::{stdin, stdout};
 use rustix::termios::{QueueSelector, tcflush};
 
 /// Whether the terminal is ours at present (raw, alternate screen).
@@ -37,6 +39,9 @@ static MOUSE: AtomicBool = AtomicBool::new(false);
 /// line would have to carry for nothing.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
+
+/// Asks for a status report (DSR); the answer is `ESC [ 0 n`.
+const ASK: &[u8] = b"\x1b[5n";
 
 /// The end of a string (ST): a sequence whose end was discarded would swallow what follows.
 const STRING_END: &[u8] = b"\x1b\\";
@@ -50,12 +55,15 @@ const UNKNOWN_SIZE: (u16, u16) = (80, 24);
 /// The largest part of a window that is drawn on. Where someone has set an absurd size, every cell of it would take memory.
 const LARGEST: (u16, u16) = (1000, 500);
 
+/// A place of the cursor, and whether it is shown there.
+pub(crate) type Cursor = ((u16, u16), bool);
+
 /// A terminal that restores itself when dropped.
 pub(super) struct Guard {
     /// What it shows.
     shown: Buffer,
-    /// Where its cursor stands, as last sent; `None`: it is hidden.
-    cursor: Option<(u16, u16)>,
+    /// Where its cursor stands, and whether it is shown, as last sent.
+    cursor: Option<Cursor>,
     /// Bytes that go out with the next frame.
     pending: Vec<u8>,
 }
@@ -68,13 +76,15 @@ impl Guard {
         // Dropped when anything below fails, which restores the terminal.
         let mut guard = Self { shown: Buffer::default(), cursor: None, pending: Vec::new() };
         guard.shown.resize(area(size()?));
+        discard_input();
         guard.queue_entry()?;
         Ok(guard)
     }
 
-    /// The beginning of the first frame.
+    /// The beginning of the first frame. Where there is no alternate screen, that of the shell is cleared.
     fn queue_entry(&mut self) -> io::Result<()> {
-        queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
+        queue!(self.pending, EnterAlternateScreen, SetAttribute(Attribute::Reset))?;
+        queue!(self.pending, Clear(ClearType::All), EnableBracketedPaste, Hide)?;
         if MOUSE.load(Ordering::SeqCst) {
             self.pending.extend_from_slice(MOUSE_ON);
         }
@@ -82,11 +92,13 @@ impl Guard {
         Ok(())
     }
 
-    /// Draw one frame of a size in one write; `render` gives where the cursor is to stand. Returns whether anything had changed.
+    /// Draw one frame of a size in one write, with the question whether it has arrived if `asks`; `render` gives where the cursor is
+    /// to stand. Returns whether anything had changed.
     pub(super) fn draw(
         &mut self,
         size: (u16, u16),
-        render: impl FnOnce(&mut Buffer) -> Option<(u16, u16)>,
+        asks: bool,
+        render: impl FnOnce(&mut Buffer) -> Option<Cursor>,
     ) -> io::Result<bool> {
         let area = area(size);
         if self.shown.area != area {
@@ -98,18 +110,19 @@ impl Guard {
         let before = self.pending.len();
         encode::cells(&mut self.pending, self.shown.diff_iter(&next));
         let any = self.pending.len() > before;
-        match cursor {
-            Some((x, y)) if any || cursor != self.cursor => {
-                queue!(self.pending, MoveTo(x, y))?;
-                if self.cursor.is_none() {
-                    queue!(self.pending, Show)?;
-                }
-            }
-            None if self.cursor.is_some() => queue!(self.pending, Hide)?,
-            Some(_) | None => {}
+        let is_shown = |cursor: Option<Cursor>| cursor.is_some_and(|(_, is_shown)| is_shown);
+        if let Some(((x, y), _)) = cursor
+            && (any || cursor != self.cursor)
+        {
+            queue!(self.pending, MoveTo(x, y))?;
+        }
+        match (is_shown(self.cursor), is_shown(cursor)) {
+            (false, true) => queue!(self.pending, Show)?,
+            (true, false) => queue!(self.pending, Hide)?,
+            _ => {}
         }
         (self.shown, self.cursor) = (next, cursor);
-        self.commit()
+        self.commit(asks)
     }
 
     /// The next frame clears the screen and draws every cell.
@@ -124,6 +137,7 @@ impl Guard {
         disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
+        discard_input();
         self.queue_entry()?;
         self.redraw_all()
     }
@@ -132,17 +146,17 @@ impl Guard {
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
         self.pending.extend_from_slice(if on { MOUSE_ON } else { MOUSE_OFF });
-        self.commit().map(drop)
+        self.commit(false).map(drop)
     }
 
     /// Send a sequence that draws nothing (the clipboard's).
     pub(super) fn send(&mut self, sequence: &impl crossterm::Command) -> io::Result<()> {
         queue!(self.pending, sequence)?;
-        self.commit().map(drop)
+        self.commit(false).map(drop)
     }
 
-    /// Write what has been collected; returns whether there was anything.
-    fn commit(&mut self) -> io::Result<bool> {
+    /// Write what has been collected, and the question; returns whether there was anything.
+    fn commit(&mut self, asks: bool) -> io::Result<bool> {
         if self.pending.is_empty() {
             return Ok(false);
         }
@@ -150,6 +164,9 @@ impl Guard {
         queue!(frame, BeginSynchronizedUpdate)?;
         frame.append(&mut self.pending);
         queue!(frame, EndSynchronizedUpdate)?;
+        if asks {
+            frame.extend_from_slice(ASK);
+        }
         write_all(&frame).map(|()| true)
     }
 }
@@ -195,6 +212,32 @@ fn discard_output() {
     let _ = tcflush(stdout(), QueueSelector::OFlush);
 }
 
+/// Discard what has come and was not meant for this program: late answers to questions of another one, which would be taken for keys.
+fn discard_input() {
+    let _ = tcflush(stdin(), QueueSelector::IFlush);
+}
+
+/// Wait for bytes of the terminal, at most this long, and take them; `None` when the time has passed. The end of the terminal is an
+/// error.
+pub(super) fn read(buffer: &mut [u8], patience: Option<Duration>) -> io::Result<Option<usize>> {
+    let input = stdin();
+    let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
+    loop {
+        match poll(&mut [PollFd::new(&input, PollFlags::IN)], patience.as_ref()) {
+            Ok(0) => return Ok(None),
+            Ok(_) => {}
+            Err(Errno::INTR) => continue,
+            Err(error) => return Err(error.into()),
+        }
+        match rustix::io::read(input, &mut *buffer) {
+            Ok(0) => return Err(io::ErrorKind::UnexpectedEof.into()),
+            Ok(count) => return Ok(Some(count)),
+            Err(Errno::INTR | Errno::AGAIN) => {}
+            Err(error) => return Err(error.into()),
+        }
+    }
+}
+
 /// Let a thread go on that is stuck in a write to a terminal that takes no bytes. The system makes room, but does not wake the
 /// writer: a signal does, and this one means no more than another look at the size.
 pub(super) fn make_room() {
@@ -215,6 +258,9 @@ fn farewell() -> Vec<u8> {
         bytes,
         DisableBracketedPaste,
         SetAttribute(Attribute::Reset),
+        // Where there is no alternate screen, the prompt comes on an empty one.
+        MoveTo(0, 0),
+        Clear(ClearType::All),
         LeaveAlternateScreen,
         Show
     );

@@ -56,14 +56,13 @@ fn take(app: &mut App, message: Message) {
     }
 }
 
-/// Alt and a letter is how a terminal sends an Esc with the next key right behind it; in a text it moves by a word.
+/// Alt and a key is how a terminal sends an Esc with the next key right behind it.
 fn keys(app: &mut App, key: KeyEvent) {
-    if key.modifiers != KeyModifiers::ALT || open_text(app).is_some() {
+    if !key.modifiers.contains(KeyModifiers::ALT) {
         return press(app, key);
     }
-    for code in [KeyCode::Esc, key.code] {
-        press(app, KeyEvent::new(code, KeyModifiers::NONE));
-    }
+    press(app, KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE));
+    press(app, KeyEvent::new(key.code, key.modifiers - KeyModifiers::ALT));
 }
 
 /// The text that is typed into, if there is one.
@@ -382,7 +381,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Said(severity, text) => app.say(severity, text),
         EffectReport::Completions(names) => list::complete(app, names),
-        EffectReport::Curve(which, path, points) => ask::read(app, which, &path, points),
+        EffectReport::Curve(path, points) => ask::read(app, &path, points),
     }
 }
 

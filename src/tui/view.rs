@@ -14,12 +14,14 @@ use crate::tui::theme::{GlyphSet, ascii_pass};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{self, columns, text_role};
 
-/// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, if it is shown.
-pub fn view(app: &App, buffer: &mut Buffer) -> Option<(u16, u16)> {
+/// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
+/// is; on the selected row it is hidden, and a screen reader follows it.
+pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     let area = buffer.area;
     let mut canvas = Canvas::new(buffer, app.theme);
     draw(app, area, &mut canvas);
-    let cursor = canvas.cursor;
+    let field = canvas.cursor.map(|at| (at, true));
+    let cursor = field.or(canvas.selected.map(|at| (at, false)));
     if app.theme.glyphs == GlyphSet::Ascii {
         ascii_pass(buffer);
     }
@@ -162,9 +164,7 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             (Purpose::Table(_), false) => {
                 &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
             }
-            (Purpose::Curve(_), false) => {
-                &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
-            }
+            (Purpose::Curve, false) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
             (Purpose::Runs, false) => &[
                 ("Enter", "write"),
                 ("Up/Down", "move"),

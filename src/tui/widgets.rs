@@ -24,6 +24,8 @@ pub(crate) struct Canvas<'a> {
     pub(crate) theme: Theme,
     /// Where the terminal's cursor stands, while a field is open.
     pub(crate) cursor: Option<(u16, u16)>,
+    /// Where the selected row begins, of what was drawn last.
+    pub(crate) selected: Option<(u16, u16)>,
     /// Columns of the plot that the crosshair walks through, where one is drawn.
     pub(crate) plot_columns: Option<u16>,
     /// The charts and maps drawn, as SVG, where they are collected.
@@ -35,8 +37,9 @@ pub(crate) struct Canvas<'a> {
 impl<'a> Canvas<'a> {
     /// A canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
-        let (cursor, plot_columns, pictures) = (None, None, None);
-        Self { buffer, theme, cursor, plot_columns, pictures, pointer: None, target: None }
+        let (cursor, selected, plot_columns, pictures) = (None, None, None, None);
+        let (pointer, target) = (None, None);
+        Self { buffer, theme, cursor, selected, plot_columns, pictures, pointer, target }
     }
 
     /// The same, to learn what is drawn at a cell.
@@ -85,6 +88,7 @@ impl<'a> Canvas<'a> {
     pub(crate) fn paint_row(&mut self, area: Rect, row: u16) {
         if row < area.height {
             let row = Rect::new(area.x, area.y + row, area.width, 1);
+            self.selected = Some((row.x, row.y));
             let style = self.theme.style(Role::Selection);
             self.buffer.set_style(row.intersection(self.buffer.area), style);
         }

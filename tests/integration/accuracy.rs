@@ -20,10 +20,11 @@ fn the_page_has_chart_table_answers_and_reasons() {
     for part in [
         "thesis-baseline: error against run time",
         "relative error",
-        "thesis as printed",
+        "printed scheme: 29 % off at any step",
         "DOP853 + events",
         "contact kernel",
-        "full simulation (N)",
+        "by auto at tol",
+        "left out",
         "1e-6: ",
         "stored digits, row S2",
         "C no closed form: a mechanism acts",

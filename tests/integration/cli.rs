@@ -191,7 +191,7 @@ fn errors_of_the_command_line_have_one_line() {
         ("swep cocked --over gamma=1..2:3", &["`swep` is not a subcommand", "`sweep`"]),
         ("run --sett gamma=2", &["unexpected argument '--sett'", "'--set'", "`cmra run --help`"]),
         ("run --csv", &["--csv", "a value is required"]),
-        ("sweep --seed many", &["--seed", "many", "invalid digit"]),
+        ("montecarlo --seed many", &["--seed", "many", "invalid digit"]),
         ("completions bish", &["'bish'", "bash", "fish"]),
         ("presets shwo cocked", &["'shwo'", "exists: 'show'", "`cmra presets --help`"]),
         ("seek --goal stroke=1mm", &["--over", "not provided", "`cmra seek --help`"]),

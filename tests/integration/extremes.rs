@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_kernel::{Contact, run_batch};
+use cmra::model::contact_kernel::Contact;
 use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -252,8 +252,8 @@ fn a_sweep_and_a_run_agree_within_the_tolerance() {
             own.mechanism.spring.exponent = 0.5 + 1.5 * random.unit();
             own.mechanism.damper.coefficient = random.log_or_zero(0.5, 1.0, 2e3);
             own.run.tolerance = tolerance;
-            let ends = run_batch(&[Contact::of(&own)], 0.3 * tolerance, true);
-            let (Some(end), Some(arrest)) = (ends[0], without_series(&own).first_arrest) else {
+            let end = Contact::of(&own).run_minding_plate(0.3 * tolerance);
+            let (Some(end), Some(arrest)) = (end, without_series(&own).first_arrest) else {
                 continue;
             };
             assert!(end.arrested);

@@ -190,10 +190,9 @@ prop_compose! {
         }
         if validate(&scene).is_err() {
             // The rules between two values: the stop lies behind the plate's start, a bistable's unstable position beyond
-            // its second stable one, springs in series do not rise, another model needs a power law.
+            // its second stable one, another model needs a power law.
             scene.mechanism.stop.position_m = scene.mechanism.stop.position_m.map(f64::abs);
             scene.mechanism.spring.bistable.unstable_m = None;
-            scene.mechanism.second.bistable.unstable_m = None;
             scene.mechanism.combination = Combination::Alone;
             scene.contact.model = ContactModel::Hydrodynamic;
             scene.target.closure = Closure::Given;

@@ -67,24 +67,17 @@ fn an_objective_that_no_design_has_is_named_with_the_reason() {
     );
 }
 
-/// The spring sized for 20 m/s holds no faster shot, however thick the plate: `cmra compare --set k=1e3 --set v_i=20`.
+/// The spring sized for 20 m/s holds no faster shot, however thick the plate.
 #[test]
-fn a_limit_beside_a_mass_is_that_of_the_plate_or_with_the_hardware() {
+fn a_limit_beside_a_mass_is_that_of_the_plate() {
     let task = ["--set", "k=1e3", "--set", "v_i=20", "--over", "h=10mm..12mm"];
     let effort = ["--samples", "64", "--no-feasibility", "--json"];
-    let of = |limit: &str| {
-        let front = ["--minimise", "areal_mass_kg_m2", "--maximise", limit];
-        let (text, _) = out(&[&task[..], &front, &effort].concat(), 0);
-        let found: Value = serde_json::from_str(&text).unwrap();
-        let limits = found["designs"].as_array().unwrap().iter();
-        let limits = limits.map(|it| it[limit].as_f64().unwrap()).collect::<Vec<_>>();
-        (limits, found["warnings"].to_string().contains("whatever its springs have to store"))
-    };
-    let (plates, is_said) = of("limit_velocity_m_s");
-    assert!(is_said && plates.iter().all(|limit| *limit > 100.0), "{plates:?}");
-    let (with_hardware, is_said) = of("limit_with_hardware_m_s");
-    let is_own = |limit: &f64| (limit / 20.0 - 1.0).abs() < 1e-5;
-    assert!(!is_said && with_hardware.iter().all(is_own), "{with_hardware:?}");
+    let front = ["--minimise", "areal_mass_kg_m2", "--maximise", "limit_velocity_m_s"];
+    let (text, _) = out(&[&task[..], &front, &effort].concat(), 0);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let designs = found["designs"].as_array().unwrap();
+    assert!(designs.iter().all(|it| it["limit_velocity_m_s"].as_f64().unwrap() > 100.0));
+    assert!(found["warnings"].to_string().contains("whatever its springs have to store"));
 }
 
 #[test]

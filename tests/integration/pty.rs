@@ -22,6 +22,10 @@ const FRAME: &[u8] = b"\x1b[?2026h";
 const FRAME_END: &[u8] = b"\x1b[?2026l";
 const CLEAR: &[u8] = b"\x1b[2J";
 
+/// The question whether all has arrived, and what a terminal answers.
+const ASK: &[u8] = b"\x1b[5n";
+const ANSWER: &[u8] = b"\x1b[0n";
+
 /// The usual size of the screens under test.
 const SIZE: (u16, u16) = (80, 24);
 
@@ -37,11 +41,23 @@ pub(crate) struct Start<'a> {
     pub(crate) controlling: bool,
     /// The home directory of an earlier start.
     pub(crate) home: Option<tempfile::TempDir>,
+    /// Whether the terminal has an alternate screen.
+    pub(crate) alternate: bool,
+    /// What stands on the screen before.
+    pub(crate) before: &'a str,
 }
 
 impl Default for Start<'_> {
     fn default() -> Self {
-        Self { shell: None, arguments: &[], environment: &[], controlling: true, home: None }
+        Self {
+            shell: None,
+            arguments: &[],
+            environment: &[],
+            controlling: true,
+            home: None,
+            alternate: true,
+            before: "",
+        }
     }
 }
 
@@ -59,6 +75,11 @@ pub(crate) struct Terminal {
     process: Pid,
     /// All bytes drawn so far.
     drawn: Vec<u8>,
+    /// Whether the terminal answers the question whether all has arrived.
+    pub(crate) answers: bool,
+    alternate: bool,
+    /// The job of the shell that runs in the terminal.
+    pub(crate) job: Option<Pid>,
     /// The modes of the terminal before the program.
     modes_before: String,
     /// Home, and where the program was started.
@@ -90,6 +111,8 @@ impl Terminal {
         let stop_reading = Arc::new(AtomicBool::new(false));
         let hold = Arc::new(AtomicBool::new(false));
         let (release, released) = mpsc::channel();
+        let mut parser = vt100::Parser::new(rows(SIZE.1), rows(SIZE.0), 0);
+        parser.process(start.before.as_bytes());
         let bytes =
             read_in_background(reader, Arc::clone(&stop_reading), Arc::clone(&hold), released);
         Self {
@@ -100,9 +123,12 @@ impl Terminal {
             stop_reading,
             master: Some(pair.master),
             exit,
-            parser: vt100::Parser::new(rows(SIZE.1), rows(SIZE.0), 0),
+            parser,
+            alternate: start.alternate,
+            job: None,
             process,
             drawn: Vec::new(),
+            answers: true,
             modes_before,
             home: Some(home),
         }
@@ -195,8 +221,25 @@ impl Terminal {
     }
 
     fn take(&mut self, bytes: &[u8]) {
+        let before = self.drawn.len();
         self.drawn.extend_from_slice(bytes);
-        self.parser.process(bytes);
+        if self.alternate {
+            self.parser.process(bytes);
+        } else {
+            // As a terminal without an alternate screen, which knows nothing of these.
+            let text = String::from_utf8_lossy(bytes);
+            let text = text.replace("\x1b[?1049h", "").replace("\x1b[?1049l", "");
+            self.parser.process(text.as_bytes());
+        }
+        if self.answers {
+            // A question may have come in two pieces.
+            let from = before.saturating_sub(ASK.len() - 1);
+            let asked = self.drawn[from..].windows(ASK.len()).filter(|found| *found == ASK).count();
+            for _ in 0..asked {
+                // The program may have ended.
+                let _ = self.writer.as_mut().map(|writer| writer.write_all(ANSWER));
+            }
+        }
     }
 
     /// The screen as it is.
@@ -220,6 +263,11 @@ impl Terminal {
     /// Send the program a signal.
     pub(crate) fn signal(&self, signal: Signal) {
         kill_process(self.process, signal).expect("it is there");
+    }
+
+    /// Let the stopped job of the shell go on.
+    pub(crate) fn go_on(&self) {
+        kill_process(self.job.expect("a job"), Signal::CONT).expect("it is there");
     }
 
     /// The program's process.

@@ -155,28 +155,6 @@ fn a_part_is_made_again_from_its_scene() {
 }
 
 #[test]
-fn designs_are_seeded_and_keep_to_the_ranges() {
-    let place = tempfile::tempdir().unwrap();
-    let table = |options: &str| {
-        let what = "figure-9.10 --over d=0..0.5 --over gamma=0.8..7 --csv -";
-        let done = sweep(place.path(), &format!("{what} {options}"));
-        assert_eq!(done.code, 0, "{}", done.err);
-        done.out
-    };
-    for design in ["lhs", "sobol"] {
-        let first = table(&format!("--design {design} --points 40 --seed 7"));
-        assert_eq!(first, table(&format!("--design {design} --points 40 --seed 7 --threads 1")));
-        assert_ne!(first, table(&format!("--design {design} --points 40 --seed 8")));
-        let rows = rows(&first);
-        assert_eq!(rows.len(), 41);
-        for row in &rows[1..] {
-            let value = |at: usize| row[at].parse::<f64>().unwrap();
-            assert!((0.0..=0.5).contains(&value(0)) && (0.8..=7.0).contains(&value(1)));
-        }
-    }
-}
-
-#[test]
 fn json_is_one_object_with_the_same_rows() {
     let place = tempfile::tempdir().unwrap();
     let done = sweep(place.path(), "figure-9.4 --over b=0..2000:5 --json");
@@ -185,7 +163,7 @@ fn json_is_one_object_with_the_same_rows() {
     assert_eq!(value["rows"].as_array().unwrap().len(), 5);
     // A reader of JSON would not see a key that is there twice.
     assert_eq!((&value["complete"], &value["points_done"]), (&true.into(), &5.into()));
-    for key in ["scene", "design", "points", "axes", "outputs", "version", "rows", "complete"] {
+    for key in ["scene", "points", "axes", "outputs", "version", "rows", "complete"] {
         assert_eq!(done.out.matches(&format!("\n  \"{key}\":")).count(), 1, "{key}");
     }
     // Nothing stops the free plate.
@@ -229,8 +207,6 @@ fn bad_sweeps_are_refused_before_anything_runs() {
             "--over gamma=0.8..7:0 --csv x.csv",
             &["axis gamma", "count = 0", "2 to 1000000000 points"],
         ),
-        ("--over gamma=1..2 --design lhs --points 0", &["points = 0", "2 to 9007199254740992"]),
-        ("--over gamma=1..2 --design sobol --points 4294967297", &["2 to 4294967296 points"]),
         ("--over gamma=1..1:5 --csv x.csv", &["axis gamma", "both ends are 1", "differ"]),
         ("--over theta=0..95deg:5 --csv x.csv", &["axis theta", "95 deg", "below 90"]),
         ("--over k=0..1MN/m:5:log --csv x.csv", &["axis k", "greater than 0", "omit log"]),
@@ -241,7 +217,6 @@ fn bad_sweeps_are_refused_before_anything_runs() {
             "--over gamma=1..2:5 --outputs depth --csv x.csv",
             &["output depth", "did you mean `final_penetration_m`"],
         ),
-        ("--over gamma=1..2:5 --points 9 --csv x.csv", &["--points", "--design lhs or sobol"]),
     ] {
         let done = sweep(place.path(), arguments);
         assert_eq!(done.code, 2, "{arguments}: {}", done.err);
@@ -287,7 +262,6 @@ fn the_scene_beside_the_rows_makes_them_again() {
     for (name, what) in [
         ("a", "figure-9.7 --set b=20 --over gamma=0.8..7:5 --over k=1e3..1e6:4:log"),
         ("b", "--over d=0..0.5:4 --outputs all"),
-        ("c", "figure-9.10 --design sobol --points 9 --seed 3"),
     ] {
         let done = sweep(place.path(), &format!("{what} --csv {name}.csv"));
         assert_eq!(done.code, 0, "{}", done.err);
@@ -416,9 +390,45 @@ fn begun(place: &Path, what: &str) -> std::process::Child {
 }
 
 #[cfg(unix)]
-fn stop(child: &std::process::Child) {
+fn send(child: &std::process::Child, signal: rustix::process::Signal) {
     let pid = rustix::process::Pid::from_raw(i32::try_from(child.id()).unwrap()).unwrap();
-    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    rustix::process::kill_process(pid, signal).unwrap();
+}
+
+#[cfg(unix)]
+fn stop(child: &std::process::Child) {
+    send(child, rustix::process::Signal::INT);
+}
+
+/// As `timeout` does, which sends its signal to the process and to the group.
+#[cfg(unix)]
+#[test]
+fn a_signal_that_comes_twice_keeps_the_finished_rows() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
+    let mut child = begun(place.path(), what);
+    for _ in 0..2 {
+        send(&child, rustix::process::Signal::TERM);
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+    assert!(rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap()).len() > 10);
+}
+
+/// What a killed sweep has made can be found, and the next one leaves it alone.
+#[cfg(unix)]
+#[test]
+fn a_killed_sweep_leaves_its_rows_in_sight() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
+    let mut child = begun(place.path(), what);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let left = || fs::read(place.path().join("x.csv.partial")).unwrap();
+    let before = left();
+    assert!(before.starts_with(b"gamma,k,") && before.len() >= 10_000);
+    assert_eq!(cmra(place.path(), "sweep --over gamma=1..2:3 --csv x.csv").code, 0);
+    assert_eq!(left(), before);
+    assert_eq!(rows(&fs::read_to_string(place.path().join("x.csv")).unwrap()).len(), 4);
 }
 
 /// Interrupts a sweep after its first rows.

@@ -254,7 +254,7 @@ fn a_shell() {
 }
 
 /// The workbench as a job of a shell, stopped in some way.
-fn stops_and_comes_back(stop: impl Fn(&mut Terminal, Pid)) {
+fn stopped(stop: impl Fn(&mut Terminal, Pid)) -> Terminal {
     let program = std::env::current_exe().unwrap();
     let mut terminal = Terminal::start_with(Start {
         shell: program.to_str(),
@@ -266,22 +266,27 @@ fn stops_and_comes_back(stop: impl Fn(&mut Terminal, Pid)) {
     let (_, job) = text.split_once("job ").expect("its number");
     let number = job.split_once('>').expect("its end").0.to_owned();
     let job = Pid::from_raw(number.parse().expect("a number")).expect("not zero");
+    terminal.job = Some(job);
     stop(&mut terminal, job);
     wait_for_state(&number, 'T');
-    let at_prompt = |terminal: &mut Terminal, text: &str| {
-        terminal.wait_until(text, |screen| {
-            !screen.alternate_screen() && screen.contents().contains(text)
-        });
-    };
-    at_prompt(&mut terminal, "stopped>");
+    terminal.wait_until("stopped", |screen| {
+        !screen.alternate_screen() && screen.contents().contains("stopped>")
+    });
     terminal.assert_restored();
-    kill_process(job, Signal::CONT).expect("it is there");
+    terminal
+}
+
+fn stops_and_comes_back(stop: impl Fn(&mut Terminal, Pid)) {
+    let mut terminal = stopped(stop);
+    terminal.go_on();
     terminal.wait_until("the workbench again", |screen| {
         screen.alternate_screen() && screen.contents().contains(DONE)
     });
     // It listens again.
     terminal.send("q");
-    at_prompt(&mut terminal, "ended>");
+    terminal.wait_until("ended", |screen| {
+        !screen.alternate_screen() && screen.contents().contains("ended>")
+    });
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }
 
@@ -355,6 +360,140 @@ fn bytes_stay_few() {
     terminal.wait_for(" 170 m/s");
     let frames = terminal.frames();
     assert!(frames.len() > 2 && frames.iter().all(|bytes| *bytes <= 4096), "{frames:?}");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+/// Text of the shell stays where there is no alternate screen: it is cleared on entering, and the screen is on leaving.
+#[test]
+fn without_an_alternate_screen_nothing_of_the_shell_stays_between_the_digits() {
+    let mut terminal = Terminal::start_with(Start {
+        alternate: false,
+        before: &"old shell text ".repeat(200),
+        ..Start::default()
+    });
+    let page = terminal.wait_for(DONE);
+    assert!(!page.contains("old shell"), "{page}");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+    assert_eq!(terminal.screen().contents().trim(), "");
+    assert_eq!(terminal.screen().cursor_position(), (0, 0));
+}
+
+#[test]
+fn the_size_is_asked_after_a_stop_and_on_a_redraw() {
+    let mut terminal = stopped(|terminal, _| terminal.send("\x1a"));
+    // The shell's window changes: the program is not told, since the signal goes to the shell.
+    terminal.resize(120, 40);
+    terminal.go_on();
+    terminal.wait_until("the frame fills 120 columns", |screen| {
+        screen.contents().lines().any(|line| line.chars().count() > 100)
+    });
+    terminal.send("q");
+    terminal.wait_for("ended>");
+}
+
+/// Keys that are split between packets have tests of their own, by a clock that is handed in (`tui::input`).
+#[test]
+fn a_paste_is_text_and_what_is_no_key_is_swallowed() {
+    let mut terminal = started();
+    terminal.send("jj\r");
+    terminal.send("\x1b[200~150\x1b[201~\r");
+    terminal.wait_until("the pasted velocity", |screen| {
+        screen.hide_cursor() && screen.contents().contains(" 150 m/s")
+    });
+    // F5, and answers to questions of another program: none of their bytes is a key.
+    terminal.send("\x1b[15~\x1b]11;rgb:ffff/ffff/ffff\x1b\\\x1b[>41;380;0c\x1bP>|xterm(380)\x1b\\");
+    terminal.sync();
+    let page = terminal.screen().contents();
+    assert!(page.contains("[1:Run]") && page.contains(" 150 m/s"), "{page}");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+#[test]
+fn escape_and_a_key_in_one_packet_both_count() {
+    let mut terminal = started();
+    terminal.send("p");
+    terminal.wait_for("Baseline of chapter 9");
+    terminal.send("\x1b2");
+    terminal.wait_until("the list is closed, and the second tab is open", |screen| {
+        let text = screen.contents();
+        text.contains("[2:") && !text.contains("Baseline of chapter 9")
+    });
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+/// When frames are drawn has tests of its own, by a clock that is handed in (`tui::pace`).
+#[test]
+fn frames_ask_whether_they_have_arrived_unless_the_terminal_never_answers() {
+    let asked = |terminal: &Terminal| terminal.text().matches("\x1b[5n").count();
+    let mut terminal = started();
+    terminal.sync();
+    assert!(asked(&terminal) >= 2);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+    let mut mute = Terminal::start();
+    mute.answers = false;
+    mute.wait_for(DONE);
+    for _ in 0..6 {
+        mute.sync();
+    }
+    // The third is asked while the second may still be answered.
+    assert_eq!(asked(&mute), 3);
+    mute.send("q");
+    assert_eq!(mute.wait_exit().exit_code(), 0);
+}
+
+/// A screen reader follows the cursor, which nobody sees.
+#[test]
+fn the_hidden_cursor_stands_on_the_selected_row() {
+    let mut terminal = started();
+    let row = |screen: &vt100::Screen| {
+        let (row, _) = screen.cursor_position();
+        screen.contents().lines().nth(row.into()).unwrap_or_default().to_owned()
+    };
+    for _ in 0..3 {
+        terminal.wait_until("the cursor on the selected row", |screen| {
+            screen.hide_cursor() && row(screen).contains('>')
+        });
+        terminal.send("j");
+    }
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+#[test]
+fn a_copy_under_tmux_says_what_tmux_needs() {
+    let environment = &[("TMUX", "/tmp/tmux-0/default,1,0")];
+    let mut terminal = Terminal::start_with(Start { environment, ..Start::default() });
+    terminal.wait_for(DONE);
+    terminal.send("y");
+    terminal.wait_for("set-clipboard on");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
+/// A key that the configuration gives an action works in dialogs, too.
+#[test]
+fn keys_of_the_configuration_reach_dialogs() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path().join("config/cmra");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("config.toml"), "[keys]\ndown = [\"n\"]\nnext-event = [\"j\"]\n")
+        .unwrap();
+    let mut terminal = Terminal::start_with(Start { home: Some(home), ..Start::default() });
+    terminal.wait_for(DONE);
+    terminal.send("o");
+    let row = |terminal: &Terminal| terminal.screen().cursor_position().0;
+    terminal.sync();
+    let first = row(&terminal);
+    terminal.send("n");
+    terminal.sync();
+    assert_eq!(row(&terminal), first + 1, "{}", terminal.screen().contents());
+    terminal.send("q");
+    terminal.sync();
     terminal.send("q");
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }

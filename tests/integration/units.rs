@@ -39,8 +39,6 @@ fn a_range_has_two_units_or_none() {
 fn a_table_needs_its_file() {
     let (_, error) = says("run", &["--set", "spring=table"], 2);
     assert!(error.contains("--set table=FILE"), "{error}");
-    let (_, error) = says("run", &["--set", "combine=parallel", "--set", "spring_2=table"], 2);
-    assert!(error.contains("--set table_2=FILE"), "{error}");
     let folder = tempfile::tempdir().unwrap();
     let curve = folder.path().join("curve.csv");
     std::fs::write(&curve, "0,0\n0.05,5000\n").unwrap();

@@ -5,16 +5,13 @@ use std::ops::RangeInclusive;
 use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::table::choice;
 use crate::files::preset::Preset;
 use crate::model::scene::{Scene, SweepAxis};
 use crate::model::units::{self, Bare, Dimension};
 use crate::model::variables;
 use crate::report::sweep::Columns;
 use crate::study::quantities::of_every_run;
-use crate::study::sweep::{
-    Axis, COUNTS, Design, Plan, Sampling, Spacing, SweepError, USUAL_OUTPUTS,
-};
+use crate::study::sweep::{Axis, COUNTS, Plan, Spacing, SweepError, USUAL_OUTPUTS};
 
 /// Which points a sweep has, and what is computed at each.
 #[derive(Debug, Args)]
@@ -23,15 +20,6 @@ pub(super) struct PointArguments {
     /// or with a list of values; may be repeated
     #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// How the sample points are chosen
-    #[arg(long, default_value = "factorial", value_parser = choice(&Sampling::ALL, Sampling::word, Sampling::about))]
-    design: Sampling,
-    /// Number of points of --design lhs or sobol [default: as many as the full grid]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    points: Option<u64>,
-    /// Seed of the design: the same seed gives the same points [default: 0]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    seed: Option<u64>,
     /// Quantities to compute, separated by commas; `all` for every one that needs neither a time series nor a limit search
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
@@ -51,14 +39,11 @@ impl PointArguments {
             })?;
             Axis::all_of(sweep)?
         } else {
-            // Designs other than the full grid have no use for a count.
-            let usual = (self.design != Sampling::Factorial).then_some(*COUNTS.start());
-            let axes = self.over.iter().map(|text| over(text, usual, &COUNTS));
+            let axes = self.over.iter().map(|text| over(text, None, &COUNTS));
             axes.collect::<Result<Vec<_>, _>>()?
         };
-        let design = self.design(&axes)?;
         let (outputs, columns) = self.outputs(scene, is_page);
-        Ok((Plan::new(scene, axes, design, &outputs)?, columns))
+        Ok((Plan::new(scene, axes, &outputs)?, columns))
     }
 
     fn outputs(&self, scene: &Scene, is_page: bool) -> (Vec<String>, Columns) {
@@ -71,19 +56,6 @@ impl PointArguments {
             ([], None) => (every(), Columns::All),
             (named, _) => (named.to_vec(), Columns::Chosen),
         }
-    }
-
-    fn design(&self, axes: &[Axis]) -> Result<Design, CliError> {
-        if self.design == Sampling::Factorial && (self.points.is_some() || self.seed.is_some()) {
-            let option = if self.points.is_some() { "--points" } else { "--seed" };
-            return Err(CliError::Option(format!(
-                "{option} is for --design lhs or sobol: a full grid has the COUNT of each axis"
-            )));
-        }
-        // Without --points as many as the full grid would have.
-        let product = || axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
-        let points = self.points.or_else(product).unwrap_or(u64::MAX);
-        Ok(Design::new(self.design, points, self.seed.unwrap_or(0)))
     }
 }
 

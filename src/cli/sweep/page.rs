@@ -10,9 +10,7 @@ use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
 use crate::report::table::Table;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{
-    Axis, Design, Plan, PointOutcome, Sampling, Spacing, Summary, USUAL_OUTPUTS,
-};
+use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, Summary, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
@@ -28,7 +26,7 @@ pub(super) struct Head<'a> {
 
 /// Whether a whole sweep can be drawn: a grid of one or two axes.
 pub(super) fn is_drawable(plan: &Plan) -> bool {
-    plan.design().is_full() && plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
+    plan.axes().len() <= 2 && plan.points() <= KEPT_MAX
 }
 
 /// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
@@ -43,23 +41,17 @@ pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
 /// Why a sweep cannot be drawn.
 pub(super) fn undrawable() -> String {
     format!(
-        "--svg: a picture shows one or two axes, every combination of their values, and at most {KEPT_MAX} points; omit --svg \
+        "--svg: a picture shows one or two axes and at most {KEPT_MAX} points; omit --svg \
          or use fewer points"
     )
 }
 
 pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: Option<&Grid>) -> String {
     let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
-    let Design { sampling, seed, .. } = plan.design();
-    let design = match sampling {
-        Sampling::Factorial => "every combination".to_owned(),
-        Sampling::LatinHypercube => format!("Latin hypercube, seed {seed}"),
-        Sampling::Sobol => format!("Sobol's sequence, seed {seed}"),
-    };
     let mut page = format!("{}: {}\n", head.name, axes.join("; "));
     let (points, took, threads) = (summary.points(), duration(head.took_s), head.threads);
     let plural = if threads == 1 { "" } else { "s" };
-    let _ = writeln!(page, "{points} points ({design}) in {took} on {threads} thread{plural}\n");
+    let _ = writeln!(page, "{points} points in {took} on {threads} thread{plural}\n");
     if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
         for output in 0..plan.outputs().len() {
             drawn(&mut page, grid, output);

@@ -6,9 +6,8 @@
 //! and integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
 //! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the
 //! slow manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`).
-//! Many contacts run in parallel in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop,
-//! an oblique section across the cylinder, a plate that comes back through a singular point) are left to the simulation:
-//! [`Contact::run`] returns `None`.
+//! Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point) are
+//! left to the simulation: [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, AreaPiece, Geometry};
@@ -19,7 +18,6 @@ use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
 use expansion::{Constants, StepTime};
 use integration::{InitialPhase, IntegrationState, Plan, Sides};
-pub use simd_batch::run_batch;
 use similarity_start::Start;
 use slow_manifold_series::MANIFOLD_BELOW;
 
@@ -47,11 +45,9 @@ mod damper_manifold;
 mod expansion;
 mod free;
 mod integration;
-mod lane_buffer;
 mod law;
 mod perturbation_start;
 mod plain;
-mod simd_batch;
 mod similarity_start;
 mod slow_manifold;
 mod slow_manifold_series;
@@ -169,10 +165,10 @@ impl Contact {
         }
     }
 
-    /// The tolerance to which the plate's displacement, too, is accurate relative to itself: where that is far shorter than the
-    /// travel, a tighter one.
-    fn minding_plate(&self, tolerance: f64) -> f64 {
-        tolerance * self.plate_share().unwrap_or(1.0)
+    /// As [`Contact::run`], with the plate's displacement, too, to this accuracy relative to itself: where that is far shorter than the
+    /// travel, to a tighter one.
+    pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
+        self.run(tolerance * self.plate_share().unwrap_or(1.0))
     }
 
     /// The plate's displacement over the travel, if it is the shorter and not known relative to itself anyway.

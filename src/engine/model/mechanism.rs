@@ -16,7 +16,7 @@ pub mod piece;
 mod spring;
 pub(super) mod stop;
 
-pub use inertia::{Inertia, OmittedMass, moving_plate_kg, uncounted};
+pub use inertia::{Inertia, OmittedMass, is_uncounted, moving_plate_kg};
 pub use spring::{Elastic, Spring};
 
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.

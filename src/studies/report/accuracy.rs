@@ -2,12 +2,13 @@
 
 use serde_json::{Value, json};
 
+use crate::model::contact_phase::ContactSolution;
 use crate::model::library;
 use crate::model::units::engineering;
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
 use crate::study::accuracy::method::Parameter;
-use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, Report};
+use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, RESULTS, Report, Saving};
 
 /// A scene's name and its comparison.
 pub type Named = (String, Report);
@@ -23,6 +24,10 @@ pub struct Row<'r> {
 impl<'r> Row<'r> {
     fn measured(&self) -> Option<&'r Measured> {
         self.point.result.as_ref().ok()
+    }
+
+    fn contact(&self) -> Option<&'r ContactSolution> {
+        Some(&self.measured()?.answer.contact)
     }
 }
 
@@ -52,14 +57,17 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
             Parameter::None | Parameter::Step(_) => None,
         })
         .with("error", "error", "", |row| Some(row.measured()?.error()))
-        .with("penetration_error", "error of depth", "", |row| Some(row.measured()?.depth_error))
-        .with("time_error", "error of time", "", |row| Some(row.measured()?.time_error))
+        .with(RESULTS[0].0, "error of depth", "", |row| row.measured()?.errors[0])
+        .with(RESULTS[1].0, "of time", "", |row| row.measured()?.errors[1])
+        .with(RESULTS[2].0, "of displacement", "", |row| row.measured()?.errors[2])
+        .with(RESULTS[3].0, "of force", "", |row| row.measured()?.errors[3])
+        .with(RESULTS[4].0, "of residual velocity", "", |row| row.measured()?.errors[4])
         .with("at_floor", "at floor", "", |row| Some(row.measured()?.is_at_floor()))
-        .with("penetration_m", "depth", "m", |row| Some(row.measured()?.answer.depth_m))
-        .with("end_time_s", "end", "s", |row| Some(row.measured()?.answer.t_s))
-        .with("steps", "steps", "", |row| Some(row.measured()?.answer.steps))
-        .with("rejected", "rejected", "", |row| Some(row.measured()?.answer.rejected))
-        .with("rhs_evaluations", "evaluations", "", |row| Some(row.measured()?.answer.evaluations))
+        .with("penetration_m", "depth", "m", |row| Some(row.contact()?.depth_m))
+        .with("end_time_s", "end", "s", |row| Some(row.contact()?.t_s))
+        .with("steps", "steps", "", |row| Some(row.contact()?.steps))
+        .with("rejected", "rejected", "", |row| Some(row.contact()?.rejected))
+        .with("rhs_evaluations", "evaluations", "", |row| Some(row.contact()?.evaluations))
         .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.timing.min_s))
         .with("run_time_s_median", "median", "s", |row| Some(row.measured()?.timing.median_s))
         .with("run_time_s_mad", "deviation", "s", |row| row.measured()?.timing.mad_s)
@@ -72,6 +80,9 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         })
         .with(WARNINGS, WARNINGS, "", |row| warnings(&row.of.1).join("; "))
 }
+
+/// Less than this is within the spread of timings.
+const GAIN_LEAST: f64 = 1.1;
 
 /// The key of the warnings.
 const WARNINGS: &str = "warnings";
@@ -95,8 +106,6 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
         .shown(in_seconds)
         .with("least_error", "least", "", |it| it.least_error())
         .shown(brief)
-        .with("run_time_spread", "spread", "", |it| it.spread())
-        .shown(|_, value| Some(percent(value.as_f64()?)))
         .with("reference_uncertainty", "floor", "", |it| it.reference?.uncertainty)
         .shown(brief)
 }
@@ -118,6 +127,41 @@ pub fn order(report: &MethodReport) -> String {
 /// A part in whole percent.
 pub fn percent(part: f64) -> String {
     format!("{:.0} %", 100.0 * part)
+}
+
+/// What to use for an error of 1e-6, and what it costs.
+pub fn advice(report: &Report) -> String {
+    let target = TARGETS[0];
+    let with = report
+        .run_s
+        .map_or_else(String::new, |run_s| format!("; {} with series and estimate", seconds(run_s)));
+    match report.usable(target) {
+        Some(found) => format!("{target:.0e}: {} {}{with}", seconds(found.min_s), by(&found)),
+        None => format!("{target:.0e}: auto does not reach it here"),
+    }
+}
+
+/// How far the printed scheme of the thesis is off, whatever its step.
+pub fn printed_scheme(report: &Report) -> Option<String> {
+    Some(format!("printed scheme: {} off at any step", percent(report.printed_off?)))
+}
+
+/// The gain from what is left out.
+pub fn savings(savings: &[Saving]) -> Table<'_, &Saving> {
+    let in_seconds = |_: &&Saving, value: &Value| Some(seconds(value.as_f64()?));
+    Table::of(savings)
+        .with("part", "left out", "", |it| it.part)
+        .with("with_s", "with it", "", |it| it.with_s)
+        .shown(in_seconds)
+        .with("without_s", "without", "", |it| it.without_s)
+        .shown(in_seconds)
+        .with("gain", "gain", "", |it| gain(it))
+}
+
+/// How many times faster it is without, where that can be told.
+pub fn gain(saving: &Saving) -> String {
+    let times = saving.with_s / saving.without_s;
+    if times < GAIN_LEAST { "none".to_owned() } else { format!("{times:.1} times") }
 }
 
 /// A run time, in a few characters.
@@ -151,7 +195,8 @@ fn scene(named: &Named) -> Value {
             "method": found.map(|it| it.method.name()),
             "parameter": found.and_then(|it| it.parameter.value()),
             "run_time_s": found.map(|it| it.min_s),
-            "no_term_omitted_s": report.cheapest_in_full(target).map(|it| it.min_s),
+            "auto_tolerance": report.usable(target).and_then(|it| it.parameter.value()),
+            "auto_run_time_s": report.usable(target).map(|it| it.min_s),
         })
     });
     json!({
@@ -159,6 +204,9 @@ fn scene(named: &Named) -> Value {
         "references": references.collect::<Vec<_>>(),
         "complete": report.is_complete,
         "answers": report.is_complete.then_some(answers),
+        "printed_scheme_off": report.printed_off,
+        "run_time_s": report.run_s,
+        "left_out": savings(&report.savings).objects(|_| true),
         "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
         WARNINGS: warnings(report),
     })
@@ -179,6 +227,12 @@ pub fn axes(times: ViewRange, errors: ViewRange) -> (Axis<'static>, Axis<'static
     (x, Axis::new("relative error", errors).scale(Scale::Log10))
 }
 
+/// The uncertainty of the reference, and, apart from the methods, how far the printed scheme is off.
+pub fn levels(report: &Report, floor: Option<f64>) -> Vec<Mark<'static>> {
+    let floor = floor.map(|at| Mark::new(at, "reference's floor"));
+    floor.into_iter().chain(report.printed_off.map(|at| Mark::new(at, "printed scheme"))).collect()
+}
+
 /// The chart; `None` where no result could be judged.
 pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
@@ -187,11 +241,11 @@ pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;
     let (x, y) = axes(times.rounded(Scale::Log10), errors.rounded(Scale::Log10));
     let floor = report.references.first().and_then(|reference| reference.uncertainty);
-    let title = "relative error, the greater of depth and time";
+    let title = "relative error, the greatest of all results";
     Some(Chart {
         // The table of methods has their letters.
         legend: Legend::Hidden,
-        levels: floor.map(|at| Mark::new(at, "reference's floor")).into_iter().collect(),
+        levels: levels(report, floor),
         ..Chart::new(title, x, y, curves)
     })
 }

@@ -1,31 +1,33 @@
-//! The comparison at equal areal mass: one row for each candidate, the whole as an object, and its map. SI.
+//! The comparison at equal areal mass: one row for each candidate, the whole as an object, its map, and all of it in sentences, the
+//! same on the command line and in the workbench. SI.
 
 use serde_json::{Map as Object, Value, json};
 
 use crate::model::library;
 use crate::model::run::envelope;
-use crate::model::units::fixed_significant;
+use crate::model::scene::{PlateSize, Scene, SpringKind};
+use crate::model::units::{fixed_significant, significant, velocity};
 use crate::report::chart::Scale;
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, Tone};
 use crate::report::table::Table;
 use crate::study::compare::map::Map;
-use crate::study::compare::{ByClosure, Candidate, Entry, Report};
+use crate::study::compare::{Candidate, Entry, Profitability, Report, Sized, THINNEST_M};
 use crate::study::limit::RANGE_M_S;
 
 /// The meaning of the contour on a map.
 const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
+/// The limit of plate and spring together.
+const SURVIVES: &str = "if spring must survive";
 /// The lines of a page, by their keys.
-const LINES: [&str; 20] = [
+const LINES: [&str; 18] = [
     "candidate",
     "mass_efficiency",
     "limit_velocity_m_s",
+    "limit_if_spring_survives_m_s",
     "outcome",
     "areal_mass_kg_m2",
-    "mass_efficiency_as_built",
-    "perforation_velocity_m_s",
-    "equivalent_thickness_m",
     "stroke_m",
     "stroke_at_limit_m",
     "stored_energy_j",
@@ -43,8 +45,6 @@ const LINES: [&str; 20] = [
 /// The candidates with their figures.
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
-    let has_layers = report.entries.iter().any(|it| it.scene.is_stack());
-    let thickness = if has_layers { "front plate thickness" } else { "thickness" };
     Table::of(&report.entries)
         .with("scene", "scene", "", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
@@ -53,15 +53,9 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("governed_by", "governed by", "", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
         .shown(|it, value| {
-            let value = value.as_f64().filter(|_| !it.is_held);
-            let value = value.map(|value| fixed_significant(value, 4));
-            let text = it.by_closure().map(ByClosure::range).or(value)?;
-            Some(if it.is_held { text } else { text + "*" })
+            let value = value.as_f64().filter(|_| !it.is_held)?;
+            Some(fixed_significant(value, 4) + "*")
         })
-        .with("mass_efficiency_double_yield", "closure=double-yield", "", |it| {
-            it.by_closure()?.double_yield
-        })
-        .with("mass_efficiency_cavity", "closure=cavity", "", |it| it.by_closure()?.cavity)
         .with("sized_thickness_m", "thickness to just stop", "m", |it| {
             Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
         })
@@ -71,16 +65,12 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
         .with("solid_areal_mass_kg_m2", "areal mass of the solid", "kg/m^2", |it| {
             Some(it.sized.as_ref().ok()?.solid_areal_kg_m2)
         })
-        .with("mass_efficiency_as_built", "mass efficiency as built", "", |it| it.as_built)
         .with("areal_mass_kg_m2", "areal mass", "kg/m^2", |it| it.areal_kg_m2)
         .with("spring_mass_kg", "spring mass", "kg", |it| it.spring_kg)
-        .with("limit_velocity_m_s", "limit with hardware", "m/s", |it| it.limit_m_s)
+        .with("limit_velocity_m_s", "ballistic limit", "m/s", |it| it.perforation.velocity_m_s())
         .shown(beyond)
-        .with("perforation_velocity_m_s", "ballistic limit", "m/s", |it| {
-            it.perforation.velocity_m_s()
-        })
+        .with("limit_if_spring_survives_m_s", SURVIVES, "m/s", |it| it.limit_m_s)
         .shown(beyond)
-        .with("equivalent_thickness_m", "solid of equal limit", "m", |it| it.equivalent_m)
         .with("stroke_m", "stroke", "m", |it| it.load.stroke_m)
         .with("stored_energy_j", "stored energy", "J", |it| it.load.stored_j)
         .with("peak_mount_force_n", "mount force", "N", |it| it.load.mount_force_n)
@@ -92,7 +82,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
             it.limit_load.mount_force_n
         })
         .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.max_displacement_m)
-        .with("thickness_m", thickness, "m", |it| it.scene.target.thickness_m)
+        .with("thickness_m", "thickness", "m", |it| it.scene.target.thickness_m)
         .with("residual_velocity_m_s", "residual velocity", "m/s", |it| it.residual_m_s)
         .with("penetration_m", "depth", "m", |it| it.depth_m)
 }
@@ -124,7 +114,6 @@ pub fn json(name: &str, report: &Report) -> Value {
             let mut object = table.object(&entry, |key| !["scene", "candidate"].contains(&key));
             object.extend([
                 ("held".to_owned(), entry.is_held.into()),
-                ("slower_overload_m_s".to_owned(), entry.slower.map(|slower| slower.0).into()),
                 ("no_limit".to_owned(), entry.no_limit().into()),
                 (
                     "no_mass_efficiency".to_owned(),
@@ -145,13 +134,13 @@ pub fn json(name: &str, report: &Report) -> Value {
         "mass_efficiency": own.filter(|it| it.is_held).and_then(Entry::mass_efficiency),
         "mass_not_counted": report.uncounted,
         "spare_mass_kg": report.spare_mass_kg(),
-        "closed_form": report.closed_form(),
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
         "spring_energy_j": own.and_then(|own| own.load.stored_j),
         "spring_mass_kg": own.and_then(|own| own.spring_kg),
         "mount_mass_kg": report.hardware.mount_kg,
         "stroke_available_m": report.hardware.stroke_m,
+        "spring_is_sized": report.hardware.is_sized,
         "penetration_over_solid": report.depth_over_solid(),
         "caution": report.caution(),
         "candidates": candidates.collect::<Object<_, _>>(),
@@ -169,12 +158,6 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
         .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
         .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
-        .with("mass_efficiency_double_yield", "closure=double-yield", "", move |at| {
-            cell(at)?.err()?.by_closure()?.double_yield
-        })
-        .with("mass_efficiency_cavity", "closure=cavity", "", move |at| {
-            cell(at)?.err()?.by_closure()?.cavity
-        })
         .with("warnings", "warnings", "", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             let breaches = breaches.iter().map(ToString::to_string);
@@ -201,4 +184,161 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
         marks,
         ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
     })
+}
+
+/// Whether the mechanism pays, and by how much.
+pub fn verdict(report: &Report) -> String {
+    let design = velocity(report.scene.projectile.velocity_m_s, 4);
+    let Some(own) = report.of(Candidate::Scene) else {
+        return "cancelled before the scene itself was computed".to_owned();
+    };
+    let verdict = report.verdict();
+    let efficiency = own.mass_efficiency().map(|it| fixed_significant(it, 4));
+    match (verdict, efficiency) {
+        (
+            Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference,
+            Some(it),
+        ) => {
+            let condition = condition(report);
+            format!("mass efficiency {it} at {design}: {}{condition}", verdict.words())
+        }
+        (Profitability::Unknown, _) => {
+            // What is open, the caution says.
+            let why = own.sized.as_ref().err().filter(|it| !it.is_open());
+            let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
+            format!("{} ({design}){why}", verdict.words())
+        }
+        (_, _) => format!("{} ({design})", verdict.words()),
+    }
+}
+
+/// The condition on parts whose mass is not counted, as the end of the verdict; empty where there is none.
+fn condition(report: &Report) -> String {
+    if report.uncounted.is_empty() || report.verdict() != Profitability::Pays {
+        return String::new();
+    }
+    let parts = report.uncounted.join(" and ");
+    let most = report.spare_mass_kg().map_or_else(
+        || "nothing".to_owned(),
+        |kg| format!("less than {} g", fixed_significant(1e3 * kg, 3)),
+    );
+    format!(" if its {parts} weighs {most}")
+}
+
+/// What the verdict rests on, a sentence each.
+pub fn reasons(report: &Report) -> Vec<String> {
+    let Some(own) = report.of(Candidate::Scene) else { return Vec::new() };
+    let mut lines = Vec::new();
+    lines.extend(sized(own, report.verdict()));
+    lines.extend(crushed(&report.scene));
+    lines.extend(outside_validity(report));
+    lines.extend(limits(report));
+    if let Some(ratio) = report.depth_over_solid() {
+        let percent = 100.0 * (ratio - 1.0);
+        lines.push(format!("depth {percent:+.1} % against the solid plate of equal areal mass"));
+    }
+    lines
+}
+
+/// What a crushed absorber is taken to be: its energy per mass alone does not stop a shot.
+fn crushed(scene: &Scene) -> Option<String> {
+    let spring = Some(&scene.mechanism.spring).filter(|it| it.kind == SpringKind::Crush)?;
+    Some(format!(
+        "the absorber is crushed at {} kN over {} mm at most (F_crush, x_crush)",
+        significant(1e-3 * spring.crush.force_n, 4),
+        significant(1e3 * spring.crush.stroke_m, 4)
+    ))
+}
+
+/// Where what was judged is outside the model's validity and the scene as built is not: the sized armour, and each candidate at its
+/// limit.
+fn outside_validity(report: &Report) -> Vec<String> {
+    let known = envelope::of_scene(&report.scene);
+    let mut lines = Vec::new();
+    let mut note = |who: String, scene: &Scene| {
+        let new = envelope::of_scene(scene).into_iter();
+        let new = new.filter(|breach| known.iter().all(|other| other.check != breach.check));
+        let labels: Vec<&str> = new.map(|breach| breach.check.label()).collect();
+        if !labels.is_empty() {
+            lines.push(format!("{who}: outside the model's validity in {}", labels.join(", ")));
+        }
+    };
+    for entry in &report.entries {
+        if let (Candidate::Scene, Ok(sized)) = (entry.candidate, &entry.sized) {
+            note("the sized armour".to_owned(), &sized.scene);
+        }
+        let Some(limit_m_s) = entry.limit_m_s.filter(|_| entry.is_held) else { continue };
+        let mut at_limit = (*entry.scene).clone();
+        at_limit.projectile.velocity_m_s = limit_m_s;
+        note(format!("{} at its limit", entry.candidate.word()), &at_limit);
+    }
+    let own = report.of(Candidate::Scene).and_then(|own| own.sized.as_ref().ok());
+    if own.is_some_and(|sized| sized.scene.target.thickness_m < THINNEST_M) {
+        let least = 1e3 * THINNEST_M;
+        lines.push(format!(
+            "the sized armour: thinner than {least} mm, the least thickness within the model's range"
+        ));
+    }
+    lines
+}
+
+/// The two armours that just stop the shot.
+fn sized(own: &Entry, verdict: Profitability) -> Option<String> {
+    let sized: &Sized = match &own.sized {
+        Ok(sized) => sized,
+        // The caution says why.
+        Err(absence) if absence.is_open() => return None,
+        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words())),
+    };
+    let density = sized.scene.target.density_kg_m3;
+    let solid_m = sized.solid_areal_kg_m2 / density;
+    let efficiency = match verdict {
+        Profitability::Pays | Profitability::DoesNotPay | Profitability::MakesNoDifference => {
+            String::new()
+        }
+        Profitability::Perforated
+        | Profitability::NothingStops
+        | Profitability::Fails(_)
+        | Profitability::Unknown => {
+            format!(", mass efficiency {}", fixed_significant(sized.mass_efficiency(), 4))
+        }
+    };
+    let given = match own.scene.plate.size {
+        PlateSize::Face(_) => "",
+        PlateSize::Ratio | PlateSize::Mass(_) => " (the mass ratio is kept)",
+    };
+    let scene = &sized.scene;
+    let in_thousandths = [scene.target.thickness_m, scene.plate_face_m(), sized.spring_kg, solid_m];
+    let [thickness, face, spring, solid] =
+        in_thousandths.map(|value| fixed_significant(1e3 * value, 4));
+    let [areal, solid_areal] =
+        [sized.areal_kg_m2, sized.solid_areal_kg_m2].map(|value| fixed_significant(value, 4));
+    Some(format!(
+        "sized to just stop the shot: this armour with {thickness} mm over a face of {face} mm square{given} and {spring} g of spring, \
+         {areal} kg/m^2; a solid plate of {solid} mm, {solid_areal} kg/m^2{efficiency}"
+    ))
+}
+
+/// The causes of the limit velocities, and the missing ones.
+fn limits(report: &Report) -> Vec<String> {
+    let mut lines = Vec::new();
+    for entry in &report.entries {
+        let word = entry.candidate.word();
+        if let (Some(failure), Some(limit)) = (entry.failure, entry.limit_m_s) {
+            let plate = entry.perforation.velocity_m_s().map_or_else(
+                || "beyond the searched range".to_owned(),
+                |plate| format!("at {}", velocity(plate, 4)),
+            );
+            let (limit, why) = (velocity(limit, 4), failure.words());
+            let text = format!(
+                "the spring survives up to {limit}, where {why}; the plate is perforated {plate}"
+            );
+            lines.push(format!("{word}: {text}"));
+        }
+        lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
+        if !entry.is_held {
+            lines.push(format!("{word}: nothing stops plate and projectile"));
+        }
+    }
+    lines
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::{Mechanism, load};
 use crate::model::run::Run;
-use crate::model::scene::{Scene, Spring};
+use crate::model::scene::Scene;
 use crate::numerics::{larger, smaller};
 use crate::report::chart::Mark;
 
@@ -34,7 +34,7 @@ impl Law {
         if mechanism.spring.is_absent() && mechanism.elastic_stop().is_none() {
             return None;
         }
-        let yields = scene.mechanism.acting().filter_map(Spring::yields_at_m).reduce(smaller);
+        let yields = scene.mechanism.spring.yields_at_m();
         let yield_m = yields.filter(|at| *at < YIELD_SHOWN * reached_m);
         Some(Self { scene, mechanism, start_m, reached_m, yield_m })
     }

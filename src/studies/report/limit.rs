@@ -8,9 +8,9 @@ use crate::model::units::{engineering, fixed_significant, significant, velocity}
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
 use crate::report::table::Table;
-use crate::study::compare::Load;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{AtLimit, Closures, Limit, Report, Shot};
+use crate::study::load::Load;
 use crate::study::validation::KnownError;
 use crate::study::validity;
 
@@ -30,7 +30,9 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
     }
     remarks.extend(report.undecided().map(|text| Remark::caution("warning", text)));
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
-    if let Some(AtLimit { load, .. }) = &report.at_limit {
+    if let Some(AtLimit { load, .. }) =
+        report.at_limit.as_ref().filter(|_| !report.scene.is_stack())
+    {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         let load = self::load(load, &report.scene);
         remarks.push(Remark::new("at the limit", load.unwrap_or_else(none)));
@@ -63,7 +65,7 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
 
 /// That the limit rests on a mechanism whose own limits it does not ask for; `None` where it does not.
 pub fn taken_to_hold(report: &Report) -> Option<Remark> {
-    let text = "taken to hold whatever it stores; `cmra compare` gives the limit with hardware sized for v_i";
+    let text = "taken to hold whatever it stores; `cmra compare` gives the limit if the spring must survive";
     let is_so = report.limit.velocity_m_s().is_some() && !Mechanism::of(&report.scene).is_absent();
     is_so.then(|| Remark::new("mechanism", text))
 }

@@ -332,7 +332,7 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
             let impact = run.scene.projectile.velocity_m_s;
             row.insert("impact_velocity_m_s".to_owned(), impact.into());
             row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
-            let own = of_runs().filter(|column| !column.name.starts_with("stack_"));
+            let own = of_runs();
             row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
             Value::Object(row)
         })

@@ -1,4 +1,4 @@
-//! Which variables matter: one row for each variable, and the whole as an object. SI; effects and ranges in the result's unit.
+//! Which variables matter: one row for each variable, and the whole as an object. SI; ranges in the result's unit.
 
 use serde_json::{Value, json};
 
@@ -11,7 +11,6 @@ use crate::study::sensitivity::Report;
 pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
     let axis = |at: &usize| &report.axes[*at];
     let bar = |at: &usize| report.bars[*at];
-    let effect = |at: &usize| report.effects.get(*at).copied().unwrap_or_default();
     let first = |at: &usize| report.sobol.as_ref()?.inputs[*at].first;
     let total = |at: &usize| report.sobol.as_ref()?.inputs[*at].total;
     let unit = report.output.unit();
@@ -27,9 +26,6 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("output_at_low", "at low", unit, move |at| bar(at).low)
         .with("output_at_high", "at high", unit, move |at| bar(at).high)
         .with("swing", "swing", unit, move |at| bar(at).swing())
-        .with("morris_mu_star", "mu*", unit, move |at| effect(at).magnitude)
-        .with("morris_mu", "mu", unit, move |at| effect(at).mean)
-        .with("morris_sigma", "sigma", unit, move |at| effect(at).deviation)
         .with("sobol_first", "first", "", move |at| Some(first(at)?.value))
         .with("sobol_first_low_95", "from", "", move |at| Some(first(at)?.low_95))
         .with("sobol_first_high_95", "to", "", move |at| Some(first(at)?.high_95))
@@ -51,7 +47,7 @@ pub fn tornado(report: &Report, bar: usize) -> Table<'_, usize> {
     })
 }
 
-/// Effects and indices in brief: half the interval of an index stands behind it.
+/// The indices in brief: half the interval of an index stands behind it.
 pub fn indices(report: &Report) -> Table<'_, usize> {
     let index = |at: &usize| report.sobol.as_ref().map(|sobol| sobol.inputs[*at]);
     let brief = |index: Option<Estimate>| {
@@ -61,9 +57,6 @@ pub fn indices(report: &Report) -> Table<'_, usize> {
     };
     Table::of(report.order())
         .with("variable", "", "", |at| report.axes[*at].symbol())
-        .with("morris_mu_star", "Morris mu*", report.output.unit(), |at| {
-            report.effects.get(*at)?.magnitude
-        })
         .with("sobol_first", "Sobol first", "", move |at| brief(index(at)?.first))
         .with("sobol_total", "total", "", move |at| brief(index(at)?.total))
 }
@@ -82,9 +75,8 @@ pub fn json(name: &str, report: &Report) -> Value {
         "scene": name,
         "output": report.output.name,
         "output_of_scene": report.own,
-        "seed": report.effort.seed,
-        "trajectories": report.effort.trajectories,
-        "samples": report.effort.rows,
+        "seed": report.seed,
+        "samples": report.samples,
         "samples_used": sobol.map(|sobol| sobol.used),
         "mean": sobol.map(|sobol| sobol.mean),
         "variance": sobol.map(|sobol| sobol.variance),

@@ -118,7 +118,6 @@ impl Channel {
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
         let mechanism = Mechanism::of(scene);
         let is_sprung = !mechanism.spring.is_absent();
-        let mut springs = scene.mechanism.acting().filter(|_| is_sprung);
         let (there, absent) = match self {
             Self::SpringForce => (is_sprung, "no spring"),
             Self::DamperForce => (!mechanism.damper.is_absent(), "no damper"),
@@ -127,7 +126,7 @@ impl Channel {
             }
             Self::Stiffness => (is_sprung || mechanism.elastic_stop().is_some(), "no spring"),
             Self::Stress => (
-                springs.any(|spring| spring.yields_at_m().is_some()),
+                is_sprung && scene.mechanism.spring.yields_at_m().is_some(),
                 "no spring with a yield strength",
             ),
             _ => (true, ""),

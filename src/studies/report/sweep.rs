@@ -130,8 +130,6 @@ impl Sheet<'_> {
         let outputs: Vec<&str> = self.plan.outputs().iter().map(|output| output.name).collect();
         let head = Object(vec![
             ("scene", self.scene.into()),
-            ("design", self.plan.design().sampling.word().into()),
-            ("seed", self.plan.design().seed().into()),
             ("points", self.plan.points().into()),
             ("shard", shard.to_string().into()),
             ("axes", self.plan.axes().iter().map(axis_json).collect()),

@@ -1,12 +1,17 @@
-//! Error against run time: every method over its steps or tolerances, compared with a reference it shares no code with.
+//! Error against run time: every method over its steps or tolerances, compared with a reference.
 //!
-//! The error of a point is the greater of the relative errors of depth and time at the end of the first contact. A method that
-//! gives no answer, or a wrong outcome, keeps its row with the reason. Time comes from a clock passed in.
+//! The error of a point is the greatest of the errors of its results: depth and time of the first contact, compared with a
+//! reference that shares no code with the method, and of a whole run its greatest displacement, peak force and residual velocity,
+//! compared with the engine's other path. A method that gives no answer, or a wrong outcome, keeps its row with the reason. The
+//! printed scheme of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a
+//! clock passed in.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
+use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::statistics::slope;
 use crate::numerics::{larger, smaller};
@@ -16,8 +21,8 @@ pub mod method;
 pub mod reference;
 pub mod timing;
 
-use method::{Job, Ladder, Method, Parameter};
-use reference::{Reference, references};
+use method::{Answer, Job, Ladder, Method, Parameter, WholeRun};
+use reference::{Reference, ReferenceSource, printed_limit, references};
 use timing::{Clock, Patience, Timing, time};
 
 /// Fixed-step methods may need this many times the steps of the reference's contact, and this many more.
@@ -31,6 +36,21 @@ const FIT_SPAN: f64 = 1.5;
 /// ...of those whose error is below this, and above [`FIT_FLOOR`] times what the reference can tell.
 const FIT_CEILING: f64 = 0.5;
 const FIT_FLOOR: f64 = 10.0;
+
+/// The tolerance of the whole runs that others are compared with.
+const TIGHT: f64 = 1e-13;
+
+/// A displacement of this part of the nose radius is as good as none: a spring that holds the plate lets it move by less.
+const NO_LENGTH: f64 = 1e-9;
+
+/// The results that are compared: their keys in files, and words.
+pub const RESULTS: [(&str, &str); 5] = [
+    ("penetration_error", "depth"),
+    ("time_error", "time"),
+    ("displacement_error", "displacement"),
+    ("force_error", "force"),
+    ("residual_velocity_error", "residual velocity"),
+];
 
 /// Run times up to this factor apart count as alike.
 const ALIKE: f64 = 1.05;
@@ -67,12 +87,10 @@ pub struct Point {
 /// A judged and timed result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The computed quantity.
-    pub answer: ContactSolution,
-    /// Relative error of the depth.
-    pub depth_error: f64,
-    /// Relative error of the time.
-    pub time_error: f64,
+    /// The computed results.
+    pub answer: Answer,
+    /// Relative errors of the [`RESULTS`], that of the residual velocity over the impact velocity; `None` of what it has not.
+    pub errors: [Option<f64>; RESULTS.len()],
     /// The uncertainty of the reference.
     pub floor: f64,
     /// How long it took.
@@ -80,18 +98,20 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// The greater of both errors, but not less than the reference can tell: what is drawn and compared.
+    /// The greatest of its errors, but not less than the reference can tell: what is drawn and compared.
     pub fn error(&self) -> f64 {
-        larger(larger(self.depth_error, self.time_error), self.floor)
+        self.errors.iter().flatten().copied().fold(self.floor, larger)
     }
 
     /// The error an order shows in: of the depth, unless a perforation fixes it. (The thesis's stopping rule leaves an error of
     /// time that no step makes smaller.)
     fn order_error(&self) -> f64 {
-        match self.answer.ending {
-            Ending::Arrest => self.depth_error,
-            Ending::Perforation => self.time_error,
-        }
+        let [depth, time, ..] = self.errors;
+        let error = match self.answer.contact.ending {
+            Ending::Arrest => depth,
+            Ending::Perforation => time,
+        };
+        error.unwrap_or(f64::NAN)
     }
 
     /// Whether the error is at or below what the reference can tell.
@@ -120,8 +140,25 @@ pub struct Report {
     pub references: Vec<Reference>,
     /// One for each method.
     pub methods: Vec<MethodReport>,
+    /// How far the depth that the printed scheme approaches is off, relative: an error of that model, not of its step.
+    pub printed_off: Option<f64>,
+    /// The run time of a run as it is shown, with its series and its error estimate, s.
+    pub run_s: Option<f64>,
+    /// The gain from what is left out.
+    pub savings: Vec<Saving>,
     /// Whether it was stopped before its end.
     pub is_complete: bool,
+}
+
+/// A part of a run with the time it takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Saving {
+    /// The part.
+    pub part: &'static str,
+    /// Least run time with it, s.
+    pub with_s: f64,
+    /// Least run time without it, s.
+    pub without_s: f64,
 }
 
 /// The cheapest way to an accuracy.
@@ -135,7 +172,7 @@ pub struct Cheapest {
     pub min_s: f64,
 }
 
-/// Compare all methods on the contact phase of a scene, and show the report as it grows.
+/// Compares all methods on a scene, and shows the report as it grows.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
@@ -153,15 +190,28 @@ pub fn compare(
     let plan: Vec<(Method, Vec<Parameter>)> =
         Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
     context.expect(plan.iter().map(|(_, parameters)| parameters.len()).sum());
+    let printed = printed_limit(scene, end_s);
+    let depths = printed.zip(references.first());
+    let wholes = [Method::Full, Method::Auto].map(|method| {
+        let job = Job::new(method, Parameter::Tolerance(TIGHT), scene, STEPS_MAX);
+        job.run().ok().and_then(|answer| answer.whole)
+    });
     let mut report = Report {
         scene: Arc::clone(scene),
         references: references.clone(),
         methods: Vec::new(),
+        printed_off: depths.map(|(limit, first)| first.errors(&limit.answer).0),
+        run_s: None,
+        savings: Vec::new(),
         is_complete: true,
     };
     for (method, parameters) in plan {
         let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
-        let reference = references.iter().find(independent).copied();
+        let reference = match method {
+            Method::ThesisPrinted => printed,
+            _ => references.iter().find(independent).copied(),
+        };
+        let whole = wholes[usize::from(method != Method::Auto)];
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;
         for parameter in parameters {
@@ -170,13 +220,14 @@ pub fn compare(
                 break;
             }
             context.count(1);
-            let job = Job::new(method, parameter, scene, end_s, steps_max(parameter, end_s));
+            let job = Job::new(method, parameter, scene, steps_max(parameter, end_s));
             let result = match reference {
                 None => Err(Refusal::NoReference),
                 Some(_) if is_slow => Err(Refusal::TooSlow),
                 Some(reference) => {
                     let start = clock();
-                    let result = judged(&job, &reference, effort.patience, clock);
+                    let judge = Judge { reference, whole };
+                    let result = judged(&job, &judge, effort.patience, clock);
                     is_slow = match &result {
                         Ok(measured) => measured.timing.mad_s.is_none(),
                         Err(_) => clock() - start > effort.patience.slow_s,
@@ -189,7 +240,36 @@ pub fn compare(
             }
         }
     }
+    if report.is_complete {
+        (report.run_s, report.savings) = savings(scene, effort.patience, clock);
+        context.show(&report);
+    }
     Ok(report)
+}
+
+/// The run time of a run as it is shown, and what is saved by leaving out its parts one after the other.
+fn savings(scene: &Arc<Scene>, patience: Patience, clock: Clock<'_>) -> (Option<f64>, Vec<Saving>) {
+    let run = |settings: Settings| simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
+    let tolerance = Parameter::Tolerance(scene.run.tolerance);
+    let job = |method| Job::new(method, tolerance, scene, STEPS_MAX);
+    let [full, kernel] = [Method::Full, Method::ContactKernel].map(job);
+    let shown = Settings { series: true, estimate: true };
+    let drawn = Settings { series: true, estimate: false };
+    let [shown_s, drawn_s, bare_s] = [shown, drawn, Settings::BARE].map(|settings| {
+        run(settings).is_ok().then(|| time(clock, patience, || run(settings)).min_s)
+    });
+    let [full_s, kernel_s] = [full, kernel]
+        .map(|job| job.run().is_ok().then(|| time(clock, patience, || job.run()).min_s));
+    let savings = [
+        ("error estimate", shown_s, drawn_s),
+        ("series to draw", drawn_s, bare_s),
+        ("terms the scene has not", full_s, bare_s),
+        ("motion after the contact", bare_s, kernel_s),
+    ];
+    let saving = |(part, with_s, without_s): (&'static str, Option<f64>, Option<f64>)| {
+        Some(Saving { part, with_s: with_s?, without_s: without_s? })
+    };
+    (shown_s, savings.into_iter().filter_map(saving).collect())
 }
 
 fn steps_max(parameter: Parameter, end_s: f64) -> usize {
@@ -205,23 +285,49 @@ fn steps_max(parameter: Parameter, end_s: f64) -> usize {
     }
 }
 
+/// What a result is compared with.
+struct Judge {
+    reference: Reference,
+    whole: Option<WholeRun>,
+}
+
+impl Judge {
+    fn errors(&self, scene: &Scene, answer: &Answer) -> [Option<f64>; RESULTS.len()] {
+        let (depth, time) = self.reference.errors(&answer.contact);
+        // The printed scheme ends on a whole step: no step makes that error smaller.
+        let time = (self.reference.basis != ReferenceSource::OwnLimit).then_some(time);
+        let of = |get: fn(&WholeRun) -> Option<f64>, least: f64| {
+            let (own, right) = (get(&answer.whole?)?, get(&self.whole?)?);
+            Some((own - right).abs() / larger(right.abs(), least))
+        };
+        let shot = &scene.projectile;
+        [
+            Some(depth),
+            time,
+            of(|it| it.displacement_m, NO_LENGTH * shot.tip_radius_m),
+            of(|it| it.force_n, 0.0),
+            of(|it| it.residual_m_s, shot.velocity_m_s),
+        ]
+    }
+}
+
 fn judged(
     job: &Job,
-    reference: &Reference,
+    judge: &Judge,
     patience: Patience,
     clock: Clock<'_>,
 ) -> Result<Measured, Refusal> {
     let answer = job.run()?;
-    if answer.ending != reference.answer.ending {
+    if answer.contact.ending != judge.reference.answer.ending {
         return Err(Refusal::OtherEnding);
     }
-    let (depth_error, time_error) = reference.errors(&answer);
-    if !(depth_error.is_finite() && time_error.is_finite()) {
+    let errors = judge.errors(job.scene(), &answer);
+    if errors.iter().flatten().any(|error| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
     let timing = time(clock, patience, || job.run());
-    let floor = reference.uncertainty.unwrap_or(f64::EPSILON);
-    Ok(Measured { answer, depth_error, time_error, floor, timing })
+    let floor = judge.reference.uncertainty.unwrap_or(f64::EPSILON);
+    Ok(Measured { answer, errors, floor, timing })
 }
 
 impl MethodReport {
@@ -241,7 +347,9 @@ impl MethodReport {
                 let error = measured.order_error();
                 error < FIT_CEILING && error > FIT_FLOOR * measured.floor
             })
-            .map(|(_, measured)| ((measured.answer.steps as f64).ln(), measured.order_error().ln()))
+            .map(|(_, measured)| {
+                ((measured.answer.contact.steps as f64).ln(), measured.order_error().ln())
+            })
             .collect();
         // Coarser points come in until the steps differ enough to show a slope: an adaptive method may hardly need more of them.
         let spans = |from: &usize| {
@@ -254,12 +362,6 @@ impl MethodReport {
             .find(|from| points.len() - from >= FIT_POINTS.min(points.len()) && spans(from))?;
         // An error that grows with the steps shows no order: rounding, in a method that is accurate from its first step on.
         Some(-slope(&points[from..])).filter(|order| *order > -0.5)
-    }
-
-    /// The greatest spread of its timings, over their median.
-    pub fn spread(&self) -> Option<f64> {
-        let spreads = self.measured().filter_map(|(_, measured)| measured.timing.spread());
-        spreads.max_by(f64::total_cmp)
     }
 
     /// The least error reached.
@@ -284,10 +386,9 @@ impl MethodReport {
 }
 
 impl Report {
-    /// The cheapest way to an accuracy by the full simulation: the engine's general path with events and ledger of every law and no
-    /// term omitted, also where a closed form or a bound would do. Other methods of the contact alone may be faster.
-    pub fn cheapest_in_full(&self, target: f64) -> Option<Cheapest> {
-        self.methods.iter().find(|it| it.method == Method::Full)?.cheapest(target)
+    /// The cheapest way to an accuracy that a scene can be run by: that of `auto`.
+    pub fn usable(&self, target: f64) -> Option<Cheapest> {
+        self.methods.iter().find(|it| it.method == Method::Auto)?.cheapest(target)
     }
 
     /// How many points have timings that spread by more than a fifth: the machine is busy.
@@ -298,9 +399,10 @@ impl Report {
             .count()
     }
 
-    /// The cheapest way of all to an accuracy.
+    /// The cheapest way of all to an accuracy; the printed scheme is no way to one.
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
-        let each = self.methods.iter().filter_map(|method| method.cheapest(target));
+        let methods = self.methods.iter().filter(|it| it.method != Method::ThesisPrinted);
+        let each = methods.filter_map(|method| method.cheapest(target));
         each.min_by(|a, b| a.min_s.total_cmp(&b.min_s))
     }
 }

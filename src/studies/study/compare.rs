@@ -3,58 +3,46 @@
 //! One design velocity holds for the whole comparison: the impact velocity v of the scene.
 //!
 //! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate, spring and mount together are divided
-//!   by that face: rho h (1 + (spring + mount)/`m_2`), summed over the elements of a stack, and its base plate.
-//! - Hardware: the spring (or absorber) is sized for the shot at v. It weighs the greatest energy that it stores under that shot,
-//!   over the absorber's energy per mass. Where that shot perforates, it is sized for the fastest shot that is stopped. A mass
-//!   that is given, and that of springs that know it (beams), is taken as it is.
-//! - Limit velocity: the least impact velocity at which the plate is perforated or the hardware fails: the spring would have to
-//!   store more than its mass can, leaves the range of its law (a beam yields, a table ends), or needs more than the stroke
-//!   there is. A spring sized for v holds no faster shot than v.
-//! - Mass efficiency at v: areal mass of the thinnest solid plate on a rigid mount that stops the shot, over the areal mass of
-//!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratios and mechanisms; all its
-//!   thicknesses are the scene's times one factor, and its springs are sized for v. So both have the limit velocity v. A plate
-//!   thicker than the shot needs gains nothing and loses nothing here. The mechanism pays where this is above 1.
-//!   Where only the change of a closure by thickness decides, either closure has its own mass efficiency, and there is a verdict only
-//!   where both agree.
-//! - Mass efficiency as built: areal mass of the solid plate with the candidate's own limit velocity, over the candidate's
-//!   areal mass. Both figures agree where the plate is just thick enough.
+//!   by that face: rho h (1 + (spring + mount)/`m_2`).
+//! - Spring: the one that the scene has. Where its mass is not known it weighs the greatest energy that it stores under the shot at v,
+//!   over its energy per mass; where that shot perforates, under the fastest shot that is stopped.
+//! - Limit if the spring must survive: the least impact velocity at which the plate is perforated or the hardware fails: the spring
+//!   would have to store more than its known mass can, leaves the range of its law (a beam yields, a table ends), or needs more than
+//!   the stroke there is. A spring whose mass is not known holds whatever it stores, unless it is to be sized: then it has just the
+//!   mass that the shot at v needs, and holds no faster one.
+//! - Mass efficiency: areal mass of the thinnest solid plate on a rigid mount that stops the shot at v, over the areal mass of
+//!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratio and mechanism, and a thickness of its
+//!   own. A plate thicker than the shot needs gains nothing and loses nothing here. The mechanism pays where this is above 1.
 //!
-//! Closed form: without dishing a passage takes the volume pi R² h, and a limit velocity depends on volume over reduced mass alone
-//! (model page, section 2). A free plate therefore needs gamma/(1 + gamma) of the solid plate's thickness. A soft spring then
-//! stores the energy of the common motion, `m_p` v²/(2 (1 + gamma)), and with e J/kg
-//! the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above 1 if and only if e > v²/(2 (1 + gamma)).
-//! Must not know files, threads, screens or a clock.
+//! Closed form: without dishing a passage takes the volume pi R² h, and a limit velocity depends on volume over reduced mass alone. A
+//! free plate therefore needs gamma/(1 + gamma) of the solid plate's thickness. A soft spring then stores the energy of the common
+//! motion, `m_p` v²/(2 (1 + gamma)), and with e J/kg the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above 1
+//! if and only if e > v²/(2 (1 + gamma)). Must not know files, threads, screens or a clock.
 
+use std::fmt;
 use std::sync::Arc;
 
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::Outcome;
-use crate::model::scene::{self, Combination, Mount, Plate, Scene, Stack};
+use crate::model::scene::{Mount, Scene};
+use crate::model::units::shortest;
 use crate::model::variables::{self, VariableError};
-use crate::model::{mechanism::Inertia, stack};
 use crate::study::context::Context;
 use crate::study::limit::Limit;
+use crate::study::load::Load;
+use crate::study::sweep::Axis;
 
-mod closed_form;
-mod closures;
 mod hardware;
 mod judge;
-pub(in crate::study) mod load;
 pub mod map;
 mod sized;
 mod solid;
-pub mod summary;
 
-pub use closed_form::ClosedForm;
-pub use closures::ByClosure;
 pub use hardware::{Failure, Hardware};
-pub use load::Load;
-pub use sized::{Absence, Sized, WIDTH, areal_mass_of_run, mass_efficiency};
+pub use judge::limit_if_spring_survives_m_s;
+pub use sized::{Absence, Sized, THINNEST_M, WIDTH, mass_efficiency};
 
-pub(in crate::study) use hardware::spring_energy_j;
 use judge::Judge;
-pub use judge::limit_with_hardware_m_s;
-pub(in crate::study) use sized::{plates_kg, system_mass_of_run};
 
 enumeration! {
     /// Who is compared.
@@ -89,19 +77,12 @@ pub struct Entry {
     pub spring_kg: Option<f64>,
     /// The limit of the plate alone: perforation.
     pub perforation: Limit,
-    /// The limit velocity with this hardware, m/s.
+    /// The limit if the spring must survive, m/s.
     pub limit_m_s: Option<f64>,
     /// The failure at that velocity; `None`: the plate is perforated.
     pub failure: Option<Failure>,
-    /// The velocity below the design velocity from which on a stack's hardware does not hold, m/s, and the failure there: of a shot
-    /// that fewer plates stop.
-    pub slower: Option<(f64, Failure)>,
     /// The thinnest armour of this kind that stops the shot.
     pub sized: Result<Sized, Absence>,
-    /// Thickness of the solid plate with the same limit velocity, m.
-    pub equivalent_m: Option<f64>,
-    /// Areal mass of that over the candidate's own.
-    pub as_built: Option<f64>,
     /// The load of the mechanism for the shot at the design velocity.
     pub load: Load,
     /// The load of the mechanism for a shot just below the limit velocity.
@@ -116,11 +97,6 @@ impl Entry {
     /// Mass efficiency at the design velocity.
     pub fn mass_efficiency(&self) -> Option<f64> {
         self.sized.as_ref().ok().map(Sized::mass_efficiency)
-    }
-
-    /// Mass efficiencies by either closure, where there is no other.
-    pub fn by_closure(&self) -> Option<ByClosure> {
-        self.sized.as_ref().err()?.by_closure()
     }
 
     /// Whether nothing in the range of velocities looked at goes through, and nothing fails.
@@ -226,10 +202,10 @@ impl Report {
     }
 
     /// The mass that the parts without a counted mass may have before the mechanism no longer pays, kg; `None` where all mass is
-    /// counted, it does not pay, or the scene is a stack.
+    /// counted, or it does not pay.
     pub fn spare_mass_kg(&self) -> Option<f64> {
         let sized = self.of(Candidate::Scene)?.sized.as_ref().ok()?;
-        let is_open = !self.uncounted.is_empty() && !self.scene.is_stack();
+        let is_open = !self.uncounted.is_empty();
         let spare = (sized.solid_areal_kg_m2 - sized.areal_kg_m2) * face_m2(&sized.scene);
         Some(spare).filter(|_| is_open && self.verdict() == Profitability::Pays)
     }
@@ -239,11 +215,20 @@ impl Report {
         Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
     }
 
-    /// That the mass efficiency is not decided, or what measurements say against the limits; see [`Limit::caution`].
+    /// That the mass efficiency is not decided, or rests on the change of a closure, or what measurements say against the limits; see
+    /// [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
-        let own = self.of(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
-        if let Some(absence) = own.filter(|absence| absence.is_open()) {
-            return Some(absence.words());
+        let own = self.of(Candidate::Scene).map(|own| &own.sized);
+        match own {
+            Some(Err(absence)) if absence.is_open() => return Some(absence.words()),
+            Some(Ok(sized)) if sized.rests_on_closure() => {
+                return Some(
+                    "one of both plates is just as thick as the projectile (h = D), where the closure and with it the limit \
+                     jumps: compare with closure=double-yield and closure=cavity, too"
+                        .to_owned(),
+                );
+            }
+            _ => {}
         }
         self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
     }
@@ -270,34 +255,54 @@ impl Report {
         }
         match &own.sized {
             Ok(sized) => Profitability::of(sized.mass_efficiency()),
-            Err(Absence::ClosureChange(by_closure)) => by_closure.verdict(),
             Err(_) => Profitability::Unknown,
         }
     }
+}
 
-    /// The closed form without dishing, where it applies.
-    pub fn closed_form(&self) -> Option<ClosedForm> {
-        ClosedForm::of(&self.scene, &self.hardware)
+/// The request; shown, it is the command that asks the same of a scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Request {
+    /// The hardware besides the plate.
+    pub hardware: Hardware,
+    /// The axes of a map of the mass efficiency; `None`: the candidates of the scene alone.
+    pub map: Option<[Axis; 2]>,
+}
+
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Hardware { is_sized, mount_kg, stroke_m } = self.hardware;
+        f.write_str(if is_sized { "compare --size" } else { "compare" })?;
+        if mount_kg > 0.0 {
+            write!(f, " --mount-mass {}", shortest(mount_kg))?;
+        }
+        if let Some(stroke_m) = stroke_m {
+            write!(f, " --stroke {}", shortest(stroke_m))?;
+        }
+        if let Some([x, y]) = &self.map {
+            write!(f, " --map {x},{y}")?;
+        }
+        Ok(())
     }
 }
 
 /// Compare.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
+/// A [`VariableError`] when the scene makes no physical sense, or is a stack.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,
     context: &mut Context<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
-    let elements = elements(scene);
+    variables::require_single(scene)?;
     let mut report = Report {
         scene: Arc::clone(scene),
         hardware,
         face_m2: face_m2(scene),
-        spring_is_own: hardware.spring_kg.is_none() && hardware::is_own(scene),
-        uncounted: uncounted(&elements, &hardware),
+        spring_is_own: hardware::is_own(scene),
+        uncounted: uncounted(scene, hardware),
         entries: Vec::new(),
         is_complete: false,
     };
@@ -305,7 +310,7 @@ pub fn compare(
     for candidate in Candidate::ALL {
         let areal = report.entries.first().map(|entry: &Entry| entry.areal_kg_m2);
         let Some(made) = make(scene, candidate, areal.flatten()) else { continue };
-        let hardware = if candidate == Candidate::Scene { hardware } else { Hardware::bare() };
+        let hardware = if candidate == Candidate::Scene { hardware } else { Hardware::default() };
         variables::validate(&made)?;
         let entry = context.uncounted(|context| {
             Judge { scene: Arc::new(made), hardware, context }.entry(candidate)
@@ -318,24 +323,14 @@ pub fn compare(
     Ok(report)
 }
 
-/// The plates of a scene that its mechanisms carry, the base plate of a stack not among them.
-pub(in crate::study) fn elements(scene: &Scene) -> Vec<Scene> {
-    if !scene.is_stack() {
-        return vec![scene.clone()];
-    }
-    let mut plates = stack::plates(scene);
-    plates.pop();
-    plates
-}
-
 /// The parts of a scene that take up energy and whose mass is not counted, unless the mass of the mount is given.
-fn uncounted(elements: &[Scene], hardware: &Hardware) -> Vec<&'static str> {
-    let is_open =
-        |element: &&Scene| element.plate.mount == Mount::Sprung && hardware.mount_kg == 0.0;
-    let mechanisms: Vec<Mechanism> = elements.iter().filter(is_open).map(Mechanism::of).collect();
-    let damper = mechanisms.iter().any(|it| !it.damper.is_absent()).then_some("damper");
-    let stop = mechanisms.iter().any(|it| it.stop.is_some()).then_some("stop");
-    damper.into_iter().chain(stop).collect()
+fn uncounted(scene: &Scene, hardware: Hardware) -> Vec<&'static str> {
+    if scene.is_rigid() || hardware.mount_kg > 0.0 {
+        return Vec::new();
+    }
+    let mechanism = Mechanism::of(scene);
+    let damper = (!mechanism.damper.is_absent()).then_some("damper");
+    damper.into_iter().chain(mechanism.stop.is_some().then_some("stop")).collect()
 }
 
 /// The area of a plate, m²: its mass over rho h.
@@ -352,41 +347,30 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
         return Some(own);
     }
     if candidate == Candidate::Solid {
-        own.stack = Stack::default();
         own.target.thickness_m = areal_kg_m2? / scene.target.density_kg_m3;
     }
-    let mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
-    let bare = |plate: &mut Plate, mechanism: &mut scene::Mechanism| {
-        plate.cocking_m = 0.0;
-        plate.mount = mount;
-        mechanism.stop.position_m = None;
-        mechanism.remove_springs();
-        mechanism.damper.coefficient = 0.0;
-    };
-    bare(&mut own.plate, &mut own.mechanism);
-    for layer in &mut own.stack.layers {
-        bare(&mut layer.plate, &mut layer.mechanism);
-    }
+    own.plate.cocking_m = 0.0;
+    own.plate.mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
+    own.mechanism.stop.position_m = None;
+    own.mechanism.remove_springs();
+    own.mechanism.damper.coefficient = 0.0;
     Some(own)
 }
 
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
 fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::of(scene).spring_mass_kg;
+    let is_alone = scene.mechanism.second_law().is_absent();
     let spring = &mut scene.mechanism.spring;
-    let is_alone = scene.mechanism.combination == Combination::Alone;
     if is_alone && spring.needs_mass() {
         spring.mass_kg = mass_kg;
     }
 }
 
-/// Whether something stops the plates of a scene.
+/// Whether something stops the plate of a scene.
 fn is_held(scene: &Scene) -> bool {
-    scene.plate.mount == Mount::Rigid
-        || elements(scene).iter().all(|element| {
-            let mechanism = Mechanism::of(element);
-            !mechanism.is_absent() || mechanism.stop.is_some()
-        })
+    let mechanism = Mechanism::of(scene);
+    scene.plate.mount == Mount::Rigid || !mechanism.is_absent() || mechanism.stop.is_some()
 }
 
 #[cfg(test)]

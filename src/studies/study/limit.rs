@@ -14,8 +14,8 @@ use crate::model::run::envelope::{Breach, oblique_error};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
-use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
+use crate::study::load::Load;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner};
 use verdict::digits_apart;
@@ -26,7 +26,6 @@ mod search;
 pub(in crate::study) mod verdict;
 
 pub use closures::Closures;
-pub(in crate::study) use closures::by_closure;
 
 /// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);

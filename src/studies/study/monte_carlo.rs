@@ -6,7 +6,7 @@
 //! clock.
 
 use crate::model::run::Outcome;
-use crate::model::scene::{Scene, SpringKind, WhichSpring};
+use crate::model::scene::{Scene, SpringKind};
 use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
@@ -168,13 +168,17 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
 
 /// Whether a key is a parameter of a spring that scatters.
 fn is_springs_own(key: &str, scene: &Scene) -> bool {
-    let Some((which, row)) = WhichSpring::of_key(key) else { return false };
+    let spring = &scene.mechanism.spring;
+    if key == "mechanism.second.coefficient" {
+        return true;
+    }
+    let Some(row) = key.strip_prefix("mechanism.spring.") else { return false };
     match row {
         "exponent" | "mass_kg" => false,
         // A measured curve scatters in force.
-        "count" => scene.mechanism.one(which).kind == SpringKind::Table,
+        "count" => spring.kind == SpringKind::Table,
         // The wire's moves the plate only where its mass counts.
-        _ if row.starts_with("wire.") => scene.mechanism.one(which).needs_mass(),
+        _ if row.starts_with("wire.") => spring.needs_mass(),
         _ => true,
     }
 }

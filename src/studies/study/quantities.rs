@@ -9,23 +9,15 @@ use crate::model::mechanism::load;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, engineering};
-use crate::study::compare::load::impulse_n_s;
-use crate::study::compare::{
-    Absence, Hardware, WIDTH, areal_mass_of_run, limit_with_hardware_m_s, mass_efficiency,
-    plates_kg, system_mass_of_run,
-};
-use crate::study::limit;
+use crate::study::load::impulse_n_s;
 use crate::study::sweep::SweepError;
 use crate::study::sweep::kernel::KernelResult;
 
 mod mount;
 mod names;
-mod stack;
 
 pub(in crate::study) use mount::turn_tells_force;
 pub use names::{find, listing, named, nearest};
-pub(in crate::study) use stack::Join;
-use stack::OfStack;
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +39,8 @@ pub struct Quantity {
     is_of_perforation: bool,
     /// It describes the computation, not the design.
     is_of_computation: bool,
-    of_stack: OfStack,
+    /// A stack has it, too: of the whole shot.
+    is_of_stack: bool,
     /// A count of the computation, which JSON has as a whole number.
     pub is_whole: bool,
 }
@@ -59,8 +52,8 @@ enum Source {
     Run(fn(&Run) -> Option<f64>),
     /// From a run with its course in time, where the scene needs that.
     Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
-    /// From many shots, or why not.
-    Shots(fn(&Scene) -> Result<f64, String>),
+    /// From a search with many shots, which the study of that search makes.
+    Search,
 }
 
 /// How a quantity follows from the first contact of a shot that this decides.
@@ -109,17 +102,14 @@ const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> 
         source,
         from_contact: match source {
             Source::Scene(_) => FromContact::Scene,
-            Source::Run(_) | Source::Course(..) | Source::Shots(_) => FromContact::No,
+            Source::Run(_) | Source::Course(..) | Source::Search => FromContact::No,
         },
         lower_bound: None,
         short: "",
         absence: "does not exist here",
         is_of_perforation: false,
         is_of_computation: false,
-        of_stack: match source {
-            Source::Scene(_) | Source::Shots(_) => Whole,
-            Source::Run(_) | Source::Course(..) => OfStack::Absent,
-        },
+        is_of_stack: matches!(source, Source::Search),
         is_whole: false,
     }
 }
@@ -154,14 +144,12 @@ impl Quantity {
         Self { is_whole: true, ..self }
     }
 
-    const fn stack(self, of_stack: OfStack) -> Self {
-        Self { of_stack, ..self }
+    const fn of_stack(self) -> Self {
+        Self { is_of_stack: true, ..self }
     }
 }
 
 use FromContact::{Displacement, End, WithScene};
-use Join::{Greatest, Least, Sum};
-use OfStack::{Elements, Known, Plates, Whole};
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
@@ -183,58 +171,55 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
     quantity("final_penetration_m", "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
-        .at_least(|run| run.at_least.penetration_m).short("depth").stack(Whole),
+        .at_least(|run| run.at_least.penetration_m).short("depth").of_stack(),
     quantity("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
         .short("of baseline").absent(NO_BASELINE),
     quantity("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
-    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact").stack(Plates(Greatest)),
+    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
     quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
-        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED).stack(Elements(Greatest)),
+        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
     quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
-        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED).stack(Elements(Greatest)),
-    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().stack(Whole),
+        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
+    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().of_stack(),
     quantity("exit_time_s", "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
     quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
     quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
-    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand").stack(Known(Greatest)),
-    quantity("interface_tension_ratio", "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension").stack(Known(Greatest)),
-    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().stack(Whole),
-    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().stack(Plates(Greatest)),
-    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)).stack(Elements(Sum)),
-    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)).stack(Known(Least)),
-    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)).stack(Known(Sum)),
-    quantity("spring_mass_kg", "the springs' own mass", Source::Run(mount::own_spring_kg)).stack(Whole),
-    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)).stack(Known(Sum)),
-    quantity("stack_penetration_m", "thickness perforated in a stack, plus the depth in the plate that stopped the projectile", Source::Run(|run| run.stack.as_ref()?.penetration_m)).stack(Whole),
-    quantity("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", Source::Run(|run| Some(run.stack.as_ref()?.passed() as f64))).stack(Whole),
-    quantity("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", Source::Run(|run| run.stack.as_ref()?.residual_velocity_m_s)).stack(Whole),
-    quantity("peak_mount_force_n", "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal; of a stack, the greatest of its plates, the base plate included", Source::Course(mount::peak_force_n, mount::needs_course))
-        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force").stack(Plates(Greatest)),
-    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement; of a stack, into all mounts", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)).stack(Plates(Sum)),
-    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)).stack(Known(Least)),
-    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))).stack(Known(Sum)),
-    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile; of a stack, of all plates", Source::Scene(|scene| Some(plates_kg(scene)))),
+    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
+    quantity("interface_tension_ratio", "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension"),
+    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().of_stack(),
+    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().of_stack(),
+    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
+    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
+    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
+    quantity("spring_mass_kg", "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
+    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
+    quantity("peak_mount_force_n", "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
+        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
+    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
+    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
+    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
+    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
     quantity("least_spring_mass_kg", "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).stack(Elements(Sum)),
-    quantity("system_mass_kg", "plates and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(system_mass_of_run))
-        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").stack(Whole),
-    quantity("areal_mass_kg_m2", "plates and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(areal_mass_of_run))
-        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).stack(Whole),
+        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
+    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
+        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system"),
+    quantity("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
+        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))),
     quantity("plate_face_m", "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
     quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Shots(limit::velocity_m_s)).short("limit"),
-    quantity("limit_with_hardware_m_s", "least impact velocity that perforates or, from v_i on, that the springs, sized for v_i, do not hold: as in `compare`, which names slower shots that overload a stack", Source::Shots(limit_with_hardware_m_s)).short("with hardware"),
-    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Shots(|scene| mass_efficiency(scene, &Hardware::default(), WIDTH).map_err(Absence::words))).short("efficiency"),
-    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole().stack(Plates(Sum)),
-    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole().stack(Plates(Sum)),
-    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole().stack(Plates(Sum)),
+    quantity("limit_velocity_m_s", "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search).short("limit"),
+    quantity("limit_if_spring_survives_m_s", "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search).short("spring survives"),
+    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search).short("efficiency"),
+    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
+    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
+    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
 ];
 
 /// How names end, and the kind that means; a longer ending stands before its own end.
@@ -284,7 +269,7 @@ impl Quantity {
             Source::Scene(_) => Needs::Scene,
             Source::Run(_) => Needs::Run,
             Source::Course(..) => Needs::Course,
-            Source::Shots(_) => Needs::Limit,
+            Source::Search => Needs::Limit,
         }
     }
 
@@ -329,9 +314,13 @@ impl Quantity {
 
     /// Its value for a run; `None` where it does not exist, never a number that is not finite.
     pub fn value(&self, run: &Run) -> Option<f64> {
-        let own = |run: &Run| self.of_plate(run);
-        let value = if run.stack.is_some() { self.of_stack.value(run, own) } else { own(run) };
-        value.filter(|value| value.is_finite())
+        let own = || match self.source {
+            Source::Scene(get) => get(&run.scene),
+            Source::Run(get) | Source::Course(get, _) => get(run),
+            Source::Search => None,
+        };
+        let has = self.is_of_stack || run.stack.is_none();
+        own().filter(|value| has && value.is_finite())
     }
 
     /// That a study of this quantity alone would find nothing: a stack has no such quantity.
@@ -339,30 +328,13 @@ impl Quantity {
     /// # Errors
     /// A [`SweepError`] that names one of stacks.
     pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
-        if !scene.is_stack() || !matches!(self.of_stack, OfStack::Absent) {
+        if self.is_of_stack || !scene.is_stack() {
             return Ok(());
         }
-        let title = self.title();
-        Err(SweepError(format!("{title}: a stack has none; take {OF_STACKS}, for example")))
-    }
-
-    /// Its value for the plate of a run alone, whatever stands behind it.
-    pub(in crate::study) fn of_plate(&self, run: &Run) -> Option<f64> {
-        match self.source {
-            Source::Scene(get) => get(&run.scene),
-            Source::Shots(get) => get(&run.scene).ok(),
-            Source::Run(get) | Source::Course(get, _) => get(run),
-        }
-    }
-
-    /// The same, or why the many shots that it needs do not give it; empty where there is nothing to say.
-    pub(in crate::study) fn found(&self, run: &Run) -> Result<f64, String> {
-        match self.source {
-            Source::Shots(get) => get(&run.scene),
-            Source::Scene(_) | Source::Run(_) | Source::Course(..) => {
-                self.value(run).ok_or_else(String::new)
-            }
-        }
+        Err(SweepError(format!(
+            "{}: a stack has none; take {OF_STACKS}, for example",
+            self.title()
+        )))
     }
 
     /// Its value for a shot that the first contact decides.
@@ -388,7 +360,7 @@ impl Quantity {
     /// Whether designs that are perforated may be compared by it.
     pub(in crate::study) fn tells_of_perforation(&self) -> bool {
         // What does not depend on the outcome of the shot does.
-        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Shots(_))
+        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Search)
     }
 }
 
@@ -409,7 +381,7 @@ fn travel_margin(run: &Run) -> Option<f64> {
 }
 
 /// The depth in a stack, and in a single plate as a part of that in a rigid one.
-const OF_STACKS: &str = "stack_penetration_m";
+const OF_STACKS: &str = "final_penetration_m";
 const OF_PLATES: &str = "percent_of_baseline";
 
 /// What a study of one quantity asks for where nothing is named.

@@ -1,42 +1,75 @@
-//! Which variables matter: one at a time (tornado), Morris's elementary effects, and Sobol's first and total indices, all over the
-//! same bounds and for one result.
+//! Which variables matter: one at a time (tornado), and Sobol's first and total indices, both over the same bounds and for one result.
 //!
 //! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
 //! say, where a depth is requested) is omitted and counted. Must not know files, screens or a clock.
+
+use std::fmt;
+use std::ops::RangeInclusive;
 
 use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
 use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::monte_carlo::{Distribution, USUAL_DEVIATION, usual_tolerances};
-use crate::study::quantities::Quantity;
-use crate::study::sweep::usual::thesis_axes;
+use crate::study::quantities::{Quantity, usual_of};
+use crate::study::sweep::usual::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, EvaluatedDesign, Plan, Spacing, SweepError};
 use crate::study::validity;
-use effects::{Effect, morris};
 use indices::{Sobol, sobol};
 
-pub mod effects;
 pub mod indices;
 
 /// A function of points of the unit cube, many at once; NaN where it has no value, `None` when it was stopped.
 pub type Function<'a> = &'a mut dyn FnMut(&[Vec<f64>]) -> Option<Vec<f64>>;
 
-/// How much is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SamplingOptions {
-    /// Rows of the design for Sobol's indices, a power of two.
-    pub rows: usize,
-    /// Morris's trajectories.
-    pub trajectories: usize,
-    /// Seed of both.
+/// Samples for Sobol's indices, and how many are taken where nothing is said.
+pub const SAMPLES: RangeInclusive<usize> = 16..=1 << 20;
+const SAMPLES_USUAL: usize = 1024;
+
+/// What is to be known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The variables and their bounds; empty: those of [`usual_axes`].
+    pub over: Vec<Axis>,
+    /// The result; `None`: [`usual_of`] the scene.
+    pub output: Option<&'static Quantity>,
+    /// Base samples for Sobol's indices, a power of two.
+    pub samples: usize,
+    /// Seed: the same gives the same digits.
     pub seed: u64,
 }
 
-impl SamplingOptions {
+impl Default for Request {
+    fn default() -> Self {
+        Self { over: Vec::new(), output: None, samples: SAMPLES_USUAL, seed: 1 }
+    }
+}
+
+impl Request {
     /// Runs for a given number of variables.
-    pub fn runs(self, inputs: usize) -> usize {
-        1 + 2 * inputs + self.trajectories * (inputs + 1) + self.rows * (inputs + 2)
+    fn runs(&self, inputs: usize) -> usize {
+        1 + 2 * inputs + self.samples * (inputs + 2)
+    }
+}
+
+/// The command's name and options.
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("sensitivity")?;
+        for axis in &self.over {
+            write!(f, " --over {axis}")?;
+        }
+        if let Some(output) = self.output {
+            write!(f, " --output {}", output.name)?;
+        }
+        let usual = Self::default();
+        if self.samples != usual.samples {
+            write!(f, " --samples {}", self.samples)?;
+        }
+        if self.seed != usual.seed {
+            write!(f, " --seed {}", self.seed)?;
+        }
+        Ok(())
     }
 }
 
@@ -63,16 +96,16 @@ pub struct Report {
     pub axes: Vec<Axis>,
     /// The result.
     pub output: &'static Quantity,
-    /// The request.
-    pub effort: SamplingOptions,
+    /// Seed of the samples.
+    pub seed: u64,
+    /// Base samples.
+    pub samples: usize,
     /// The result of the scene itself.
     pub own: Option<f64>,
     /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
     pub outside_at_ends: Vec<(Check, String)>,
     /// The tornado, variable by variable.
     pub bars: Vec<Bar>,
-    /// Morris's effects; empty when stopped.
-    pub effects: Vec<Effect>,
     /// Sobol's indices; `None` when stopped.
     pub sobol: Option<Sobol>,
 }
@@ -123,21 +156,21 @@ pub fn usual_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
 /// A [`SweepError`] when bounds or result are bad, or there are more than [`indices::INPUTS_MAX`] variables: then nothing has run.
 pub fn study(
     scene: &Scene,
-    axes: Vec<Axis>,
-    output: &str,
-    effort: SamplingOptions,
+    request: &Request,
     context: &mut Context<'_>,
 ) -> Result<Report, SweepError> {
+    let axes = or_usual(&request.over, || usual_axes(scene))?;
     if axes.len() > indices::INPUTS_MAX {
         return Err(SweepError::too_many_axes(axes.len(), indices::INPUTS_MAX));
     }
+    let output = request.output.map_or_else(|| usual_of(scene), |it| it.name);
     let space = Plan::for_designs(scene, axes, &[output])?;
     let axes = space.axes().to_vec();
     let output = space.outputs()[0];
     output.check_exists(scene)?;
     let inputs = axes.len();
     let own = space.design_of(scene);
-    context.expect(effort.runs(inputs));
+    context.expect(request.runs(inputs));
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
         let found = space.evaluate(designs, context);
@@ -163,15 +196,14 @@ pub fn study(
         let designs: Vec<Vec<f64>> = points.iter().map(place).collect();
         values(&designs)
     };
-    let effects = morris(inputs, effort.trajectories, effort.seed, &mut function);
-    let sobol = sobol(inputs, effort.rows, effort.seed, &mut function);
+    let sobol = sobol(inputs, request.samples, request.seed, &mut function);
     Ok(Report {
         own: at_own.and_then(|values| known(values[0])),
         bars: bars.collect(),
-        effects: effects.unwrap_or_default(),
         sobol,
         output,
-        effort,
+        seed: request.seed,
+        samples: request.samples,
         outside_at_ends: validity::new_at_ends(scene, &axes),
         axes,
     })

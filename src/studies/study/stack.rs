@@ -3,10 +3,7 @@
 use crate::model::run::StackRun;
 use crate::model::run::{Outcome, Run};
 use crate::model::units;
-use crate::study::quantities::find;
-
-/// The quantities of the whole stack that are listed.
-const WHOLE: [&str; 4] = ["stroke_m", "mount_impulse_n_s", "system_mass_kg", "areal_mass_kg_m2"];
+use crate::study::load::peak_n;
 
 /// The sentence, and a line for every plate that was struck, at most 76 columns wide.
 pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
@@ -18,11 +15,10 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
         "{:<11}{:>10}  {:<10}{:>9}{:>12}{:>11}{:>10}",
         "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "travel mm", "mount kN"
     ));
-    let force = find("peak_mount_force_n");
     let mut greatest: Option<(f64, usize)> = None;
     let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
     for (plate, run) in plates.enumerate() {
-        let force_n = force.and_then(|force| force.of_plate(run));
+        let force_n = peak_n(run);
         if let Some(force_n) = force_n.filter(|n| greatest.is_none_or(|(most, _)| *n > most)) {
             greatest = Some((force_n, plate));
         }
@@ -44,16 +40,9 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     if left > 0 {
         lines.push(format!("{left} more behind, not reached"));
     }
-    let whole = WHOLE.iter().filter_map(|name| find(name));
-    let whole: Vec<String> = whole
-        .filter_map(|it| Some(format!("{} {}", it.title(), it.show(it.value(first)?, 4))))
-        .collect();
     if let Some((force_n, plate)) = greatest {
         let force = units::engineering(force_n, "N", 4);
         lines.push(format!("greatest mount force of a plate: {force}, {}", stack.name(plate)));
-    }
-    for pair in whole.chunks(2) {
-        lines.push(format!("in all: {}", pair.join(", ")));
     }
     lines
 }

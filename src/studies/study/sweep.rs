@@ -6,12 +6,10 @@
 //! the outcome of the point is reported beside it. Knows no files, no screen, no command line and no clock.
 
 pub mod axis;
-mod design;
 mod designs;
 pub mod evaluate;
 pub mod grid;
 pub(in crate::study) mod kernel;
-pub mod quadratic;
 pub mod summary;
 pub mod usual;
 
@@ -23,11 +21,8 @@ use crate::model::library;
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{self, VariableError};
-use crate::numerics::sobol;
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-use design::hypercube;
-pub use design::{Design, Sampling};
 pub use designs::EvaluatedDesign;
 pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
@@ -116,56 +111,38 @@ impl Shard {
 pub struct Plan {
     base: Scene,
     axes: Vec<Axis>,
-    design: Design,
     points: u64,
     outputs: Vec<&'static Quantity>,
-    /// Points in the place of the design's: for each a value on every axis.
+    /// Points in the place of the grid's: for each a value on every axis.
     list: Option<Arc<[f64]>>,
     /// Steps after which a run is stopped.
     steps_max: Option<usize>,
 }
 
 impl Plan {
-    /// A sweep of a scene over axes; the outputs are names of the table of results.
+    /// A sweep of a scene over every combination of the axes' values; the last axis varies fastest. The outputs are names of the table of results.
     ///
     /// # Errors
     /// [`SweepError`] when something about it is bad: then nothing has run.
     pub fn new(
         scene: &Scene,
         axes: Vec<Axis>,
-        design: Design,
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
         if axes.len() > AXES_MAX {
             return Err(SweepError::too_many_axes(axes.len(), AXES_MAX));
         }
-        Self::of_axes(scene, axes, design, outputs)
+        let points = points(&axes)?;
+        Ok(Self { points, ..Self::for_designs(scene, axes, outputs)? })
     }
 
-    /// The same for designs that are listed later, over any number of axes.
+    /// A plan of designs that are listed later, over any number of axes.
     ///
     /// # Errors
     /// As [`Plan::new`].
     pub fn for_designs(
         scene: &Scene,
         axes: Vec<Axis>,
-        outputs: &[impl AsRef<str>],
-    ) -> Result<Self, SweepError> {
-        let design = Design { sampling: Sampling::Sobol, points: 2, seed: 0 };
-        Self::of_axes(scene, axes, design, outputs)
-    }
-
-    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up. A search looks at
-    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
-    #[must_use]
-    pub fn limited(self, steps: usize) -> Self {
-        Self { steps_max: Some(steps), ..self }
-    }
-
-    fn of_axes(
-        scene: &Scene,
-        axes: Vec<Axis>,
-        design: Design,
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
         if axes.is_empty() {
@@ -188,12 +165,11 @@ impl Plan {
         }
         one_size(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
-        let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.sweep) = (String::new(), None);
         let warnings = scene.notes.lines().filter(|line| library::is_warning(line));
         base.notes = warnings.collect::<Vec<&str>>().join("\n");
-        let mut plan = Self { base, axes, design, points, outputs, list: None, steps_max: None };
+        let mut plan = Self { base, axes, points: 0, outputs, list: None, steps_max: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
         for axis in &plan.axes {
@@ -202,13 +178,20 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The sweep kept with a scene, over its full grid.
+    /// The same, whose runs are stopped after a given number of steps: such a point fails with its step budget used up. A search looks at
+    /// many designs; a few whose plate oscillates millions of times must not take all of its time.
+    #[must_use]
+    pub fn limited(self, steps: usize) -> Self {
+        Self { steps_max: Some(steps), ..self }
+    }
+
+    /// The sweep kept with a scene.
     ///
     /// # Errors
     /// As [`Plan::new`]; also where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
-        Self::new(scene, Axis::all_of(sweep)?, Design::FACTORIAL, &sweep.outputs)
+        Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)
     }
 
     /// The scene whose other variables are held, without title and sweep; of its notes with the warnings of library entries alone.
@@ -219,11 +202,6 @@ impl Plan {
     /// The axes.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
-    }
-
-    /// The design.
-    pub fn design(&self) -> Design {
-        self.design
     }
 
     /// How many points there are in all.
@@ -242,16 +220,8 @@ impl Plan {
             let at = usize::try_from(index).unwrap_or(usize::MAX);
             return list[at * self.axes.len() + axis];
         }
-        let Design { sampling, points, seed } = self.design;
-        let own = &self.axes[axis];
-        match sampling {
-            Sampling::Factorial => {
-                let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
-                own.value(index / faster % own.count())
-            }
-            Sampling::LatinHypercube => own.at_share(hypercube(index, points, axis as u64, seed)),
-            Sampling::Sobol => own.at_share(sobol::share(index, axis, seed)),
-        }
+        let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
+        self.axes[axis].value(index / faster % self.axes[axis].count())
     }
 
     /// Give a scene the values of point `index`.
@@ -312,21 +282,13 @@ fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
     )))
 }
 
-fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
-    if design.is_full() {
-        let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
-        return product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
-            let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
-            let most = POINTS_MAX as f64;
-            SweepError(format!(
-                "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
-            ))
-        });
-    }
-    let (points, most) = (design.points, design.sampling.points_max());
-    (2..=most).contains(&points).then_some(points).ok_or_else(|| {
+fn points(axes: &[Axis]) -> Result<u64, SweepError> {
+    let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
+    product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
+        let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
+        let most = POINTS_MAX as f64;
         SweepError(format!(
-            "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"
+            "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
         ))
     })
 }

@@ -116,8 +116,8 @@ pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> 
     let is_sprung = |scene: &Scene| !scene.is_rigid() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {
         format!(
-            "limit_velocity_m_s is that of the plate, whatever its springs have to store; those in {mass} are sized for v_i: \
-             limit_with_hardware_m_s is the limit with them, as in `cmra compare`"
+            "limit_velocity_m_s is that of the plate, whatever its springs have to store; those in {mass} are sized for v_i and hold \
+             no faster shot: `cmra compare --size` gives the limit with them"
         )
     })
 }
@@ -360,7 +360,7 @@ mod tests {
         ] {
             assert!(of(pairs, &[], [limit, mass]).is_none(), "{pairs} {mass}");
         }
-        assert!(of("k=1e5", &[], ["limit_with_hardware_m_s", "areal_mass_kg_m2"]).is_none());
+        assert!(of("k=1e5", &[], ["limit_if_spring_survives_m_s", "areal_mass_kg_m2"]).is_none());
     }
 
     fn cocked(distance_m: f64) -> Scene {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::tui::app::Base;
-use crate::tui::pages::explore::state::SamplingPlan;
+use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::runs::Pin;
 use crate::tui::pages::search::setup::{Row, Setup};
 use crate::tui::pages::search::state::Page;
@@ -18,7 +18,7 @@ pub struct Snapshot {
     /// The setup of the Search tab.
     pub search: Arc<Setup>,
     /// The points that the Explore tab computes.
-    pub plan: SamplingPlan,
+    pub plan: PicturePlan,
 }
 
 /// Most edits that are kept, at some 1.5 kB each: of more the oldest go.

@@ -57,6 +57,8 @@ pub struct Jobs {
     pub long: Vec<u64>,
     /// The person was asked whether to leave while a long task runs.
     pub quit_confirmation_shown: bool,
+    /// The person was asked whether to stop a long task.
+    pub stop_confirmation_shown: bool,
     /// Why the last run gave no result.
     pub failure: Option<String>,
 }

@@ -34,6 +34,9 @@ pub(crate) fn times(ratio: f64) -> String {
 /// The first warning of a run in a few words, for the status row.
 pub(crate) fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
+        Warning::InterfacePush { ratio, .. } if !ratio.is_finite() => {
+            Some("! interface force unbounded".to_owned())
+        }
         Warning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", times(*ratio)))
         }

@@ -26,8 +26,8 @@ enum Row {
 impl Row {
     /// All rows there are now; of Explore those that the scene does not keep.
     fn all(app: &App) -> Vec<Self> {
-        use SetupRow::{Curves, Design, Output, Picture};
-        let is_own = |row: &SetupRow| matches!(row, Output | Picture | Design | Curves);
+        use SetupRow::{Curves, Output, Picture};
+        let is_own = |row: &SetupRow| matches!(row, Output | Picture | Curves);
         let explore = app.setup_choices().into_iter().filter(is_own).map(Self::Explore);
         let of_page = |page| app.search_choices(page).into_iter().map(move |row| (page, row));
         let search = Page::ALL.into_iter().flat_map(of_page);

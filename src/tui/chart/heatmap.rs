@@ -212,15 +212,6 @@ pub fn swatch(band: usize, bands: usize, theme: Theme) -> (char, Style) {
     (RAMP[shade], Style::new().bg(colour).fg(ink))
 }
 
-/// A single point's character and style: a coloured cell; without colours the band's number, since a blank would be no point.
-pub fn dot(band: usize, bands: usize, theme: Theme) -> (char, Style) {
-    if theme.heat(shade(band, bands)).is_some() {
-        return swatch(band, bands, theme);
-    }
-    let digit = u32::try_from(band.min(9)).unwrap_or(9);
-    (char::from_digit(digit, 10).unwrap_or('9'), Style::new().add_modifier(Modifier::BOLD))
-}
-
 /// The band's place in the ramp: few bands are spread over all of it.
 fn shade(band: usize, bands: usize) -> usize {
     let last = RAMP.len() - 1;

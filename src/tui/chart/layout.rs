@@ -62,7 +62,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let height = inner.height.saturating_sub(top + axis + labels);
 
     let y = map(&chart.y, height);
-    let along = Along::Column(half_rows_apart(height));
+    let along = Along::Rows(half_rows_apart(height));
     let mut y_ticks = chart.y.ticks(height, along);
     if is_stacked && (2..LOW).contains(&height) && chart.y.scale == Scale::Linear {
         y_ticks = ends(chart, y);

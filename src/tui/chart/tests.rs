@@ -413,6 +413,39 @@ proptest! {
     }
 }
 
+proptest! {
+    /// As high as a chart of any screen from 60x16 to 200x60 can be.
+    #[test]
+    fn a_chart_upward_has_two_labels_and_each_stands_at_its_value(
+        (lo, span) in (-1000.0..1000.0_f64, 1e-4..1e6_f64),
+        round in any::<bool>(),
+        decades in prop::option::of(0.01..16.0_f64),
+        (width, height) in (24_u16..200, 5_u16..58),
+    ) {
+        let (scale, view) = match decades {
+            Some(decades) => {
+                let top = 10_f64.powf(lo / 100.0);
+                (Scale::Log10, ViewRange::new(top / 10_f64.powf(decades), top))
+            }
+            None => (Scale::Linear, ViewRange::new(lo, lo + span)),
+        };
+        let view = if round { view.rounded(scale) } else { view };
+        let x = Axis::new("", ViewRange::new(0.0, 4.0));
+        let chart = Chart::new("y", x, Axis::new("", view).scale(scale), Vec::new());
+        let layout = layout_of(&chart, Rect::new(0, 0, width, height));
+        prop_assert!(layout.y_ticks.labelled.len() >= 2, "{:?}", layout.y_ticks);
+        let cells = layout.y_ticks.labelled.windows(2);
+        let nearest = cells.map(|pair| pair[1].cell - pair[0].cell).min().unwrap();
+        for tick in &layout.y_ticks.labelled {
+            let value: f64 = tick.label.parse().unwrap();
+            let row = layout.y.position(value * 10_f64.powi(layout.y_ticks.exponent));
+            let off = (row.unwrap() - f64::from(tick.cell)).abs();
+            let most = if nearest < 6 { 0.25 } else { 0.5 };
+            prop_assert!(off <= most + 1e-3, "{} is {off} rows off: {:?}", tick.label, layout.y_ticks);
+        }
+    }
+}
+
 #[test]
 fn several_curves_in_colour_carry_their_markers() {
     let flat = [(0.0, 3.0), (20.0, 3.0)];

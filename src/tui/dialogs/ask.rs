@@ -8,7 +8,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 use crate::files::atomic::Existing;
 use crate::files::export::Destination;
 use crate::files::report::is_report;
-use crate::model::scene::{SpringKind, WhichSpring};
+use crate::model::scene::SpringKind;
 use crate::model::{units, variables};
 use crate::report::svg;
 use crate::tui::dialogs::export::{self as runs, Choices};
@@ -79,13 +79,22 @@ pub(crate) fn export_table(app: &mut App) {
             let file = TextField::new(table.file);
             open(app, Purpose::Table(table.title), file, Choices::default());
         }
-        None => app.refuse("nothing to export yet: press <run> to compute it"),
+        None => app.refuse(nothing_yet(app, "export")),
     }
+}
+
+/// Why a page has no table.
+fn nothing_yet(app: &App, what: &str) -> String {
+    if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
+        return "nothing is finished yet: <back> stops the job and keeps what is finished"
+            .to_owned();
+    }
+    format!("nothing to {what} yet: press <run> to compute it")
 }
 
 pub(crate) fn copy(app: &mut App) {
     let Some(table) = pages::of(app.tab).table(app) else {
-        return app.refuse("nothing to copy yet: press <run> to compute it".to_owned());
+        return app.refuse(nothing_yet(app, "copy"));
     };
     match Content::Page(table).text() {
         Ok(text) => app.request(Effect::Copy(text)),
@@ -180,9 +189,7 @@ fn task(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>,
             let table = || runs::table(app, &state.choices).map(Content::Runs);
             export(app, path, overwrite, table)?
         }
-        Purpose::Curve(which) => {
-            FileTask::ReadCurve(which, path_of(app, state.text.value(), "curve.csv")?)
-        }
+        Purpose::Curve => FileTask::ReadCurve(path_of(app, state.text.value(), "curve.csv")?),
     };
     (state.question, state.text.error) = (false, None);
     Ok(Some(task))
@@ -278,7 +285,7 @@ pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
         Purpose::Runs => return runs::render(app, state, screen, canvas),
         Purpose::Preset => ("Save the scene as a preset", ""),
         Purpose::Table(title) => (title, "Enter writes"),
-        Purpose::Curve(_) => {
+        Purpose::Curve => {
             ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps")
         }
     };
@@ -318,20 +325,18 @@ fn hint(app: &App, state: &Ask) -> String {
             format!("to {}\n{other}", path.display())
         }
         // The required format of the file, and the present points.
-        Purpose::Curve(which) => format!(
+        Purpose::Curve => format!(
             "displacement in m, force in N, one point per line, as in 0.01,1000. Now: {} (Esc keeps them)",
-            extent(&app.scene.mechanism.one(which).table.points)
+            extent(&app.scene.mechanism.spring.table.points)
         ),
     }
 }
 
 /// After a word was taken: a spring that is a table now requests its file.
 pub(crate) fn ask(app: &mut App, word: &str) {
-    let row = WhichSpring::of_key(app.editor.variable().key);
-    if let Some((which, "kind")) = row
-        && word == SpringKind::Table.word()
-    {
-        open(app, Purpose::Curve(which), TextField::default(), Choices::default());
+    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
+    if is_kind && word == SpringKind::Table.word() {
+        open(app, Purpose::Curve, TextField::default(), Choices::default());
     }
 }
 
@@ -349,27 +354,21 @@ pub(crate) fn extent(points: &[[f64; 2]]) -> String {
 }
 
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
-pub(crate) fn read(
-    app: &mut App,
-    which: WhichSpring,
-    path: &Path,
-    points: Result<Arc<[[f64; 2]]>, String>,
-) {
+pub(crate) fn read(app: &mut App, path: &Path, points: Result<Arc<[[f64; 2]]>, String>) {
     let name = path
         .file_name()
         .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned());
     let taken = points.and_then(|points| {
         let count = points.len();
         let mut scene = (*app.scene).clone();
-        let spring = scene.mechanism.one_mut(which);
+        let spring = &mut scene.mechanism.spring;
         spring.kind = SpringKind::Table;
         spring.table.points = points;
         variables::validate(&scene).map_err(|error| error.to_string())?;
         Ok((scene, count))
     });
-    let is_it = |ask: &Ask, directory: &Path| {
-        ask.purpose == Purpose::Curve(which) && ask.is_of(directory, path)
-    };
+    let is_it =
+        |ask: &Ask, directory: &Path| ask.purpose == Purpose::Curve && ask.is_of(directory, path);
     if let Some((scene, count)) = answered(app, taken, is_it) {
         app.tell(format!("spring: {count} points from {name} (<undo> undoes)"));
         edit::commit_scene(app, scene, format!("spring curve from {name}"), None);

@@ -13,6 +13,10 @@ use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::wrapped;
 
 pub(crate) fn press(app: &mut App, key: KeyEvent) {
+    let types = app.dialog.as_mut().is_some_and(|dialog| dialog.field_mut().is_some());
+    let is_text = matches!(key.code, KeyCode::Char(_))
+        && !key.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT);
+    let key = if types && is_text { key } else { app.keymap.original(key) };
     match app.dialog.take() {
         Some(Dialog::List(list, picker)) => in_list(app, list, picker, key),
         Some(Dialog::Ask(state)) => ask::press(app, *state, key),

@@ -6,8 +6,6 @@ pub mod setup;
 pub mod state;
 
 use crate::files::sweep as sweep_file;
-use crate::model::units;
-use crate::numerics::statistics::ascending;
 use crate::report::figures::axis_of;
 use crate::report::sweep::{self, Columns};
 use crate::study::quantities::{Quantity, named};
@@ -18,7 +16,7 @@ use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::explore::plan::{PictureSweep, PrintedSweep, at_rest};
-use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, quadratic, sweep_of};
+use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
 use crate::tui::pages::run::steps::Input;
@@ -54,7 +52,6 @@ pub(super) const PAGES: &[PageSpec] = &[];
 pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
     Command::new(Call::In(RESULTS, A::Contour), "Contour through the cursor", "level line"),
-    Command::new(Call::In(RESULTS, A::FitResiduals), "Toggle residuals of the quadratic fit", "response surface r2"),
 ];
 
 pub(crate) struct ExploreTab;
@@ -89,7 +86,6 @@ impl Page for ExploreTab {
             Action::Contour => {
                 app.pages.explore.hides_contour = !app.pages.explore.hides_contour;
             }
-            Action::FitResiduals => app.pages.explore.residuals = !app.pages.explore.residuals,
             _ if app.pane() == SETUP => return setup::act(app, action),
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();
@@ -151,15 +147,6 @@ impl Page for ExploreTab {
             }
             parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
         }
-        let fitted = picture == Picture::Surface && app.pages.explore.residuals;
-        if let Some(found) = found.filter(|_| fitted) {
-            let (output, _) = app.shown_output(&found.grid);
-            let text = quadratic(&found.grid, output).map_or_else(
-                || "no quadratic fits".to_owned(),
-                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
-            );
-            parts.push(part(Severity::Note, text));
-        }
         let ends = found.map(|found| found.grid.outside_at_ends.iter().map(|it| it.0));
         parts.extend(outside(ends.into_iter().flatten(), " at the ends", " (<tab-log>:Log)"));
         parts.extend(app.validity_part());
@@ -198,11 +185,11 @@ impl Page for ExploreTab {
         let file = format!("{}-{}.csv", ask::base_stem(app), names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&found.scene) });
-        let part = (plan.design(), Shard::WHOLE);
         let (is_complete, (done, total)) = (found.grid.is_complete(), found.grid.progress());
         let missing = (!is_complete).then(|| format!("not complete: {done} of {total} points"));
         let own = Arc::clone(&scene);
-        let notes = move |name: &str| sweep_file::notes(name, &own, part, missing.as_deref());
+        let notes =
+            move |name: &str| sweep_file::notes(name, &own, Shard::WHOLE, missing.as_deref());
         let grid = Arc::clone(&found.grid);
         let csv = move |name: &str| sweep::grid_csv(name, &grid);
         let table = PageTable::new("Export the sweep to CSV", file, is_complete, csv);
@@ -325,27 +312,13 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     };
     let grid = Arc::clone(&found.grid);
     let at = app.cursor_point(&grid);
-    let next = if grid.is_full() {
-        // Right and up lead to greater values, also on an axis that runs downward.
-        let upward = |by: isize, axis: Option<&Axis>| {
-            if axis.is_some_and(|axis| axis.ends().0 > axis.ends().1) { -by } else { by }
-        };
-        let axes = grid.plan().axes();
-        moved(at, (upward(x, axes.first()), upward(y, axes.get(1))), grid.counts())
-    } else {
-        let upward = x == 0 && picture == Picture::Surface;
-        (neighbour(&grid, at.0, usize::from(upward), x + y), 0)
+    // Right and up lead to greater values, also on an axis that runs downward.
+    let upward = |by: isize, axis: Option<&Axis>| {
+        if axis.is_some_and(|axis| axis.ends().0 > axis.ends().1) { -by } else { by }
     };
+    let axes = grid.plan().axes();
+    let next = moved(at, (upward(x, axes.first()), upward(y, axes.get(1))), grid.counts());
     app.pages.explore.cursor[picture as usize] = Some(next);
-}
-
-/// Another point of a design, in the order of one of its axes.
-fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
-    let axis = axis.min(grid.plan().axes().len() - 1);
-    let along = (0..grid.counts().0).map(|x| grid.coordinate((x, 0), axis));
-    let order = ascending(&along.collect::<Vec<f64>>());
-    let at = order.iter().position(|x| *x == here).unwrap_or(0);
-    order[at.saturating_add_signed(by).min(order.len() - 1)]
 }
 
 fn warn_if_long(app: &mut App, running: &Running) {

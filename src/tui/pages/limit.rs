@@ -3,7 +3,8 @@
 pub mod comparison;
 pub mod state;
 
-use crate::report::{compare, limit};
+use crate::report::{self, limit};
+use crate::study::compare;
 use crate::study::limit::{Limit, Request};
 use crate::study::monte_carlo;
 use crate::study::sweep::Axis;
@@ -173,16 +174,18 @@ impl Page for LimitTab {
                 let is_complete = found.report.is_complete;
                 let csv = move |name: &str| {
                     let warnings = validity::of_scene(&found.report.scene);
-                    compare::table(name, &found.report).with_warnings(&warnings).csv()
+                    report::compare::table(name, &found.report).with_warnings(&warnings).csv()
                 };
                 let table = PageTable::new(title, file("compare"), is_complete, csv);
-                table.of(app, &comparison.scene, "compare")
+                table.of(app, &comparison.scene, &compare::Request::default().to_string())
             }
             _ => {
                 let (map, title) = (found?.map.clone()?, "Export the map to CSV");
                 let is_complete = map.is_complete();
-                let command = format!("compare --map {},{}", map.x(), map.y());
-                let csv = move |name: &str| compare::map_table(name, &map).csv();
+                let axes = Some([map.x().clone(), map.y().clone()]);
+                let request = compare::Request { map: axes, ..compare::Request::default() };
+                let command = request.to_string();
+                let csv = move |name: &str| report::compare::map_table(name, &map).csv();
                 let table = PageTable::new(title, file("mass-efficiency"), is_complete, csv);
                 table.of(app, &comparison.scene, &command)
             }

@@ -27,10 +27,9 @@ pub struct Numerics {
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[Part::Chart], keys: &[
         key(A::Down, "method", "select another method"),
-        key(A::Enter, "set tol", "take the tolerance at which auto reaches 1e-6"),
+        key(A::Enter, "use", "run the scene by this method: auto at the tolerance for 1e-6, or the printed scheme"),
         key(A::Right, "cursor", "move the cursor in run time"),
         key(A::ShowHide, "show/hide", "show or hide this method"),
-        key(A::View, "columns", "show the next columns of the table"),
         key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
@@ -58,8 +57,6 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
     Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
     Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
-    Command::new(Call::In(ACCURACY, A::SlopeGuides), "Toggle reference slopes", "order guides"),
-    Command::new(Call::In(ACCURACY, A::SpreadBars), "Toggle error bars of the run times", "spread"),
 ];
 
 pub(crate) struct NumericsTab;
@@ -194,7 +191,7 @@ impl Page for NumericsTab {
         }
         let tab = &mut app.pages.numerics.accuracy;
         let (all, about) = (tab.all_times()?, tab.cursor_s);
-        Some(Across::of(&mut tab.view.times, all, tab.view.time_scale, about))
+        Some(Across::of(&mut tab.times_s, all, Scale::Log10, about))
     }
 
     fn map_axes(&self, app: &App) -> Option<[Span; 2]> {

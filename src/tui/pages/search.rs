@@ -72,7 +72,7 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
     Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
-    Command::new(Call::Show(RESULTS, Some(2)), "Sensitivity", "sobol morris importance ranking"),
+    Command::new(Call::Show(RESULTS, Some(2)), "Sensitivity", "sobol tornado importance ranking"),
     Command::new(Call::Show(RESULTS, Some(3)), "Monte Carlo", "uncertainty scatter spread distribution histogram"),
 ];
 

@@ -10,14 +10,14 @@ use super::explore::state::Picture;
 use super::limit::state::LimitSearch;
 use super::numerics::accuracy::Measurements;
 use super::search::state::{Request, StudyResult};
-use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::model::scene::{InterfaceLaw, Mount, Plate, Scene};
 use crate::study::accuracy::{self, Report as Accuracy};
 use crate::study::limit;
 use crate::study::quantities::named;
+use crate::study::search::front;
 use crate::study::search::seek::{self, Goal};
-use crate::study::sensitivity;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Plan, Spacing, USUAL_OUTPUTS};
 use crate::worker::study::Study;
 use crate::worker::{Finding, Report, ReportBody, Task, Worker};
 
@@ -74,7 +74,7 @@ fn sweep(count: u64) -> PictureSweep {
     scene.interface.law = InterfaceLaw::Plastic;
     let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
     let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
-    let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
+    let plan = Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap();
     PictureSweep { picture: Picture::Surface, plan: Arc::new(plan) }
 }
 
@@ -110,12 +110,13 @@ fn a_search_that_makes_no_sense_is_refused_in_words() {
     assert!(
         matches!(&*found.unwrap(), StudyResult::Seek(report) if report.solutions().next().is_none())
     );
-    let none = Request::Sensitivity {
-        axes: Vec::new(),
-        output: "stroke_m".to_owned(),
-        effort: sensitivity::SamplingOptions { rows: 16, trajectories: 2, seed: 1 },
+    let rigid = Scene {
+        plate: Plate { mount: Mount::Rigid, ..Scene::default().plate },
+        ..Scene::default()
     };
-    assert!(made(Scene::default(), none).is_err());
+    let none = Request::Front(front::Request::default());
+    let refused = made(rigid, none).unwrap_err();
+    assert!(refused.contains("no variable of Table 9.2"), "{refused}");
 }
 
 #[test]

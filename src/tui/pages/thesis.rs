@@ -3,14 +3,13 @@
 pub(crate) mod draw;
 
 use crate::report::thesis;
-use crate::study::sweep::Sampling;
 use crate::study::thesis::{ClaimVerdict, Row, claims, reproduce, tally};
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::status::fitting;
 use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
-use crate::tui::pages::explore::state::{Picture, SamplingPlan};
+use crate::tui::pages::explore::state::{Picture, PicturePlan};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
@@ -172,11 +171,10 @@ fn axes(scene: &Scene) -> usize {
 }
 
 /// How a sweep of so many axes is shown: as its preset has it, whatever was looked at before.
-fn plan_of(app: &App, axes: usize) -> SamplingPlan {
+fn plan_of(app: &App, axes: usize) -> PicturePlan {
     let mut plan = app.pages.explore.plan;
     if axes > 0 {
         plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
-        plan.samplings = [Sampling::Factorial; 2];
     }
     plan
 }

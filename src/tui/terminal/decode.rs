@@ -7,9 +7,7 @@
 
 use std::time::Duration;
 
-use crossterm::event::{
-    KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
-};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// The rest of a sequence may come so much later, on a line that falters.
 const REST: Duration = Duration::from_millis(500);
@@ -45,6 +43,8 @@ enum State {
     Single,
     /// In a string that is of no interest, after this introducer (OSC, DCS, APC, PM, SOS); whether anything has followed it.
     Text(u8, bool),
+    /// After an escape in a string: its end, or the beginning of something else.
+    TextEscape,
     Paste(Vec<u8>),
     /// These bytes of an old mouse report, of three.
     Click(Vec<u8>),
@@ -78,9 +78,11 @@ impl Decoder {
         match std::mem::replace(&mut self.state, State::Ground) {
             State::Escape => out.push(key(KeyCode::Esc)),
             // Esc and the next key, pressed at the same time.
-            State::Control(rest) if rest.is_empty() => self.alt('[', out),
-            State::Single => self.alt('O', out),
-            State::Text(introducer, false) => self.alt(char::from(introducer), out),
+            State::Control(rest) if rest.is_empty() => out.push(character('[', KeyModifiers::ALT)),
+            State::Single => out.push(character('O', KeyModifiers::ALT)),
+            State::Text(introducer, false) => {
+                out.push(character(char::from(introducer), KeyModifiers::ALT));
+            }
             State::Paste(text) => out.push(paste(&text)),
             _ => {}
         }
@@ -101,11 +103,16 @@ impl Decoder {
             State::Control(rest) => self.control(rest, byte, out),
             State::Single => self.single(byte, out),
             State::Text(introducer, _) => match byte {
-                // Ended by BEL, ST (whose backslash comes as a sequence of its own), CAN or SUB.
-                0x07 | 0x18 | 0x1a | 0x9c => {}
-                0x1b => self.state = State::Escape,
+                // Ended by BEL, CAN or SUB, and by `ESC \\`.
+                0x07 | 0x18 | 0x1a => {}
+                0x1b => self.state = State::TextEscape,
                 _ => self.state = State::Text(introducer, true),
             },
+            State::TextEscape => {
+                if byte != b'\\' {
+                    self.after_escape(byte, out);
+                }
+            }
             State::Paste(mut text) => {
                 text.push(byte);
                 match text.strip_suffix(PASTE_END) {
@@ -174,18 +181,12 @@ impl Decoder {
             }
             // The Linux console's Shift-Tab.
             b'\t' => out.push(key(KeyCode::BackTab)),
-            // The end of a string.
-            b'\\' => {}
             b' '..=b'~' | 0x7f => self.ground(byte, KeyModifiers::ALT, out),
             _ => {
                 out.push(key(KeyCode::Esc));
                 self.ground(byte, KeyModifiers::NONE, out);
             }
         }
-    }
-
-    fn alt(&mut self, c: char, out: &mut Vec<Input>) {
-        out.push(character(c, KeyModifiers::ALT));
     }
 
     fn single(&mut self, byte: u8, out: &mut Vec<Input>) {
@@ -243,14 +244,18 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
         b'~' | b'^' | b'@' => {
             let shift = if last == b'@' { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
             let control = if last == b'~' { KeyModifiers::NONE } else { KeyModifiers::CONTROL };
-            numbered(first.to_string().as_bytes()).map(|code| with(code, modifiers | shift | control))
+            numbered(first.to_string().as_bytes())
+                .map(|code| with(code, modifiers | shift | control))
         }
         b'n' => (numbers == [0]).then_some(Input::Arrived),
-        b'u' => Some(with(KeyCode::Char(char::from_u32(first.into())?), modifiers)),
+        b'u' => Some(with(spelled(char::from_u32(first.into())?)?, modifiers)),
         b'Z' => Some(key(KeyCode::BackTab)),
         // With other numbers it is the place of the cursor.
         b'P' | b'Q' | b'S' if first <= 1 => Some(with(KeyCode::F(last - b'P' + 1), modifiers)),
-        b'a'..=b'd' => named(last.to_ascii_uppercase()).map(|code| with(code, KeyModifiers::SHIFT)),
+        // With Shift urxvt has small letters.
+        b'a'..=b'd' if numbers.is_empty() => {
+            named(last.to_ascii_uppercase()).map(|code| with(code, KeyModifiers::SHIFT))
+        }
         _ => named(last).map(|code| with(code, modifiers)),
     }
 }
@@ -276,6 +281,18 @@ fn modifiers(number: u16) -> KeyModifiers {
         .into_iter()
         .filter(|(bit, _)| bits & bit != 0)
         .fold(KeyModifiers::NONE, |all, (_, one)| all | one)
+}
+
+/// The key of a character that is sent by its number.
+fn spelled(c: char) -> Option<KeyCode> {
+    Some(match c {
+        '\r' => KeyCode::Enter,
+        '\t' => KeyCode::Tab,
+        '\x1b' => KeyCode::Esc,
+        '\x7f' => KeyCode::Backspace,
+        _ if c.is_control() => return None,
+        _ => KeyCode::Char(c),
+    })
 }
 
 /// The keys that end in a letter.
@@ -339,4 +356,168 @@ fn click(button: u16, column: Option<u16>, row: Option<u16>, is_press: bool) -> 
     };
     let (column, row) = (column?.checked_sub(1)?, row?.checked_sub(1)?);
     Some(Input::Mouse(MouseEvent { kind, column, row, modifiers: KeyModifiers::NONE }))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// What comes of packets, with silence after the last.
+    fn inputs(packets: &[&[u8]]) -> Vec<Input> {
+        let (mut decoder, mut found) = (Decoder::new(Duration::ZERO), Vec::new());
+        for packet in packets {
+            decoder.feed(packet, &mut found);
+        }
+        while decoder.patience().is_some() {
+            decoder.expire(&mut found);
+        }
+        found
+    }
+
+    fn one(bytes: &[u8]) -> Vec<Input> {
+        inputs(&[bytes])
+    }
+
+    fn code(c: char) -> Input {
+        character(c, KeyModifiers::NONE)
+    }
+
+    /// The sequences of xterm, the Linux console and urxvt, by their manuals.
+    #[test]
+    fn keys_are_what_terminals_send_for_them() {
+        use KeyCode as K;
+        const SHIFT: KeyModifiers = KeyModifiers::SHIFT;
+        const CONTROL: KeyModifiers = KeyModifiers::CONTROL;
+        let plain = KeyModifiers::NONE;
+        for (bytes, code, modifiers) in [
+            (&b"\r"[..], K::Enter, plain),
+            (b"\t", K::Tab, plain),
+            (b"\x7f", K::Backspace, plain),
+            (b"\x1a", K::Char('z'), CONTROL),
+            (b"\x00", K::Char(' '), CONTROL),
+            (b"G", K::Char('G'), SHIFT),
+            (b"\x1b[D", K::Left, plain),
+            (b"\x1bOD", K::Left, plain),
+            (b"\x1b[1;2C", K::Right, SHIFT),
+            (b"\x1b[1;5A", K::Up, CONTROL),
+            (b"\x1b[H", K::Home, plain),
+            (b"\x1b[7~", K::Home, plain),
+            (b"\x1b[4~", K::End, plain),
+            (b"\x1b[5~", K::PageUp, plain),
+            (b"\x1b[3;5~", K::Delete, CONTROL),
+            (b"\x1b[3$", K::Delete, SHIFT),
+            (b"\x1b[3^", K::Delete, CONTROL),
+            (b"\x1b[a", K::Up, SHIFT),
+            (b"\x1b[Z", K::BackTab, plain),
+            (b"\x1b\t", K::BackTab, plain),
+            (b"\x1b[[A", K::F(1), plain),
+            (b"\x1bOP", K::F(1), plain),
+            (b"\x1b[15~", K::F(5), plain),
+            (b"\x1b[24~", K::F(12), plain),
+            (b"\x1bOM", K::Enter, plain),
+            (b"\x1bOq", K::Char('1'), plain),
+            (b"\x1b[106u", K::Char('j'), plain),
+            (b"\x1bj", K::Char('j'), KeyModifiers::ALT),
+            (b"\x1b[", K::Char('['), KeyModifiers::ALT),
+            (b"\x1bO", K::Char('O'), KeyModifiers::ALT | SHIFT),
+            (b"\x1b]", K::Char(']'), KeyModifiers::ALT),
+        ] {
+            assert_eq!(one(bytes), [with(code, modifiers)], "{bytes:?}");
+        }
+        assert_eq!(one(b"\x1b\r"), [key(K::Esc), key(K::Enter)]);
+        assert_eq!(one(b"\x1b\x1b[D"), [key(K::Esc), key(K::Left)]);
+    }
+
+    #[test]
+    fn what_is_no_key_is_swallowed_to_its_end() {
+        for bytes in [
+            &b"\x1b]11;rgb:0000/0000/0000\x1b\\"[..],
+            b"\x1b]11;rgb:ffff/ffff/dddd\x07",
+            b"\x1bP>|xterm(380)\x1b\\",
+            b"\x1bP1$r0m\x1b\\",
+            b"\x1b_Gi=1;OK\x1b\\",
+            b"\x1b[>41;380;0c",
+            b"\x1b[?62;22c",
+            b"\x1b[12;40R",
+            b"\x1b[?2026;2$y",
+            b"\x1b[4;1$y",
+            b"\x1b[8;24;80t",
+            b"\x1b[I",
+            b"\x1b[O",
+            b"\x1b[1;1z",
+            b"\x1b[999999999999999999~",
+            b"\x1b[ q",
+            b"\x1bOz",
+            b"\xff\xfe\x80",
+        ] {
+            let with_key = [bytes, b"j"].concat();
+            assert_eq!(one(&with_key), [code('j')], "{bytes:?}");
+        }
+        // One that is cut off ends with the next sequence, or in silence.
+        assert_eq!(one(b"\x1b]11;rgb:00\x1b[D"), [key(KeyCode::Left)]);
+        assert_eq!(one(b"\x1b]11;rgb:00"), []);
+        assert_eq!(one(b"\x1b[1;5"), []);
+        assert_eq!(inputs(&[b"\x1b[0n"]), [Input::Arrived]);
+    }
+
+    #[test]
+    fn a_paste_is_one_text_whatever_is_in_it() {
+        let text = "gamma=2\nx \x1b[D ö";
+        let sent = format!("\x1b[200~{text}\x1b[201~j");
+        assert_eq!(one(sent.as_bytes()), [Input::Paste(text.to_owned()), code('j')]);
+    }
+
+    #[test]
+    fn clicks_and_the_wheel_count_and_other_buttons_do_not() {
+        let mouse = |kind| {
+            vec![Input::Mouse(MouseEvent {
+                kind,
+                column: 4,
+                row: 7,
+                modifiers: KeyModifiers::NONE,
+            })]
+        };
+        let press = MouseEventKind::Down(MouseButton::Left);
+        assert_eq!(one(b"\x1b[<0;5;8M"), mouse(press));
+        assert_eq!(one(b"\x1b[M\x20\x25\x28"), mouse(press));
+        assert_eq!(one(b"\x1b[<64;5;8M"), mouse(MouseEventKind::ScrollUp));
+        assert_eq!(one(b"\x1b[<65;5;8M"), mouse(MouseEventKind::ScrollDown));
+        for none in ["0;5;8m", "2;5;8M", "35;5;8M", "66;5;8M", "0;0;8M", "0;5M", "0;5;8;9M"] {
+            assert_eq!(one(format!("\x1b[<{none}").as_bytes()), [], "{none}");
+        }
+    }
+
+    proptest! {
+        /// However the bytes are cut into packets, the same comes of them.
+        #[test]
+        fn packets_make_no_difference(
+            pieces in proptest::collection::vec(
+                proptest::sample::select(vec![
+                    &b"\x1b[H"[..], b"\x1b[3~", b"j", b"\x1bOA", b"\x1b\x1b[D", b"\xc3\xb6", b"\x1b[3$", b"\x1b[<0;5;8M",
+                    b"\x1b[200~a\x1b[Bb\x1b[201~", b"\x1b]11;rgb:1/2/3\x1b\\", b"\x1b[>41;380;0c", b"\x1b\t", b"\x1b[M\x20\x25\x28",
+                    b"\xff", b"\r",
+                ]),
+                1..8,
+            ),
+            cuts in proptest::collection::vec(any::<bool>(), 200),
+        ) {
+            let bytes = pieces.concat();
+            let mut packets = vec![Vec::new()];
+            for (byte, cut) in bytes.iter().zip(cuts) {
+                packets.last_mut().unwrap().push(*byte);
+                if cut {
+                    packets.push(Vec::new());
+                }
+            }
+            let packets: Vec<&[u8]> = packets.iter().map(Vec::as_slice).collect();
+            prop_assert_eq!(inputs(&packets), one(&packets.concat()));
+        }
+
+        #[test]
+        fn no_bytes_do_harm(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+            one(&bytes);
+        }
+    }
 }

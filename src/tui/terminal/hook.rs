@@ -104,8 +104,10 @@ mod tests {
             // In small pieces, so as not to miss what is overwritten at once.
             for piece in buffer[..count].chunks(8) {
                 parser.process(piece);
-                if parser.screen().alternate_screen() {
-                    on_alternate = parser.screen().contents();
+                let shown = parser.screen().contents();
+                // On leaving it is cleared.
+                if parser.screen().alternate_screen() && !shown.trim().is_empty() {
+                    on_alternate = shown;
                 }
             }
         }
@@ -159,7 +161,7 @@ mod tests {
     fn another_thread_panics() {
         let mut guard = take_over();
         assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
-        let drawn = guard.draw((80, 24), |buffer| {
+        let drawn = guard.draw((80, 24), false, |buffer| {
             buffer.set_string(0, 0, "still here", Style::new());
             None
         });

@@ -1,11 +1,13 @@
 //! How many colours the terminal has, and which one a role gets at each depth.
 //!
 //! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested),
-//! and no two curves differ by red against green. In sixteen colours the terminal's own palette decides; blue is not used,
-//! because many palettes make it unreadable on black.
+//! and the curves are told apart without the red or the green cones, too (tested with the matrices of Machado, Oliveira and
+//! Fernandes, 2009). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
 
 use cmra_studies::enumeration;
 use ratatui::style::Color;
+
+use super::glyphs::is_vt;
 
 enumeration! {
     #[derive(Default, Hash)]
@@ -31,8 +33,9 @@ impl ColourDepth {
         if value("NO_COLOR").is_some() || term == "dumb" || mono {
             return Self::None;
         }
-        let few = ["linux", "vt", "ansi", "cons25"];
-        if few.iter().any(|name| term.starts_with(name))
+        let few = ["linux", "ansi", "cons25"];
+        if is_vt(&term)
+            || few.iter().any(|name| term.starts_with(name))
             || term.ends_with("-16color")
             || term.ends_with("-color")
         {
@@ -88,20 +91,19 @@ const fn shade(sixteen: u8, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
 }
 
 /// Border and title of the focused pane.
-pub(super) const FOCUS: Shade = shade(6, 32, (0x1F, 0x86, 0xD6));
+pub(super) const FOCUS: Shade = shade(12, 32, (0x1F, 0x86, 0xD6));
 pub(super) const ERROR: Shade = shade(1, 160, (0xD4, 0x2A, 0x2A));
-pub(super) const WARNING: Shade = shade(3, 130, (0xB8, 0x70, 0x00));
-pub(super) const NOTE: Shade = shade(6, 31, (0x1A, 0x85, 0x9C));
+pub(super) const WARNING: Shade = shade(5, 130, (0xB8, 0x70, 0x00));
+pub(super) const NOTE: Shade = shade(12, 31, (0x1A, 0x85, 0x9C));
 
-/// Blue, orange, reddish purple, foreground, ochre, teal: after Okabe and Ito (2008, "Color universal design"), darkened or
-/// lightened where white or black would swallow them.
+/// Blue, orange, rose, foreground, tan, violet: those of xterm's palette that are farthest from each other for every kind of sight.
 const CURVES: [Option<Shade>; 6] = [
-    Some(shade(6, 32, (0x1F, 0x86, 0xD6))),
-    Some(shade(3, 166, (0xD5, 0x5E, 0x00))),
-    Some(shade(5, 169, (0xC8, 0x70, 0xA2))),
+    Some(shade(12, 32, (0x00, 0x87, 0xD7))),
+    Some(shade(9, 202, (0xFF, 0x5F, 0x00))),
+    Some(shade(5, 132, (0xAF, 0x5F, 0x87))),
     None,
-    Some(shade(11, 136, (0x98, 0x7E, 0x10))),
-    Some(shade(13, 30, (0x12, 0x8C, 0x8C))),
+    Some(shade(8, 137, (0xAF, 0x87, 0x5F))),
+    Some(shade(13, 93, (0x87, 0x00, 0xFF))),
 ];
 
 /// The colour of a curve at a depth, or `None` for the terminal's own foreground. It repeats after six, the markers later.
@@ -155,6 +157,7 @@ mod tests {
             (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
             (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
             (&[("TERM", "vt220")], D::Sixteen),
+            (&[("TERM", "vte-256color")], D::Ansi256),
             (&[("TERM", "xterm-mono")], D::None),
             (&[("TERM", "linux-m")], D::None),
             (&[("TERM", "xterm-16color")], D::Sixteen),
@@ -175,13 +178,87 @@ mod tests {
     }
 
     /// Relative luminance, WCAG 2.1.
-    fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
-        let linear = |byte: u8| {
+    fn luminance(rgb: (u8, u8, u8)) -> f64 {
+        let [r, g, b] = linear(rgb);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    fn linear((r, g, b): (u8, u8, u8)) -> [f64; 3] {
+        [r, g, b].map(|byte| {
             let c = f64::from(byte) / 255.0;
             if c <= 0.03928 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        };
-        0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
+        })
     }
+
+    /// A matrix times linear red, green, blue.
+    fn seen(matrix: [[f64; 3]; 3], rgb: [f64; 3]) -> [f64; 3] {
+        matrix.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum())
+    }
+
+    /// CIE L*a*b* of linear sRGB, white D65.
+    fn lab(rgb: [f64; 3]) -> [f64; 3] {
+        let to_xyz = [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]];
+        let [x, y, z] = seen(to_xyz, rgb.map(|c| c.clamp(0.0, 1.0)));
+        let f = |t: f64| if t > 0.008_856 { t.cbrt() } else { (903.3 * t + 16.0) / 116.0 };
+        let (x, y, z) = (f(x / 0.9505), f(y), f(z / 1.0888));
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// Without the red cones, the green ones, the blue ones: Machado, Oliveira and Fernandes, 2009, severity 1. Curves are at least
+    /// 30 apart in L*a*b*, 15 without the blue cones; 2.3 is what is just noticed.
+    #[test]
+    fn curves_are_told_apart_by_every_kind_of_sight() {
+        let kinds = [
+            ("all", 30.0, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+            (
+                "no red",
+                30.0,
+                [[0.1523, 1.0526, -0.2049], [0.1145, 0.7863, 0.0992], [-0.0039, -0.0481, 1.0520]],
+            ),
+            (
+                "no green",
+                30.0,
+                [[0.3673, 0.8606, -0.2280], [0.2801, 0.6725, 0.0474], [-0.0118, 0.0429, 0.9689]],
+            ),
+            (
+                "no blue",
+                15.0,
+                [[1.2555, -0.0767, -0.1788], [-0.0784, 0.9309, 0.1476], [0.0047, 0.6914, 0.3039]],
+            ),
+        ];
+        let shades: Vec<Shade> = CURVES.into_iter().flatten().collect();
+        for (kind, least, matrix) in kinds {
+            for (at, one) in shades.iter().enumerate() {
+                for other in &shades[at + 1..] {
+                    for (a, b) in [(one.rgb, other.rgb), (xterm(one.ansi), xterm(other.ansi))] {
+                        let [a, b] = [a, b].map(|rgb| lab(seen(matrix, linear(rgb))));
+                        let apart = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+                        assert!(apart.sqrt() >= least, "{kind}: {one:?}, {other:?}: {apart}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// The first sixteen of xterm's palette.
+    const SIXTEEN: [(u8, u8, u8); 16] = [
+        (0, 0, 0),
+        (205, 0, 0),
+        (0, 205, 0),
+        (205, 205, 0),
+        (0, 0, 238),
+        (205, 0, 205),
+        (0, 205, 205),
+        (229, 229, 229),
+        (127, 127, 127),
+        (255, 0, 0),
+        (0, 255, 0),
+        (255, 255, 0),
+        (92, 92, 255),
+        (255, 0, 255),
+        (0, 255, 255),
+        (255, 255, 255),
+    ];
 
     /// The xterm palette: a 6x6x6 cube from 16, then 24 greys from 232.
     fn xterm(index: u8) -> (u8, u8, u8) {
@@ -198,7 +275,7 @@ mod tests {
     fn fixed_shades_are_readable_on_white_and_on_black() {
         let all = [FOCUS, ERROR, WARNING, NOTE];
         for fixed in all.into_iter().chain(CURVES.into_iter().flatten()) {
-            for rgb in [fixed.rgb, xterm(fixed.ansi)] {
+            for rgb in [fixed.rgb, xterm(fixed.ansi), SIXTEEN[usize::from(fixed.sixteen)]] {
                 let l = luminance(rgb);
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
                 assert!(on_white >= 3.0 && on_black >= 3.0, "{rgb:?} {on_white} {on_black}");

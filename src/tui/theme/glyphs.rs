@@ -52,7 +52,7 @@ impl GlyphSet {
             upper.contains("UTF-8") || upper.contains("UTF8")
         });
         let term = value("TERM").unwrap_or_default();
-        if !utf8 || term == "dumb" || term.starts_with("vt") {
+        if !utf8 || term == "dumb" || is_vt(&term) {
             Self::Ascii
         } else if term == "linux" {
             Self::Block
@@ -66,6 +66,11 @@ impl GlyphSet {
     pub fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
     }
+}
+
+/// Whether a terminal is one of DEC's: vt100, vt220; vte is the one of GNOME.
+pub(super) fn is_vt(term: &str) -> bool {
+    term.strip_prefix("vt").is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 impl fmt::Display for GlyphSet {
@@ -211,6 +216,7 @@ mod tests {
             (&[("LANG", "en_GB.UTF-8"), ("TERM", "linux")], G::Block),
             (&[("LANG", "C"), ("TERM", "linux")], G::Ascii),
             (&[("LANG", "en_GB.UTF-8"), ("TERM", "vt220")], G::Ascii),
+            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vte-256color")], G::Braille),
         ];
         for (pairs, set) in cases {
             assert_eq!(detect(pairs), *set, "{pairs:?}");

@@ -14,6 +14,9 @@ pub(crate) fn act(app: &mut App, action: Action) {
     if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
         app.jobs.quit_confirmation_shown = false;
     }
+    if action != Action::Back {
+        app.jobs.stop_confirmation_shown = false;
+    }
     if !steps(app, action) {
         app.history.commit();
         app.editor.stepped = None;
@@ -231,15 +234,22 @@ fn leave(app: &mut App, action: Action) {
         _ => Vec::new(),
     };
     if !jobs.is_empty() {
+        let asks = action == Action::Back && jobs.iter().any(|job| app.jobs.long.contains(job));
+        if asks && !std::mem::replace(&mut app.jobs.stop_confirmation_shown, true) {
+            let question = "a job has been running for more than 5 s: <back> again cancels it and keeps what is finished";
+            return app.say(Severity::Warning, question);
+        }
+        app.jobs.stop_confirmation_shown = false;
         return app.effects.extend(jobs.into_iter().map(Effect::Cancel));
     }
     if action == Action::Back {
         return back(app);
     }
-    let is_long = pages::all_jobs(app).any(|(_, job)| app.jobs.long.contains(&job));
-    let question = if is_quit && is_long {
+    let is_lost =
+        pages::all_jobs(app).any(|(tab, job)| tab == Tab::Search || app.jobs.long.contains(&job));
+    let question = if is_quit && is_lost {
         Some(
-            "a job has been running for more than 5 s: <quit> again quits without it, <back> in its tab cancels it",
+            "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",
         )
     } else if is_quit && app.session_lost && app.is_modified() {
         Some(

@@ -9,7 +9,7 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
-use crate::tui::pages::explore::state::SamplingPlan;
+use crate::tui::pages::explore::state::PicturePlan;
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
@@ -88,7 +88,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 }
 
 /// Make another scene current, compare it with another preset, and sweep it by this plan, as one edit.
-pub(crate) fn load(app: &mut App, base: Base, plan: SamplingPlan) {
+pub(crate) fn load(app: &mut App, base: Base, plan: PicturePlan) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
     app.charts.zoom_s = [None; 2];

@@ -6,6 +6,7 @@ use ratatui::widgets::{Paragraph, Widget};
 use tui_input::backend::crossterm::to_input_request;
 use tui_input::{Input, InputRequest};
 
+use crate::files::clean;
 use crate::tui::prelude::*;
 
 /// No field of the workbench takes a longer text: characters that are not typed on purpose (a paste that came as keys, a book on
@@ -37,8 +38,10 @@ impl TextField {
 
     /// Put a key into the field; whether it was one for a field.
     pub fn press(&mut self, key: KeyEvent) -> bool {
-        let is_control = matches!(key.code, KeyCode::Char(c) if c.is_control());
-        let request = to_input_request(&Event::Key(key)).filter(|_| !is_control);
+        // A pasted text may hold what commands a terminal, or turns the direction of a line.
+        let is_command =
+            matches!(key.code, KeyCode::Char(c) if clean::line(&c.to_string()) != c.to_string());
+        let request = to_input_request(&Event::Key(key)).filter(|_| !is_command);
         let Some(request) = request else { return false };
         let replaces = matches!(
             request,
@@ -125,6 +128,13 @@ mod tests {
         let mut canvas = Canvas::new(&mut buffer, Theme::PLAIN);
         let at = field.put(&mut canvas, area, Role::Text);
         (crate::tui::chart::buffer_lines(&buffer).concat(), at)
+    }
+
+    #[test]
+    fn what_would_turn_or_command_a_line_is_not_taken() {
+        let mut field = TextField::default();
+        field.insert("a\u{202e}b\u{1b}[2Jc\u{2066}d\u{9b}e");
+        assert_eq!(field.value(), "ab[2Jcde");
     }
 
     #[test]

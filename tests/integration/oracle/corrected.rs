@@ -118,7 +118,7 @@ fn a_plate_that_meets_its_stop_within_a_stride_is_put_on_it_where_it_is() {
 /// rest. They once went on for ever, since the way back ended beyond the stop.
 #[test]
 fn valid_bounces_on_a_rigid_stop_die_down() {
-    let scene = "spring=table table=-3.8592e-3:-67.72,-2.7626e-3:171.77,-2.39803e-3:227.82 own_mass=counted \
+    let scene = "spring=table table=-3.8592e-3:-67.72,-2.7626e-3:171.77,-2.39803e-3:227.82,0:400 own_mass=counted \
         m_spring=0.012621 m=0.5 b=14.73 d=0.0033517 gamma=3.2204 v_i=97.115 h=0.0025046 interface=plastic g=0.1 \
         x_stop=-3.311575e-3 e=0.8 run.horizon_s=7.1877e-4";
     let run = program(&draw::read(scene));

@@ -8,7 +8,7 @@ use cmra::model::variables;
 use crate::random::Random;
 use crate::support::scene;
 
-/// The scene of these words: variables, and `table=x:F,x:F` or `table_2=...`, in m and N; behind each ` / ` a further element of a
+/// The scene of these words: variables, and `table=x:F,x:F`, in m and N; behind each ` / ` a further element of a
 /// stack.
 pub(crate) fn read(words: &str) -> Scene {
     let mut elements = words.split(" / ").map(read_one);
@@ -24,15 +24,13 @@ fn read_one(words: &str) -> Scene {
         words.split_whitespace().partition(|word| word.starts_with("table"));
     let mut own = scene(&plain.join(" "));
     for table in tables {
-        let (name, points) = table.split_once('=').unwrap();
+        let (_, points) = table.split_once('=').unwrap();
         let points = points.split(',').map(|point| {
             let (x, force) = point.split_once(':').unwrap();
             [x.parse().unwrap(), force.parse().unwrap()]
         });
         let points: Arc<[[f64; 2]]> = points.collect();
-        let mechanism = &mut own.mechanism;
-        let spring = if name == "table" { &mut mechanism.spring } else { &mut mechanism.second };
-        spring.table.points = points;
+        own.mechanism.spring.table.points = points;
     }
     own
 }
@@ -74,13 +72,14 @@ pub(crate) fn plain(random: &mut Random) -> String {
     around(random, &law)
 }
 
-/// A moderate scene with springs of any other kind, alone or two together.
+/// A moderate scene with a spring of any other kind, alone or beside a power law.
 pub(crate) fn curved(random: &mut Random) -> String {
     loop {
-        let mut law = spring(random, "");
+        let mut law = spring(random);
         if chance(random, 0.35) {
-            let how = random.of(&["parallel", "series"]);
-            law = format!("{law} combine={how} {}", spring(random, "_2"));
+            let n = exponent(random, 3.0);
+            let k = random.log(1e3, 1e5) / 0.005_f64.powf(n);
+            law = format!("{law} combine=parallel n_2={n} k_2={k:.3e}");
         }
         let words = around(random, &law);
         if variables::validate(&read(&words)).is_ok() {
@@ -151,7 +150,7 @@ pub(crate) fn stacked(random: &mut Random) -> String {
 }
 
 /// A spring of any kind.
-fn spring(random: &mut Random, s: &str) -> String {
+fn spring(random: &mut Random) -> String {
     // Those with a form of their own more often.
     let kinds = [&SpringKind::WORDS[..], &["bistable", "column", "table"]].concat();
     let kind = random.of(&kinds);
@@ -159,61 +158,61 @@ fn spring(random: &mut Random, s: &str) -> String {
         "power-law" => {
             let n = exponent(random, 3.0);
             let k = random.log(1e3, 1e5) / 0.005_f64.powf(n);
-            format!("n{s}={n} k{s}={k:.3e}")
+            format!("n={n} k={k:.3e}")
         }
         "normalised" => format!(
-            "n{s}={} F_ref{s}={} x_ref{s}={}",
+            "n={} F_ref={} x_ref={}",
             exponent(random, 3.0),
             random.log(1e2, 1e5),
             random.log(1e-3, 2e-2)
         ),
         "prbm-cantilever" | "prbm-guided" => format!(
-            "l_beam{s}={} w_beam{s}={} h_beam{s}={}",
+            "l_beam={} w_beam={} h_beam={}",
             random.log(0.01, 0.4),
             random.log(0.01, 0.05),
             random.log(1e-3, 0.02)
         ),
         "bistable" => {
             let second = random.log(1e-3, 0.03);
-            let law = format!("x_2{s}={second} F_bar{s}={}", random.log(1e2, 5e4));
+            let law = format!("x_2={second} F_bar={}", random.log(1e2, 5e4));
             if chance(random, 0.6) {
-                format!("{law} x_u{s}={:e}", second * (0.05 + 0.9 * random.unit()))
+                format!("{law} x_u={:e}", second * (0.05 + 0.9 * random.unit()))
             } else {
                 law
             }
         }
         "constant" => {
-            format!("F_c{s}={} x_c{s}={}", random.log(1e2, 3e4), random.log(1e-5, 5e-3))
+            format!("F_c={} x_c={}", random.log(1e2, 3e4), random.log(1e-5, 5e-3))
         }
         "column" => format!(
-            "k_col{s}={} F_crit{s}={} F_plat{s}={} x_fall{s}={}",
+            "k_col={} F_crit={} F_plat={} x_fall={}",
             random.log(1e5, 1e8),
             random.log(1e2, 3e4),
             random.log_or_zero(0.15, 1e2, 3e4),
             random.log(1e-4, 1e-2)
         ),
         "crush" => format!(
-            "F_crush{s}={} x_crush{s}={} k_crush{s}={}",
+            "F_crush={} x_crush={} k_crush={}",
             random.log(1e2, 3e4),
             random.log(4e-3, 3e-2),
             random.log(1e7, 1e9)
         ),
         "helix" => format!(
-            "k_helix{s}={} twist{s}={} I_z{s}={}",
+            "k_helix={} twist={} I_z={}",
             random.log_or_zero(0.1, 1e4, 1e7),
             random.log(5.0, 100.0),
             random.log(1e-7, 1e-4)
         ),
-        _ => format!("table{s}={}", table(random)),
+        _ => format!("table={}", table(random)),
     };
-    let mut words = vec![format!("spring{s}={kind}"), law];
+    let mut words = vec![format!("spring={kind}"), law];
     if chance(random, 0.2) {
-        words.push(format!("N_spring{s}={}", random.of(&[2.0, 3.0])));
+        words.push(format!("N_spring={}", random.of(&[2.0, 3.0])));
     }
     if kind.starts_with("prbm") && chance(random, 0.3) {
-        words.push(format!("own_mass{s}=counted"));
+        words.push("own_mass=counted".to_owned());
     } else if chance(random, 0.1) {
-        words.push(format!("own_mass{s}=counted m_spring{s}={}", random.log(1e-3, 0.1)));
+        words.push(format!("own_mass=counted m_spring={}", random.log(1e-3, 0.1)));
     }
     words.join(" ")
 }

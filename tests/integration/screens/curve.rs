@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cmra::model::scene::{SpringKind, WhichSpring};
+use cmra::model::scene::SpringKind;
 use cmra::model::variables::VARIABLES;
 use cmra::tui::dialogs::{Dialog, Purpose};
 use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
@@ -21,7 +21,7 @@ fn asking() -> Bench {
 fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
     let points = points.map(Arc::from).map_err(str::to_owned);
     let path = bench.app.directory.join("measured/curve.csv");
-    bench.send(Message::Done(EffectReport::Curve(WhichSpring::First, path, points)));
+    bench.send(Message::Done(EffectReport::Curve(path, points)));
 }
 
 #[test]
@@ -30,7 +30,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     assert!(
         matches!(
             bench.app.dialog,
-            Some(Dialog::Ask(ref ask)) if ask.purpose == Purpose::Curve(WhichSpring::First)
+            Some(Dialog::Ask(ref ask)) if ask.purpose == Purpose::Curve
         ),
         "{:?}",
         bench.app.dialog
@@ -50,7 +50,7 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     bench.keys("<Enter>");
     let wanted = bench.app.directory.join("measured/curve.csv");
     assert!(
-        matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(WhichSpring::First, path))] if *path == wanted),
+        matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(path))] if *path == wanted),
         "{:?}",
         bench.effects
     );

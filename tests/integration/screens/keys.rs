@@ -560,7 +560,7 @@ fn the_palette_and_help_execute() {
 #[test]
 fn an_action_of_another_tab_enters_it() {
     for (typed, tab) in [
-        ("error bars", Tab::Numerics),
+        ("convergence", Tab::Numerics),
         ("stability", Tab::Numerics),
         ("claims", Tab::Thesis),
         ("pareto", Tab::Search),

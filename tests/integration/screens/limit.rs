@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use super::at_every_size;
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
@@ -76,15 +77,13 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 
 #[test]
 fn the_limit_tab_at_every_size() {
-    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
-        for (columns, rows) in [(60, 16), (80, 24), (120, 36)] {
-            let mut bench = open(glyphs, (columns, rows));
-            assert_snapshot!(format!("limit_{columns}x{rows}_{glyphs}"), bench.screen());
-            bench.keys("v");
-            answer(&mut bench);
-            bench.keys("lLL");
-            assert_snapshot!(format!("limit_v50_{columns}x{rows}_{glyphs}"), bench.screen());
-        }
+    for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (120, 36)]) {
+        let mut bench = open(glyphs, (columns, rows));
+        assert_snapshot!(format!("limit_{columns}x{rows}_{glyphs}"), bench.screen());
+        bench.keys("v");
+        answer(&mut bench);
+        bench.keys("lLL");
+        assert_snapshot!(format!("limit_v50_{columns}x{rows}_{glyphs}"), bench.screen());
     }
 }
 
@@ -163,7 +162,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_its_results() {
     bench.reply(study.id, ended(Finding::new(report)));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
     bench.keys("e");
-    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+    assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
 }
 
 /// The study is that of `cmra montecarlo --outputs limit_velocity_m_s`, with the known error of the model.

@@ -3,13 +3,11 @@
 
 use super::bench::Bench;
 use super::pointer::{click, find};
-use super::{limit, search, stability, sweep};
+use super::{limit, search, stability};
 use cmra::model::run::{EndReason, Outcome, Warning};
-use cmra::study::sweep::Sampling;
 use cmra::tui::chart::Scale;
 use cmra::tui::message::{Effect, Message, Target};
 use cmra::tui::pages::Tab;
-use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::run;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
@@ -63,18 +61,6 @@ fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
         bench.keys("<Enter>");
         assert_eq!(state(&bench), expected, "after {edits} edits");
     }
-}
-
-#[test]
-fn points_and_curves_are_undone_too() {
-    let mut bench = sweep::open_map("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
-    bench.press("2<Tab>jjjjj");
-    let before = bench.app.history.edits.len();
-    bench.press("l");
-    assert_ne!(bench.app.pages.explore.sampling(Picture::Surface), Sampling::Factorial);
-    assert_eq!(bench.app.history.edits[before].label, "design grid -> lhs");
-    bench.press("u");
-    assert_eq!(bench.app.pages.explore.sampling(Picture::Surface), Sampling::Factorial);
 }
 
 #[test]

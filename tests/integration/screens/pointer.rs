@@ -7,7 +7,6 @@ use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::tui::dialogs::{Dialog, List, Purpose};
 use cmra::tui::message::{Message, Target};
-use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::pages::{Tab, explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
@@ -145,33 +144,6 @@ fn held_words_are_listed_as_in_the_editor() {
     assert!(bench.message().contains("given"), "{}", bench.message());
     bench.press("<Enter>");
     assert!(bench.screen().contains("double-yield"), "{}", bench.screen());
-}
-
-#[test]
-fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
-    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
-    // Along: the row below the spacing chooses the points.
-    bench.press("2<Tab>jjjjjl<Tab>");
-    answer(&mut bench);
-    let grid = bench.app.pages.explore.found(Picture::Surface).unwrap().grid.clone();
-    assert!(!grid.is_full() && grid.counts() == (21, 1));
-    let scenes = |bench: &Bench| {
-        (bench.app.scene.plate.mass_ratio, bench.app.scene.mechanism.spring.coefficient)
-    };
-    let points: Vec<(f64, f64)> =
-        (0..21).map(|at| (grid.coordinate((at, 0), 0), grid.coordinate((at, 0), 1))).collect();
-    bench.keys("l<Enter>");
-    let first = scenes(&bench);
-    assert!(points.contains(&first), "{first:?}");
-    bench.keys("l<Enter>");
-    let next = scenes(&bench);
-    assert!(points.contains(&next) && next.0 > first.0);
-    let between = |point: &&(f64, f64)| first.0 < point.0 && point.0 < next.0;
-    assert_eq!(points.iter().filter(between).count(), 0);
-    bench.keys("k<Enter>");
-    let above = scenes(&bench);
-    assert!(points.contains(&above) && above.1 > next.1);
-    insta::assert_snapshot!("surface_dots", bench.screen());
 }
 
 #[test]

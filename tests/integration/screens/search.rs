@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use super::at_every_size;
 use super::bench::{Bench, Study, ended};
 use cmra::model::run::Outcome;
 use cmra::model::run::envelope::Check;
@@ -12,6 +13,7 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{self, Design, Front};
 use cmra::study::sensitivity;
+use cmra::study::sweep::usual::{or_usual, thesis_axes};
 use cmra::study::sweep::{Axis, PointOutcome};
 use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::pages::Tab;
@@ -27,16 +29,17 @@ use insta::assert_snapshot;
 fn front(scene: &Scene, request: &front::Request) -> Front {
     let measures =
         |i: f64| vec![Some(1e-3 + 1e-4 * i), Some(0.8 / (1.0 + i)), Some(0.5), Some(4e3)];
+    let over = or_usual(&request.over, || thesis_axes(scene)).unwrap();
     let design = |i: u8| Design {
-        values: request.over.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
+        values: over.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
         measures: measures(f64::from(i)),
         outcome: PointOutcome::Ended(Outcome::Arrested),
         plastic: None,
     };
     Front {
-        request: request.clone(),
-        base: scene.clone(),
         designs: (0..40).map(design).collect(),
+        request: front::Request { over, ..request.clone() },
+        base: scene.clone(),
         outside: vec![(Check::Thickness, 40), (Check::Interface, 31)],
         runs: 2460,
         is_complete: true,
@@ -50,10 +53,9 @@ fn made(scene: &Arc<Scene>, request: &Request) -> StudyResult {
     match request {
         Request::Seek(request) => StudyResult::Seek(seek::seek(scene, request, context).unwrap()),
         Request::Front(request) => StudyResult::Front(Box::new(front(scene, request))),
-        Request::Sensitivity { axes, output, effort } => {
-            let effort = sensitivity::SamplingOptions { rows: 256, trajectories: 20, ..*effort };
-            let report = sensitivity::study(scene, axes.clone(), output, effort, context);
-            StudyResult::Sensitivity(report.unwrap())
+        Request::Sensitivity(request) => {
+            let request = sensitivity::Request { samples: 256, ..request.clone() };
+            StudyResult::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
         }
         Request::MonteCarlo(task) => {
             let task = monte_carlo::Task { samples: 500, ..task.clone() };
@@ -106,22 +108,17 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 
 #[test]
 fn every_page_at_every_size() {
-    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
-        for (columns, rows) in [(60, 16), (80, 24), (160, 50)] {
-            let mut bench = open(glyphs, (columns, rows));
-            for page in Page::ALL {
-                assert_eq!(bench.app.pages.search.page, page);
-                bench.keys("lll");
-                let name = page.title().replace(' ', "_");
-                assert_snapshot!(
-                    format!("search_{name}_{columns}x{rows}_{glyphs}"),
-                    bench.screen()
-                );
-                bench.keys("4");
-                answer(&mut bench);
-            }
-            assert_eq!(bench.app.pages.search.page, Page::Seek);
+    for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (160, 50)]) {
+        let mut bench = open(glyphs, (columns, rows));
+        for page in Page::ALL {
+            assert_eq!(bench.app.pages.search.page, page);
+            bench.keys("lll");
+            let name = page.title().replace(' ', "_");
+            assert_snapshot!(format!("search_{name}_{columns}x{rows}_{glyphs}"), bench.screen());
+            bench.keys("4");
+            answer(&mut bench);
         }
+        assert_eq!(bench.app.pages.search.page, Page::Seek);
     }
 }
 

@@ -174,7 +174,7 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     }
     assert_eq!(read[0][3].parse::<f64>().unwrap().to_bits(), shown.values[0].to_bits());
     bench.keys("<Esc><Tab>e");
-    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+    assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
     answer(&mut bench);
     bench.keys("e<Enter>");
     let (path, text) = exported(&mut bench);

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::at_every_size;
 use super::bench::{Bench, ended};
 use cmra::files::atomic::Existing;
 use cmra::files::preset;
@@ -86,15 +87,13 @@ fn keys(bench: &mut Bench, keys: &str) {
 
 #[test]
 fn the_sweep_tabs_at_every_size() {
-    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
-        for (columns, rows) in [(60, 16), (80, 24), (120, 36)] {
-            let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
-            keys(&mut bench, "2lll");
-            assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
-            bench.app.pages.explore.plan.picture = Picture::Surface;
-            keys(&mut bench, "12llkkk");
-            assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
-        }
+    for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (120, 36)]) {
+        let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
+        keys(&mut bench, "2lll");
+        assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
+        bench.app.pages.explore.plan.picture = Picture::Surface;
+        keys(&mut bench, "12llkkk");
+        assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
     }
 }
 
@@ -111,7 +110,7 @@ fn one_curve_and_a_logarithmic_surface() {
 #[test]
 fn points_without_a_value_are_letters_with_a_legend() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "2<Tab>jjjjjj<Enter>v_i<Enter>");
+    keys(&mut bench, "2<Tab>jjjjj<Enter>v_i<Enter>");
     keys(&mut bench, "<Down><Enter>150<Down><Enter>400<Enter><Tab>");
     assert_snapshot!("surface_perforated", bench.screen());
     assert!(bench.screen().contains("P  perforated"));
@@ -370,42 +369,6 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     assert_eq!(bench.exported().expect("asked again").0.existing, Existing::Replace);
 }
 
-/// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.
-#[test]
-fn a_quadratic_fit_shows_its_residuals() {
-    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
-    keys(&mut bench, "2");
-    assert!(!bench.screen().contains("quadratic fit"));
-    keys(&mut bench, ":residuals of the quad<Enter>");
-    let screen = bench.screen();
-    assert!(
-        screen.contains("off the fit: ") && screen.contains("quadratic fit: R2 0.9"),
-        "{screen}"
-    );
-    assert_snapshot!("surface_off_the_fit", screen);
-    keys(&mut bench, ":residuals of the quad<Enter>");
-    assert!(!bench.screen().contains("off the fit"));
-}
-
-/// A Latin hypercube of the two axes: dots, each its own design; the cursor goes through them in order.
-#[test]
-fn other_designs_are_dots_and_the_cursor_walks_them() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "2<Tab>jjjjjl");
-    assert!(bench.screen().contains("lhs"), "{}", bench.screen());
-    assert!(bench.screen().contains("21 points in 8.0 ms"), "{}", bench.screen());
-    assert_snapshot!("lines_of_a_hypercube", bench.screen());
-    keys(&mut bench, "<Tab>hHHH<Enter>");
-    let gamma = |bench: &Bench| bench.app.scene.plate.mass_ratio;
-    let first = gamma(&bench);
-    // One point in each of 21 slices of 0.8 to 7.
-    assert!(first > 0.8 && first < 0.8 + 6.2 / 21.0, "{first}");
-    keys(&mut bench, "l<Enter>");
-    assert!(gamma(&bench) > first && gamma(&bench) < 0.8 + 2.0 * 6.2 / 21.0);
-    keys(&mut bench, "<Tab>l");
-    assert!(bench.screen().contains("sobol"), "{}", bench.screen());
-}
-
 /// Beyond the rigid plate's own limit there is no baseline to be a percentage of, though the plate still holds.
 #[test]
 fn the_letter_of_points_at_rest_without_a_value_is_explained() {
@@ -421,7 +384,7 @@ fn the_letter_of_points_at_rest_without_a_value_is_explained() {
 fn curves_are_repeated_for_any_variable_that_is_typed() {
     for name in ["k", "n"] {
         let mut bench = Bench::ascii(80, 24);
-        keys(&mut bench, "2<Tab>jjjjjj<Enter>");
+        keys(&mut bench, "2<Tab>jjjjj<Enter>");
         assert!(bench.screen().contains("[none"), "{}", bench.screen());
         assert!(!bench.screen().contains("7.5MN/m"), "no unit belongs to a name");
         bench.keys(&format!("{name}<Enter>"));
@@ -430,4 +393,16 @@ fn curves_are_repeated_for_any_variable_that_is_typed() {
         assert_eq!(axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["gamma", name]);
         assert!(bench.screen().contains("curves"), "{}", bench.screen());
     }
+}
+
+/// The plate's size is given by gamma: the cursor of a sweep over its mass stands at the mass that it has all the same.
+#[test]
+fn the_cursor_of_a_sweep_over_the_mass_of_the_plate_begins_at_the_scene() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, "2<Tab>l<Tab>");
+    let message = bench.message();
+    let near = message.strip_prefix("near m_2 ").and_then(|rest| rest.split_once(' '));
+    let mass_kg: f64 = near.expect(&message).0.parse().unwrap();
+    // Half a step of the axis.
+    assert!((mass_kg - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
 }

@@ -144,7 +144,7 @@ fn the_comparison_over_velocity_takes_1() {
     let screen = task.bench.screen();
     assert!(screen.contains("mass efficiency 0.15"), "{screen}");
     assert!(screen.contains("scene  rigid mount"), "{screen}");
-    assert!(screen.contains("limit with hardware, m/s"), "{screen}");
+    assert!(screen.contains("ballistic limit, m/s"), "{screen}");
     assert!(screen.contains("mass efficiency, up: gamma"), "{screen}");
     assert!(screen.contains("O line of 1"), "{screen}");
     assert_eq!(task.presses, 1);

@@ -1,7 +1,7 @@
 //! The force of every kind of spring, read off the README and its sources once more: one formula a kind, by itself.
 //!
-//! Tables follow Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300) written as Hermite's basis; springs in series share a
-//! displacement by bisection. What a spring adds to the plate's mass is here, too.
+//! Tables follow Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300) written as Hermite's basis. What a spring adds to the
+//! plate's mass is here, too.
 
 use cmra_engine::model::scene::{Beam, Combination, Mechanism, OwnMass, Scene, Spring, SpringKind};
 
@@ -13,79 +13,38 @@ const ANGLE_DEG: f64 = 64.3;
 /// The law of all springs of a mechanism.
 pub(crate) struct Law<'a> {
     mechanism: &'a Mechanism,
-    tables: [Option<Table>; 2],
+    table: Option<Table>,
 }
 
 impl<'a> Law<'a> {
     pub(crate) fn new(mechanism: &'a Mechanism) -> Self {
-        let table = |spring: &Spring| {
-            (spring.kind == SpringKind::Table).then(|| Table::new(&spring.table.points))
-        };
-        Self { mechanism, tables: [table(&mechanism.spring), table(&mechanism.second)] }
+        let spring = &mechanism.spring;
+        let is_table = spring.kind == SpringKind::Table;
+        Self { mechanism, table: is_table.then(|| Table::new(&spring.table.points)) }
     }
 
     /// The force against a displacement of the plate that was so far out before, N.
     pub(crate) fn force_n(&self, x: f64, farthest_m: f64) -> f64 {
-        let crushed_n = |spring: &Spring| crush_n(spring, x, farthest_m);
-        match self.mechanism.combination {
-            Combination::Alone => self.one_n(0, x) + crushed_n(&self.mechanism.spring),
+        let Mechanism { spring, second, combination, .. } = self.mechanism;
+        let beside = match combination {
+            Combination::Alone => 0.0,
             Combination::Parallel => {
-                let Mechanism { spring, second, .. } = self.mechanism;
-                self.one_n(0, x) + self.one_n(1, x) + crushed_n(spring) + crushed_n(second)
+                x.signum() * power(second.coefficient, second.exponent, x.abs())
             }
-            Combination::Series => self.one_n(0, self.share_m(x)),
-        }
+        };
+        self.first_n(x) + crush_n(spring, x, farthest_m) + beside
     }
 
     /// Places where the law has a corner, m: a step is cut there.
     pub(crate) fn corners_m(&self) -> Vec<f64> {
-        let Mechanism { spring, second, combination, .. } = self.mechanism;
         let mut found = vec![0.0];
-        if *combination == Combination::Series {
-            return found;
-        }
-        found.extend(corners(spring));
-        if *combination == Combination::Parallel {
-            found.extend(corners(second));
-        }
+        found.extend(corners(&self.mechanism.spring));
         found
     }
 
-    /// Series: what the first spring gives way, where both carry the same.
-    fn share_m(&self, x: f64) -> f64 {
-        let excess = |first: f64| self.one_n(0, first) - self.one_n(1, x - first);
-        // Each gives way in the direction of the whole.
-        let (mut low, mut high) = (x.min(0.0), x.max(0.0));
-        if [0, 1].iter().any(|which| self.one_n(*which, 0.0) != 0.0) {
-            let mut reach = x.abs() + 1e-3;
-            while excess(low) > 0.0 || excess(high) < 0.0 {
-                (low, high, reach) = (low - reach, high + reach, 2.0 * reach);
-            }
-        }
-        let (mut below, mut above) = (excess(low), excess(high));
-        // The Illinois form of the false position.
-        for _ in 0..100 {
-            if (high - low).abs() <= 1e-16 * (low.abs() + high.abs()) || above - below == 0.0 {
-                break;
-            }
-            let at = high - above * (high - low) / (above - below);
-            let value = excess(at);
-            if value == 0.0 {
-                return at;
-            }
-            if (value > 0.0) == (above > 0.0) {
-                below *= 0.5;
-            } else {
-                (low, below) = (high, above);
-            }
-            (high, above) = (at, value);
-        }
-        high
-    }
-
-    /// One of the springs alone.
-    fn one_n(&self, which: usize, x: f64) -> f64 {
-        let spring = if which == 0 { &self.mechanism.spring } else { &self.mechanism.second };
+    /// The first spring alone, but for what it is crushed.
+    fn first_n(&self, x: f64) -> f64 {
+        let spring = &self.mechanism.spring;
         let side = if x < 0.0 { -1.0 } else { 1.0 };
         let z = x.abs();
         let single = match spring.kind {
@@ -125,7 +84,7 @@ impl<'a> Law<'a> {
             // It has a memory.
             SpringKind::Crush => 0.0,
             SpringKind::Table => {
-                self.tables[which].as_ref().expect("a table spring has a table").force_n(x)
+                self.table.as_ref().expect("a table spring has a table").force_n(x)
             }
         };
         spring.count * single
@@ -243,26 +202,21 @@ impl Table {
 /// The mass that answers when the plate is pushed, kg: what turns with it, and the moving part of springs that count, whose mass is
 /// given or that of their beams.
 pub(crate) fn moving_kg(scene: &Scene) -> f64 {
-    let Mechanism { spring, second, combination, .. } = &scene.mechanism;
-    let acting =
-        if *combination == Combination::Alone { vec![spring] } else { vec![spring, second] };
-    let added = |spring: &&Spring| {
-        let turning = match spring.kind {
-            SpringKind::Helix => spring.helix.inertia_kg_m2 * spring.helix.twist_rad_m.powi(2),
-            _ => 0.0,
-        };
-        let part = match spring.kind {
-            SpringKind::Cantilever => 33.0 / 140.0,
-            SpringKind::FixedGuided => 13.0 / 35.0,
-            _ => 1.0 / 3.0,
-        };
-        let beam = spring.beam;
-        let beams = beam.density_kg_m3 * beam.width_m * beam.height_m * beam.length_m;
-        let own = match spring.own_mass {
-            OwnMass::Ignored => 0.0,
-            OwnMass::Counted => part * spring.mass_kg.unwrap_or(spring.count * beams),
-        };
-        turning + own
+    let spring = &scene.mechanism.spring;
+    let turning = match spring.kind {
+        SpringKind::Helix => spring.helix.inertia_kg_m2 * spring.helix.twist_rad_m.powi(2),
+        _ => 0.0,
     };
-    scene.plate.mass_ratio * scene.projectile.mass_kg + acting.iter().map(added).sum::<f64>()
+    let part = match spring.kind {
+        SpringKind::Cantilever => 33.0 / 140.0,
+        SpringKind::FixedGuided => 13.0 / 35.0,
+        _ => 1.0 / 3.0,
+    };
+    let beam = spring.beam;
+    let beams = beam.density_kg_m3 * beam.width_m * beam.height_m * beam.length_m;
+    let own = match spring.own_mass {
+        OwnMass::Ignored => 0.0,
+        OwnMass::Counted => part * spring.mass_kg.unwrap_or(spring.count * beams),
+    };
+    scene.plate.mass_ratio * scene.projectile.mass_kg + turning + own
 }

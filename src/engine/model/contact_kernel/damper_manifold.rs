@@ -92,7 +92,7 @@ impl DamperManifold {
             ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
                 offset[J] = s.travel[J] - if J == 0 { origin_m } else { 0.0 };
-                area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset)
+                area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset)
                     + if J == 0 { a[0] } else { 0.0 };
                 let mut force;
                 if J == 0 {
@@ -106,8 +106,8 @@ impl DamperManifold {
                     }
                 } else {
                     // All but the part of the slip's coefficient J, which is not known yet, ...
-                    pressure[J] = drag_kg_m3 * square_at::<N, J, f64>(&s.slip);
-                    force = product_at::<N, J, f64>(&area, pressure);
+                    pressure[J] = drag_kg_m3 * square_at::<N, J>(&s.slip);
+                    force = product_at::<N, J>(&area, pressure);
                     // ... and that part, linear in it.
                     let drag = 2.0 * drag_kg_m3 * s.slip[0];
                     let by_slip = area[0] * drag;

@@ -13,21 +13,20 @@ use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
 use crate::numerics::larger;
 use crate::numerics::taylor::rough_root;
-use crate::numerics::wide::Real;
 
 /// The four series, in the step's own variable from 0 to 1.
-pub(super) struct Series<const N: usize, R: Real = f64> {
-    pub(super) travel: [R; N],
-    pub(super) slip: [R; N],
-    pub(super) plate: [R; N],
-    pub(super) speed: [R; N],
+pub(super) struct Series<const N: usize> {
+    pub(super) travel: [f64; N],
+    pub(super) slip: [f64; N],
+    pub(super) plate: [f64; N],
+    pub(super) speed: [f64; N],
 }
 
-impl<const N: usize, R: Real> Series<N, R> {
+impl<const N: usize> Series<N> {
     /// (travel, slip, plate, speed) at `span`, evaluated together.
     #[inline(always)]
-    pub(super) fn state(&self, span: R) -> [R; 4] {
-        let mut state = [span.alike(0.0); 4];
+    pub(super) fn state(&self, span: f64) -> [f64; 4] {
+        let mut state = [0.0; 4];
         for j in (0..N).rev() {
             let terms = [self.travel[j], self.slip[j], self.plate[j], self.speed[j]];
             for (value, term) in state.iter_mut().zip(terms) {
@@ -39,35 +38,24 @@ impl<const N: usize, R: Real> Series<N, R> {
 
     /// How fast the slip changes at `span`.
     #[inline(always)]
-    pub(super) fn slip_slope(&self, span: R) -> R {
-        let mut sum = span.alike(0.0);
+    pub(super) fn slip_slope(&self, span: f64) -> f64 {
+        let mut sum = 0.0;
         for j in (1..N).rev() {
             sum = sum * span + self.slip[j] * j as f64;
         }
         sum
     }
-
-    /// The series of one lane.
-    pub(super) fn lane(&self, lane: usize) -> Series<N> {
-        let of = |series: &[R; N]| std::array::from_fn(|j| series[j].lane(lane));
-        Series {
-            travel: of(&self.travel),
-            slip: of(&self.slip),
-            plate: of(&self.plate),
-            speed: of(&self.speed),
-        }
-    }
 }
 
 /// The constants of the contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Constants<R = f64> {
-    pub(super) strength_pa: R,
-    pub(super) drag_kg_m3: R,
-    pub(super) slip_mobility: R,
-    pub(super) plate_mobility: R,
-    pub(super) cos: R,
-    pub(super) velocity_m_s: R,
+pub(super) struct Constants {
+    pub(super) strength_pa: f64,
+    pub(super) drag_kg_m3: f64,
+    pub(super) slip_mobility: f64,
+    pub(super) plate_mobility: f64,
+    pub(super) cos: f64,
+    pub(super) velocity_m_s: f64,
 }
 
 impl Constants {
@@ -98,21 +86,9 @@ impl Constants {
 
 /// The area on a piece of the travel: a0 + a1 (q - origin) + a2 (q - origin)².
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Area<R = f64> {
-    pub(super) origin_m: R,
-    pub(super) a: [R; 3],
-}
-
-impl<R: Copy> Area<R> {
-    /// Its numbers for the lanes, and back.
-    pub(super) fn numbers(self) -> [R; 4] {
-        [self.origin_m, self.a[0], self.a[1], self.a[2]]
-    }
-
-    #[inline(always)]
-    pub(super) fn of([origin_m, a0, a1, a2]: [R; 4]) -> Self {
-        Self { origin_m, a: [a0, a1, a2] }
-    }
+pub(super) struct Area {
+    pub(super) origin_m: f64,
+    pub(super) a: [f64; 3],
 }
 
 /// Time along a step.
@@ -171,18 +147,18 @@ impl StepTime {
     }
 }
 
-impl<R: Real> Constants<R> {
+impl Constants {
     /// Expand from `state` = (travel, slip, plate, speed) on a piece of this area.
     #[inline(always)]
     pub(super) fn expand<const N: usize, const GRADED: bool>(
         &self,
-        mut spring: impl Law<N, R>,
-        mut damper: impl Damping<N, R>,
-        state: [R; 4],
-        rates: [R; 3],
-        Area { origin_m, a }: Area<R>,
-    ) -> Series<N, R> {
-        let zero = [origin_m.alike(0.0); N];
+        mut spring: impl Law<N>,
+        mut damper: impl Damping<N>,
+        state: [f64; 4],
+        rates: [f64; 3],
+        Area { origin_m, a }: Area,
+    ) -> Series<N> {
+        let zero = [0.0; N];
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: zero };
         let (mut offset, mut area, mut pressure) = (zero, zero, zero);
         let (mut slowing, mut driving) = (zero, zero);
@@ -210,10 +186,10 @@ impl<R: Real> Constants<R> {
                     f = area[0] * pressure[0];
                 } else {
                     offset[J] = s.travel[J];
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, R>(&offset);
-                    let older = drag * square_before::<N, J, R>(&s.slip);
+                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset);
+                    let older = drag * square_before::<N, J>(&s.slip);
                     pressure[J] = older + by_slip * s.slip[J];
-                    let known = product_before::<N, J, R>(&area, &pressure) + area[J] * pressure[0];
+                    let known = product_before::<N, J>(&area, &pressure) + area[J] * pressure[0];
                     f = known + area[0] * older + by_slip_there * s.slip[J];
                 }
                 let held = spring.term::<J>(&s.plate);
@@ -224,10 +200,10 @@ impl<R: Real> Constants<R> {
                 driving[J] = pushed - g;
                 if const { J + 1 < N } {
                     let per_order = 1.0 / (J + 1) as f64;
-                    s.travel[J + 1] = along::<N, J, GRADED, R>(&s.slip, rates) * (unit_s * per_order);
-                    s.slip[J + 1] = along::<N, J, GRADED, R>(&slowing, rates) * per_order;
-                    s.plate[J + 1] = along::<N, J, GRADED, R>(&s.speed, rates) * (unit_s * per_order);
-                    s.speed[J + 1] = along::<N, J, GRADED, R>(&driving, rates) * per_order;
+                    s.travel[J + 1] = along::<N, J, GRADED>(&s.slip, rates) * (unit_s * per_order);
+                    s.slip[J + 1] = along::<N, J, GRADED>(&slowing, rates) * per_order;
+                    s.plate[J + 1] = along::<N, J, GRADED>(&s.speed, rates) * (unit_s * per_order);
+                    s.speed[J + 1] = along::<N, J, GRADED>(&driving, rates) * per_order;
                 }
             } )* };
         }
@@ -238,15 +214,14 @@ impl<R: Real> Constants<R> {
     /// How large the last terms are in what matters to depth and time, relative. The plate's displacement is measured against
     /// `plate_m`, m, if that is less than the travel.
     #[inline(always)]
-    pub(super) fn last_terms<const N: usize>(&self, s: &Series<N, R>, plate_m: R) -> R {
+    pub(super) fn last_terms<const N: usize>(&self, s: &Series<N>, plate_m: f64) -> f64 {
         let length = s.travel[0].abs() + s.travel[1].abs();
-        let share = (length / plate_m).each(length, |share, _| larger(share, 1.0));
-        let mut lengths = length.alike(0.0);
-        let mut speeds = lengths;
+        let share = larger(length / plate_m, 1.0);
+        let (mut lengths, mut speeds) = (0.0, 0.0);
         // Two terms: one may vanish by symmetry.
         for j in N - 2..N {
-            lengths = lengths + s.travel[j].abs() + share * s.plate[j].abs();
-            speeds = speeds + s.slip[j].abs() + s.speed[j].abs();
+            lengths += s.travel[j].abs() + share * s.plate[j].abs();
+            speeds += s.slip[j].abs() + s.speed[j].abs();
         }
         lengths / length + speeds / self.velocity_m_s
     }
@@ -273,10 +248,7 @@ const REACH_MAX: f64 = 20.0;
 
 /// Coefficient J of dz/dt · dt/dsigma, in units of the clock's first rate.
 #[inline(always)]
-fn along<const N: usize, const J: usize, const GRADED: bool, R: Real>(
-    z: &[R; N],
-    rates: [R; 3],
-) -> R {
+fn along<const N: usize, const J: usize, const GRADED: bool>(z: &[f64; N], rates: [f64; 3]) -> f64 {
     if const { GRADED && J >= 2 } {
         (rates[2] * z[J - 2] + rates[1] * z[J - 1]) + z[J]
     } else if const { GRADED && J == 1 } {

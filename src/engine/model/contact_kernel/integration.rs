@@ -1,7 +1,6 @@
 //! The integration of a contact from step to step: the step size of each expansion, and the ends of slip, of a piece of travel
 //! and of a kind of expansion.
 
-use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
@@ -118,7 +117,7 @@ impl Contact {
             let plate_scale_m = plate_scale_m(progress.state[2], reach_m);
             let last_terms = self.constants.last_terms(&series, plate_scale_m);
             let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
-            let stepped = self.advance(&mut progress, sides, &end_of_step, || &series);
+            let stepped = self.advance(&mut progress, sides, &end_of_step, &series);
             if let ControlFlow::Break(end) = stepped {
                 return end;
             }
@@ -136,12 +135,12 @@ impl Contact {
 
     /// Take a step as far as it is trusted, or to what ends it before. Breaks with the end of the contact, or with nothing where the
     /// simulation must take over.
-    pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
+    pub(super) fn advance<const N: usize>(
         &self,
         progress: &mut IntegrationState,
         sides: Sides,
         end_of_step: &StepEnd,
-        series: impl Fn() -> S,
+        series: &Series<N>,
     ) -> ControlFlow<Option<ContactEnd>> {
         if end_of_step.trusted < SHORT {
             // The unit is far too long for what happens now.
@@ -151,30 +150,27 @@ impl Contact {
         let to_m = self.geometry.pieces()[progress.piece].to_m;
         let (mut span, mut state) = (end_of_step.trusted, end_of_step.state);
         let stops = state[1] <= 0.0;
-        if !stops && end_of_step.rises && dips(&series().borrow().slip, span) {
+        if !stops && end_of_step.rises && dips(&series.slip, span) {
             return ControlFlow::Break(None);
         }
         if stops {
-            let series = series();
-            span = zero(&series.borrow().slip, span);
-            state = series.borrow().state(span);
+            span = zero(&series.slip, span);
+            state = series.state(span);
         }
         // Travel only grows up to the arrest: the piece's end may lie before it.
         let at_end = state[0] >= to_m;
         if at_end {
-            let series = series();
-            span = rise(&series.borrow().travel, to_m, span);
-            state = series.borrow().state(span);
+            span = rise(&series.travel, to_m, span);
+            state = series.state(span);
         }
         progress.t_s += progress.clock.elapsed_s(span);
         progress.state = state;
         // A step is shorter than half a swing, so there is one maximum at most.
         let turns = end_of_step.speed_m_s > 0.0 && state[3] < 0.0;
         if turns {
-            let series = series();
-            let top = zero(&series.borrow().speed, span);
+            let top = zero(&series.speed, span);
             progress.max_displacement_m =
-                larger(progress.max_displacement_m, evaluate(&series.borrow().plate, top));
+                larger(progress.max_displacement_m, evaluate(&series.plate, top));
         }
         progress.max_displacement_m = larger(progress.max_displacement_m, state[2]);
         if !self.passes(sides, &state) {

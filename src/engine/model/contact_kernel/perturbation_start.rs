@@ -106,7 +106,7 @@ impl Contact {
         let progress = if omitted.iter().all(Option::is_none) {
             let end_of_step = StepEnd::of(&series, span);
             let sides = Sides { spring: true, damper: false };
-            match self.advance(&mut progress, sides, &end_of_step, || &series) {
+            match self.advance(&mut progress, sides, &end_of_step, &series) {
                 ControlFlow::Break(end) => return Some(InitialPhase::without_steps(end)),
                 ControlFlow::Continue(()) => Some(progress).filter(|it| it.t_s > 0.0),
             }

@@ -12,7 +12,6 @@ use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::{Contact, free, is_linear};
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::wide::Real;
 use crate::numerics::{larger, smaller};
 
 /// Newton steps for the place of balance.
@@ -57,27 +56,18 @@ pub(super) struct Guess {
 
 /// The terms that the next pass takes from the one before.
 #[derive(Clone, Copy)]
-pub(super) struct Lag<const N: usize, R = f64> {
+pub(super) struct Lag<const N: usize> {
     /// Inertia and damper, m w' + b w, N.
-    pub(super) force: [R; N],
+    pub(super) force: [f64; N],
     /// Plate velocity w, m/s.
-    pub(super) speed: [R; N],
+    pub(super) speed: [f64; N],
 }
 
 /// What a pass is made about: a balance, and what the pass before leaves.
-pub(super) struct About<'a, const N: usize, R> {
-    pub(super) plate_m: R,
-    pub(super) held_n: R,
-    pub(super) lag: &'a Lag<N, R>,
-}
-
-/// The spring of the manifold, or one in each lane.
-#[derive(Clone, Copy)]
-pub(super) struct Spring<R> {
-    pub(super) coefficient: R,
-    pub(super) exponent: R,
-    pub(super) damper_n_s_m: R,
-    pub(super) plate_kg: R,
+pub(super) struct About<'a, const N: usize> {
+    pub(super) plate_m: f64,
+    pub(super) held_n: f64,
+    pub(super) lag: &'a Lag<N>,
 }
 
 /// Exponent below which a plate follows the manifold from the start.
@@ -159,31 +149,28 @@ impl SpringManifold {
         }
         Some(Balance { plate_m: x, force_n: force })
     }
-}
 
-impl<R: Real> Spring<R> {
     /// One pass about that place of balance: the series with the plate's velocity as it was before.
     #[inline(always)]
     pub(super) fn pass<const N: usize>(
         &self,
-        constants: &Constants<R>,
-        state: [R; 4],
-        unit_s: R,
-        Area { origin_m, a }: Area<R>,
-        &About { plate_m, held_n, lag }: &About<'_, N, R>,
-    ) -> Series<N, R> {
+        constants: &Constants,
+        state: [f64; 4],
+        unit_s: f64,
+        Area { origin_m, a }: Area,
+        &About { plate_m, held_n, lag }: &About<'_, N>,
+    ) -> Series<N> {
         let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, .. } =
             *constants;
         let slowing = slip_mobility - cos * cos * plate_mobility;
-        let none = unit_s.alike(0.0);
-        let zero = [none; N];
+        let zero = [0.0; N];
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: lag.speed };
         let mut offset = zero;
-        let (area, pressure) = (&mut [none; N], &mut [none; N]);
+        let (area, pressure) = (&mut [0.0; N], &mut [0.0; N]);
         // The projectile's own travel and velocity, as far as they are known.
         let next = &mut [zero, zero];
         (next[0][0], next[1][0]) = (state[0] + cos * state[2], state[1] + cos * state[3]);
-        let mut spring = Power::<N, R>::new(self.coefficient, self.exponent);
+        let mut spring = Power::<N>::of(self.spring);
         spring.start(plate_m, held_n);
         s.plate[0] = plate_m;
         s.slip[0] = next[1][0] - cos * lag.speed[0];
@@ -196,8 +183,8 @@ impl<R: Real> Spring<R> {
         let slip_force = area[0] * slip_pressure;
         let plate_area = cos * slope;
         let plate_force = cos * slope * pressure[0];
-        let tangent = held_n * self.exponent / plate_m;
-        let force_plate = none.alike(1.0) / (tangent + cos * cos * slope * pressure[0]);
+        let tangent = held_n * self.spring.exponent / plate_m;
+        let force_plate = 1.0 / (tangent + cos * cos * slope * pressure[0]);
         macro_rules! order {
             ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
@@ -208,10 +195,10 @@ impl<R: Real> Spring<R> {
                     s.slip[J] = next[1][J] - cos * lag.speed[J];
                     // All but the parts of the slip's and the plate's coefficients J: what does not wait for them, ...
                     let moved = next[0][J];
-                    let curvature = square_before::<N, J, R>(&offset) + offset[0] * moved * 2.0;
+                    let curvature = square_before::<N, J>(&offset) + offset[0] * moved * 2.0;
                     area[J] = a[1] * moved + a[2] * curvature;
-                    let older = drag_kg_m3 * square_before::<N, J, R>(&s.slip);
-                    let known = product_before::<N, J, R>(area, pressure)
+                    let older = drag_kg_m3 * square_before::<N, J>(&s.slip);
+                    let known = product_before::<N, J>(area, pressure)
                         + (area[J] * pressure[0] + area[0] * older);
                     let held = spring.term::<J>(&s.plate);
                     let pushed = (cos * known - lag.force[J] - held) * force_plate;
@@ -221,7 +208,7 @@ impl<R: Real> Spring<R> {
                     s.plate[J] = x;
                     spring.add::<J>(x);
                     offset[J] = moved - cos * x;
-                    area[J] = area[J] - plate_area * x;
+                    area[J] -= plate_area * x;
                     pressure[J] = older + slip_pressure * s.slip[J];
                 }
                 s.travel[J] = if J == 0 { offset[J] + origin_m } else { offset[J] };
@@ -238,9 +225,9 @@ impl<R: Real> Spring<R> {
 
     /// What follows from a pass for the plate's velocity and for the next pass; of the last terms nothing is known.
     #[inline(always)]
-    pub(super) fn lag<const N: usize>(&self, series: &Series<N, R>, unit_s: R) -> Lag<N, R> {
-        let rate = unit_s.alike(1.0) / unit_s;
-        let zero = [unit_s.alike(0.0); N];
+    pub(super) fn lag<const N: usize>(&self, series: &Series<N>, unit_s: f64) -> Lag<N> {
+        let rate = 1.0 / unit_s;
+        let zero = [0.0; N];
         let mut lag = Lag { force: zero, speed: zero };
         for j in 0..N - 1 {
             lag.speed[j] = series.plate[j + 1] * (j + 1) as f64 * rate;

@@ -16,37 +16,29 @@ const ROUNDING: f64 = 1e-12;
 impl Problem {
     pub(super) fn has_absorber(&self) -> bool {
         let sprung = self.mechanism.spring.curve().is_some();
-        sprung && self.scene.mechanism.acting().any(|one| one.law().absorber().is_some())
+        sprung && self.scene.mechanism.spring.law().absorber().is_some()
     }
 
-    /// The impact with absorbers as they were at first contact, for another run.
+    /// The impact with its absorber as it was at first contact, for another run.
     pub(super) fn anew(&self) -> Self {
         Self { next: OnceLock::new(), ..self.clone() }
     }
 
-    /// How far the absorbers are crushed when the plate turns at x; `None` where that is no farther than before.
-    fn crushed_by(&self, x: f64) -> Option<[f64; 2]> {
-        let mut crushed_m = self.crushed_m;
-        let mut farther = false;
-        for (spring, crushed_m) in self.scene.mechanism.acting().zip(&mut crushed_m) {
-            let Some(absorber) = spring.law().absorber() else { continue };
-            let reached = larger(*crushed_m, absorber.rise_m()) * (1.0 + ROUNDING);
-            if *crushed_m < absorber.stroke_m && x > reached {
-                *crushed_m = x;
-                farther = true;
-            }
-        }
-        farther.then_some(crushed_m)
+    /// How far the absorber is crushed when the plate turns at x; `None` where that is no farther than before.
+    fn crushed_by(&self, x: f64) -> Option<f64> {
+        let absorber = self.scene.mechanism.spring.law().absorber()?;
+        let reached = larger(self.crushed_m, absorber.rise_m()) * (1.0 + ROUNDING);
+        (self.crushed_m < absorber.stroke_m && x > reached).then_some(x)
     }
 
-    /// The spring after absorbers were crushed up to x; `None` where that is no farther than before.
+    /// The spring after its absorber was crushed up to x; `None` where that is no farther than before.
     pub(super) fn unloaded_spring(&self, x: f64) -> Option<Spring> {
         let crushed_m = if self.has_absorber() { self.crushed_by(x) } else { None };
         crushed_m.map(|crushed_m| Spring::after(&self.scene.mechanism, crushed_m))
     }
 
-    /// The same impact with absorbers crushed so far.
-    fn crushed(&self, crushed_m: [f64; 2]) -> &Self {
+    /// The same impact with its absorber crushed so far.
+    fn crushed(&self, crushed_m: f64) -> &Self {
         self.next.get_or_init(|| {
             let mut own = self.anew();
             own.mechanism.spring = Spring::after(&own.scene.mechanism, crushed_m);
@@ -57,8 +49,8 @@ impl Problem {
 }
 
 impl Simulation<'_> {
-    /// A plate that no longer goes forward unloads the absorbers it has crushed from where it is; the energy spent on crushing
-    /// them is dissipated.
+    /// A plate that no longer goes forward unloads the absorber it has crushed from where it is; the energy spent on crushing it is
+    /// dissipated.
     pub(super) fn unload_absorbers(&mut self) {
         if self.body.state.plate_m_s > 0.0 || !self.body.problem.has_absorber() {
             return;

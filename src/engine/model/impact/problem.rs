@@ -7,7 +7,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_models::{self, ContactLaw, Scales};
 use crate::model::fixed_plate::plate_is_fixed;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring};
-use crate::model::scene::{Combination, ContactModel, InterfaceLaw, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -63,9 +63,9 @@ pub(super) struct Problem {
     pub(super) horizon_is_given: bool,
     /// How many times as long as usual a run that oscillates on undecided is followed.
     pub(super) oscillation_factor: usize,
-    /// How far the absorbers among the two springs have been crushed, m.
-    pub(super) crushed_m: [f64; 2],
-    /// The same impact once they are crushed farther.
+    /// How far the absorber has been crushed, m.
+    pub(super) crushed_m: f64,
+    /// The same impact once it is crushed farther.
     pub(super) next: OnceLock<Box<Self>>,
 }
 
@@ -151,7 +151,7 @@ impl Problem {
             baseline_m: None,
             horizon_is_given: scene.run.horizon_s.is_some(),
             oscillation_factor: 1,
-            crushed_m: [0.0; 2],
+            crushed_m: 0.0,
             next: OnceLock::new(),
         };
         let baseline = problem.contact.hole_on_rigid_mount_m();
@@ -189,11 +189,12 @@ impl Problem {
 
     /// Whether the spring is a combination with a power law that is infinitely steep at zero.
     pub(super) fn straightens(&self) -> bool {
-        let springs = [&self.scene.mechanism.spring, &self.scene.mechanism.second];
-        let is_steep = |law: PowerLaw| !law.is_absent() && law.exponent < 1.0;
-        self.scene.mechanism.combination != Combination::Alone
-            && self.mechanism.spring.curve().is_some()
-            && springs.iter().any(|spring| spring.power_law().is_some_and(is_steep))
+        let mechanism = &self.scene.mechanism;
+        let second = mechanism.second_law();
+        let first = mechanism.spring.power_law().unwrap_or(PowerLaw::NONE);
+        self.mechanism.spring.curve().is_some()
+            && !second.is_absent()
+            && (first.is_steep_at_zero() || second.is_steep_at_zero())
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.

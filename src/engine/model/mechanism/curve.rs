@@ -215,23 +215,6 @@ impl Curve {
         place.unwrap_or(f64::INFINITY)
     }
 
-    /// The displacement at which a law that rises everywhere has this force, m.
-    pub fn displaced_by(&self, force_n: f64) -> f64 {
-        let way = if self.force(0.0) < force_n { 1.0 } else { -1.0 };
-        let missing = |x: f64| way * (self.force(x) - force_n);
-        let place = self.first_place(0.0, way, Vec::new(), |x| missing(x) >= 0.0, missing);
-        place.unwrap_or(way * f64::INFINITY)
-    }
-
-    /// Whether the force rises everywhere, so that each force belongs to one displacement.
-    pub fn is_rising(&self) -> bool {
-        self.segments.pieces.iter().enumerate().all(|(region, piece)| {
-            let (low, high) = self.span(region);
-            let inside = (1..LOOKS).map(|i| low + (high - low) * i as f64 / LOOKS as f64);
-            inside.into_iter().all(|x| piece.tangent(x) > 0.0)
-        })
-    }
-
     /// Where a function of the pieces changes sign, rising order not promised, m.
     fn changes(&self, f: impl Fn(&Piece, f64) -> f64) -> Vec<f64> {
         let mut found = Vec::new();

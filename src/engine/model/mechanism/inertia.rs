@@ -8,8 +8,11 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, OwnMass, Scene, WhichSpring};
+use crate::model::scene::{self, OwnMass, Scene};
 use crate::numerics::larger;
+
+/// The part of a coil spring that moves with its end.
+const COIL_PART: f64 = 1.0 / 3.0;
 
 /// The additional mass that moves with the plate, kg.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -18,9 +21,9 @@ pub struct Inertia {
     pub rotation_kg: f64,
     /// The moving part of the springs' own mass.
     pub springs_kg: f64,
-    /// The springs' whole mass, where that of every spring is known; an absent one has none.
+    /// The springs' whole mass, where it is known; an absent one has none.
     pub spring_mass_kg: Option<f64>,
-    /// The mass of those springs whose mass is known.
+    /// The mass of the first spring, where it is known, else none.
     known_kg: f64,
 }
 
@@ -30,20 +33,16 @@ impl Inertia {
         if scene.is_rigid() {
             return Self::default();
         }
-        let mut sum = Self::default();
-        for spring in scene.mechanism.acting() {
-            sum.rotation_kg += spring.law().rotation_kg();
+        let spring = &scene.mechanism.spring;
+        let own_kg = mass_kg(scene);
+        let is_counted = spring.own_mass == OwnMass::Counted;
+        Self {
+            rotation_kg: spring.law().rotation_kg(),
+            springs_kg: own_kg.filter(|_| is_counted).map_or(0.0, |kg| spring.moving_part() * kg),
+            // Of the second spring no mass is known.
+            spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
+            known_kg: own_kg.unwrap_or(0.0),
         }
-        for (_, spring) in present(scene) {
-            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
-            sum.known_kg += mass_kg;
-            if spring.own_mass == OwnMass::Counted {
-                sum.springs_kg += spring.moving_part() * mass_kg;
-            }
-        }
-        let is_known = present(scene).all(|(_, spring)| mass_kg(scene, spring).is_some());
-        sum.spring_mass_kg = (is_known && present(scene).next().is_some()).then_some(sum.known_kg);
-        sum
     }
 
     /// The springs' whole mass where it is known, else the greater of its lower bounds: the least by their energy, and what is known, kg.
@@ -75,69 +74,58 @@ pub struct OmittedMass {
     pub is_least: bool,
     /// The part that would move with the plate, kg.
     pub moving_kg: f64,
-    /// The spring of which most moves.
-    pub which: WhichSpring,
 }
 
 impl OmittedMass {
     /// Of a run whose springs stored this energy at most, J; `None` where all of it counts or nothing is known of it.
     pub fn of(scene: &Scene, stored_j: Option<f64>) -> Option<Self> {
-        let (mut known, mut counted_kg, mut greatest_kg) = (None, 0.0, 0.0);
-        for (which, spring) in present(scene) {
-            let Some(mass_kg) = mass_kg(scene, spring) else { continue };
-            if spring.own_mass == OwnMass::Counted {
-                counted_kg += mass_kg;
-                continue;
-            }
-            let none = Self { mass_kg: 0.0, is_least: false, moving_kg: 0.0, which };
-            let sum = known.get_or_insert(none);
-            let moving_kg = spring.moving_part() * mass_kg;
-            sum.mass_kg += mass_kg;
-            sum.moving_kg += moving_kg;
-            if moving_kg > greatest_kg {
-                (greatest_kg, sum.which) = (moving_kg, which);
-            }
+        let mechanism = &scene.mechanism;
+        if scene.is_rigid() || !mechanism.has_springs() {
+            return None;
         }
-        let unknown = present(scene).find(|(_, spring)| {
-            spring.own_mass == OwnMass::Ignored && mass_kg(scene, spring).is_none()
-        });
-        let least = unknown.and_then(|(which, spring)| {
-            let mass_kg = scene.mechanism.least_spring_kg(stored_j?)? - counted_kg;
-            let moving_kg = spring.moving_part() * mass_kg;
-            Some(Self { mass_kg, is_least: true, moving_kg, which })
-        });
+        let spring = &mechanism.spring;
+        let is_counted = spring.own_mass == OwnMass::Counted;
+        let part = if spring.is_absent() { COIL_PART } else { spring.moving_part() };
+        let of = |mass_kg, is_least| Self { mass_kg, is_least, moving_kg: part * mass_kg };
+        let own_kg = mass_kg(scene);
+        let known = own_kg.filter(|_| !is_counted).map(|mass_kg| of(mass_kg, false));
+        let is_all_known = own_kg.is_some() || spring.is_absent();
+        let least = (!(is_all_known || is_counted) || !mechanism.second_law().is_absent())
+            .then(|| mechanism.least_spring_kg(stored_j?))
+            .flatten()
+            .map(|least_kg| {
+                let counted_kg = own_kg.filter(|_| is_counted).unwrap_or(0.0);
+                of(larger(least_kg - counted_kg, 0.0), true)
+            });
         // Each is a lower bound.
         let both = [known, least].into_iter().flatten();
         both.max_by(|a, b| a.moving_kg.total_cmp(&b.moving_kg))
     }
 }
 
-/// The springs that act and are there.
-fn present(scene: &Scene) -> impl Iterator<Item = (WhichSpring, &scene::Spring)> {
-    let mechanism = &scene.mechanism;
-    let acting = WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which));
-    let springs = acting.map(|which| (which, mechanism.one(which)));
-    springs.filter(|(_, spring)| !scene.is_rigid() && !spring.is_absent())
-}
-
-/// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
-fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+/// The mass of the first spring, where there is one: given, of its beams, or, where it is to count, the least its energy needs in
+/// wire, kg.
+fn mass_kg(scene: &Scene) -> Option<f64> {
+    let spring = &scene.mechanism.spring;
+    if scene.is_rigid() || spring.is_absent() {
+        return None;
+    }
     spring
         .mass_kg
         .or_else(|| spring.law().mass_kg(spring))
         .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
 }
 
-/// The spring whose mass is to count and is not known: it counts as nothing.
-pub fn uncounted(scene: &Scene) -> Option<WhichSpring> {
-    let is_unknown =
-        |spring| mass_kg(scene, spring).is_none() && spring.own_mass == OwnMass::Counted;
-    present(scene).find(|(_, spring)| is_unknown(spring)).map(|(which, _)| which)
+/// Whether the spring's mass is to count and is not known: it counts as nothing.
+pub fn is_uncounted(scene: &Scene) -> bool {
+    let spring = &scene.mechanism.spring;
+    let is_there = !scene.is_rigid() && !spring.is_absent();
+    is_there && spring.own_mass == OwnMass::Counted && mass_kg(scene).is_none()
 }
 
 /// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
-/// Of two springs each is taken to store all of the latter, without the inertia of the other: an upper bound. `None` of other springs
-/// than coils where no specific energy is given.
+/// Beside a second spring it is taken to store all of the latter: an upper bound. `None` of other springs than coils where no specific
+/// energy is given.
 fn coil_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
     let coil_j_kg = || spring.law().is_coil().then(|| 1.0 / coil_spring_mass_kg(1.0, &spring.wire));
     let energy_j_kg = scene.mechanism.energy_j_kg.or_else(coil_j_kg)?;

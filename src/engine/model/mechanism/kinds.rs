@@ -5,10 +5,10 @@
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::curve::Curve;
-use crate::model::scene::{Mechanism, OwnMass, Scene, WhichSpring, Wire};
+use crate::model::scene::{Mechanism, OwnMass, Scene, Wire};
 use crate::model::variables::part::{Place, parts};
 use crate::model::variables::visible::is_sprung;
-use crate::model::variables::{Group, Kind, Variable, VariableError};
+use crate::model::variables::{Group, Variable, VariableError};
 use crate::model::worded::worded;
 
 mod beam;
@@ -38,8 +38,8 @@ macro_rules! spring_part {
                 &mut $place
             }
 
-            $(fn matters(mechanism: &Mechanism, which: WhichSpring) -> bool {
-                let $spring = mechanism.one(which);
+            $(fn matters(mechanism: &Mechanism) -> bool {
+                let $spring = &mechanism.spring;
                 $matters
             })?
         }
@@ -91,11 +91,11 @@ macro_rules! kinds {
             matches!(spring.kind, $(SpringKind::$kind)|+)
         })+
 
-        /// Adds the rows of one of the two springs.
-        fn add_rows_of<const SECOND: bool>(rows: &mut Vec<Variable>) {
-            Spring::add_rows::<Which<SECOND>>(rows);
-            $($field::$part::add_rows::<Which<SECOND>>(rows);)+
-            Wire::add_rows::<Which<SECOND>>(rows);
+        /// Adds the rows of the spring.
+        pub(in crate::model) fn add_spring_rows(rows: &mut Vec<Variable>) {
+            Spring::add_rows::<OfSpring>(rows);
+            $($field::$part::add_rows::<OfSpring>(rows);)+
+            Wire::add_rows::<OfSpring>(rows);
         }
     };
 }
@@ -160,7 +160,7 @@ pub(in crate::model) trait Law {
 
     /// Its force over displacement, after it was crushed up to a displacement, m, if it can be.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
-        power_law::curve(self.power_law(spring).unwrap_or(PowerLaw::NONE))
+        Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
 
     /// Whether its force depends on the exponent of the spring.
@@ -265,8 +265,8 @@ trait SpringPart {
 
     fn of_mut(spring: &mut Spring) -> &mut Self;
 
-    /// Whether a spring of a mechanism needs it.
-    fn matters(_: &Mechanism, _: WhichSpring) -> bool {
+    /// Whether the spring of a mechanism needs it.
+    fn matters(_: &Mechanism) -> bool {
         true
     }
 }
@@ -284,58 +284,32 @@ impl SpringPart for Wire {
         &mut spring.wire
     }
 
-    /// Without a given energy per mass a coil's mass follows from its wire, and that of the first spring gives it for both.
-    fn matters(mechanism: &Mechanism, which: WhichSpring) -> bool {
-        let spring = mechanism.one(which);
-        let is_coil = spring.law().is_coil() && !spring.is_absent();
-        let gives_both = which == WhichSpring::First && mechanism.are_coils();
-        mechanism.energy_j_kg.is_none() && is_coil && (gives_both || spring.needs_mass())
+    /// Without a given energy per mass a coil's mass follows from its wire.
+    fn matters(mechanism: &Mechanism) -> bool {
+        mechanism.energy_j_kg.is_none() && mechanism.are_coils() && mechanism.has_springs()
     }
 }
 
-/// One of the two springs, as a type.
-enum Which<const SECOND: bool> {}
+/// The place of the spring and its parts in a scene.
+enum OfSpring {}
 
-impl<const SECOND: bool> Which<SECOND> {
-    const WHICH: WhichSpring = if SECOND { WhichSpring::Second } else { WhichSpring::First };
-}
-
-impl<const SECOND: bool, T: SpringPart> Place<T> for Which<SECOND> {
+impl<T: SpringPart> Place<T> for OfSpring {
     const GROUP: Group = Group::Mechanism;
-    const PATH: [&'static str; 2] = [Self::WHICH.key(), T::FIELD];
+    const PATH: [&'static str; 2] = ["mechanism.spring", T::FIELD];
 
     fn part(scene: &Scene) -> &T {
-        T::of(scene.mechanism.one(Self::WHICH))
+        T::of(&scene.mechanism.spring)
     }
 
     fn part_mut(scene: &mut Scene) -> &mut T {
-        T::of_mut(scene.mechanism.one_mut(Self::WHICH))
+        T::of_mut(&mut scene.mechanism.spring)
     }
 
     fn is_listed(scene: &Scene) -> bool {
-        let mechanism = &scene.mechanism;
-        mechanism.acts(Self::WHICH) && T::matters(mechanism, Self::WHICH)
+        T::matters(&scene.mechanism)
     }
 
     fn is_used(scene: &Scene) -> bool {
         is_sprung(scene) && <Self as Place<T>>::is_listed(scene)
-    }
-}
-
-/// Adds the rows of the first spring.
-pub(in crate::model) fn add_first_rows(rows: &mut Vec<Variable>) {
-    add_rows_of::<false>(rows);
-}
-
-/// Adds the rows of the second spring: those of the first with symbols of their own. The thesis searched no ranges of them.
-pub(in crate::model) fn add_second_rows(rows: &mut Vec<Variable>) {
-    let first = rows.len();
-    add_rows_of::<true>(rows);
-    for row in &mut rows[first..] {
-        row.own_name = "";
-        row.symbol = [row.symbol, WhichSpring::Second.suffix()].concat().leak();
-        if let Kind::Number(number) = &mut row.kind {
-            number.thesis_range = None;
-        }
     }
 }

@@ -4,12 +4,6 @@
 //! before they come back to it.
 
 use crate::model::mechanism::PowerLaw;
-use crate::numerics::root::in_bracket;
-use crate::numerics::series::Powers;
-use crate::numerics::{larger, smaller};
-
-/// Rounds of Newton's method that share a displacement between two springs in series, a little beyond their stretch.
-const ROUNDS: usize = 20;
 
 /// An analytic force over displacement, N over m.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,15 +31,6 @@ pub enum Piece {
     },
     /// Equal displacements.
     Parallel(Box<[Self; 2]>),
-    /// Equal forces.
-    Series {
-        /// Both laws, each rising.
-        laws: Box<[Self; 2]>,
-        /// Displacements of both where the stretch begins, m; minus infinity for the first.
-        low_m: [f64; 2],
-        /// And where it ends; infinity for the last.
-        high_m: [f64; 2],
-    },
 }
 
 impl Piece {
@@ -67,7 +52,6 @@ impl Piece {
             }
             Self::Power { law, side } => side * law.coefficient * raised(side * x, law.exponent),
             Self::Parallel(laws) => laws[0].force(x) + laws[1].force(x),
-            Self::Series { laws, .. } => laws[0].force(self.split(x)),
         }
     }
 
@@ -88,11 +72,6 @@ impl Piece {
                 law.coefficient * n * raised(side * x, n - 1.0)
             }
             Self::Parallel(laws) => laws[0].tangent(x) + laws[1].tangent(x),
-            Self::Series { laws, .. } => {
-                let first = self.split(x);
-                let (a, b) = (laws[0].tangent(first), laws[1].tangent(x - first));
-                a * b / (a + b)
-            }
         }
     }
 
@@ -112,10 +91,6 @@ impl Piece {
                 law.coefficient / (n + 1.0) * raised(side * x, n + 1.0)
             }
             Self::Parallel(laws) => laws[0].energy(x) + laws[1].energy(x),
-            Self::Series { laws, .. } => {
-                let first = self.split(x);
-                laws[0].energy(first) + laws[1].energy(x - first)
-            }
         }
     }
 
@@ -124,8 +99,7 @@ impl Piece {
         match self {
             Self::Cubic { c, .. } => (1..4).rev().find(|k| c[*k] != 0.0).unwrap_or(0),
             Self::Parallel(laws) => laws[0].degree().max(laws[1].degree()),
-            Self::Series { laws, .. } if laws[0].degree() <= 1 && laws[1].degree() <= 1 => 1,
-            Self::Series { .. } | Self::Link { .. } | Self::Power { .. } => usize::MAX,
+            Self::Link { .. } | Self::Power { .. } => usize::MAX,
         }
     }
 
@@ -153,44 +127,9 @@ impl Piece {
                     *term = a + b;
                 }
             }
-            Self::Series { laws, .. } => {
-                let first = self.split(x);
-                jet = series_jet(&laws[0].jet(first), &laws[1].jet(x - first));
-            }
         }
         jet
     }
-
-    /// Series: the first spring's part of a displacement, where both forces are equal; NaN outside the laws' domain.
-    pub fn split(&self, x: f64) -> f64 {
-        let Self::Series { laws, low_m, high_m } = self else {
-            return x;
-        };
-        let gap = |first: f64| laws[0].force(first) - laws[1].force(x - first);
-        let low = larger(low_m[0], x - high_m[1]);
-        let high = smaller(high_m[0], x - low_m[1]);
-        if low.is_infinite() || high.is_infinite() {
-            // Laws without knots: straight lines.
-            return beyond(laws, x, &[0.0; 2]);
-        }
-        if low > high {
-            // Just outside the stretch: on from its nearer end.
-            let from = |end: &[f64; 2]| (x - end[0] - end[1]).abs();
-            return beyond(laws, x, if from(low_m) < from(high_m) { low_m } else { high_m });
-        }
-        in_bracket(low, high, gap)
-    }
-}
-
-/// Newton's method from an end of the stretch, for a displacement close to it.
-fn beyond(laws: &[Piece; 2], x: f64, end: &[f64; 2]) -> f64 {
-    let mut first = end[0];
-    for _ in 0..ROUNDS {
-        let second = x - first;
-        let slope = laws[0].tangent(first) + laws[1].tangent(second);
-        first -= (laws[0].force(first) - laws[1].force(second)) / slope;
-    }
-    first
 }
 
 /// z to a power; whole powers also for the negative z just beyond the law's end.
@@ -226,23 +165,6 @@ fn power_jet<const N: usize>(jet: &mut [f64; N], x: f64, law: PowerLaw, side: f6
     }
 }
 
-/// F with xi: F = a(xi) = b(delta - xi), solved term by term.
-fn series_jet<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
-    let mut force = [0.0; N];
-    force[0] = a[0];
-    let (mut first, mut second) = ([0.0; N], [0.0; N]);
-    let (mut of_first, mut of_second) = (Powers::<N>::new(), Powers::<N>::new());
-    for j in 1..N {
-        let bent_a = of_first.beyond_linear(&first, a, N - 1, j);
-        let bent_b = of_second.beyond_linear(&second, b, N - 1, j);
-        let delta = if j == 1 { 1.0 } else { 0.0 };
-        first[j] = (b[1] * delta + bent_b - bent_a) / (a[1] + b[1]);
-        second[j] = delta - first[j];
-        force[j] = a[1] * first[j] + bent_a;
-    }
-    force
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -255,18 +177,13 @@ mod tests {
     fn pieces() -> Vec<(Piece, f64)> {
         let link = Piece::Link { force_n: 30.0, reach_m: 0.25 };
         let cubic = Piece::Cubic { from_m: 0.1, c: [3.0, 40.0, -50.0, 600.0] };
-        let steep = power(1e3, 1.7, 1.0);
-        let (low_m, high_m) = ([0.0; 2], [0.2; 2]);
-        let series = |a: Piece, b: Piece| Piece::Series { laws: Box::new([a, b]), low_m, high_m };
         vec![
             (cubic.clone(), 0.14),
             (link.clone(), -0.1),
             (link.clone(), 0.0),
             (power(5e2, 0.6, -1.0), -0.2),
             (power(5e2, 4.0, 1.0), 0.3),
-            (Piece::Parallel(Box::new([cubic, link.clone()])), 0.13),
-            (series(link.clone(), Piece::line(0.0, 0.0, 200.0)), 0.2),
-            (series(link, steep), 0.2),
+            (Piece::Parallel(Box::new([cubic, link])), 0.13),
         ]
     }
 
@@ -277,17 +194,6 @@ mod tests {
             for step in [-0.015, 0.01, 0.015] {
                 let (sum, force) = (evaluate(&jet, step), piece.force(x + step));
                 assert!((sum - force).abs() < 1e-11 * (1.0 + force.abs()), "{piece:?} {step}");
-            }
-        }
-    }
-
-    #[test]
-    fn springs_in_series_carry_the_same_force() {
-        for (piece, x) in pieces() {
-            if let Piece::Series { laws, .. } = &piece {
-                let first = piece.split(x);
-                let (a, b) = (laws[0].force(first), laws[1].force(x - first));
-                assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
             }
         }
     }

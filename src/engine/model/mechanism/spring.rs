@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, combine};
-use crate::model::scene::{self, Combination};
+use crate::model::scene;
 use crate::numerics::larger;
 
 /// The force law of all springs together.
@@ -31,33 +31,22 @@ pub enum Elastic<'a> {
 impl Spring {
     /// The law of a valid scene's mechanism, whatever the mount.
     pub fn of(mechanism: &scene::Mechanism) -> Self {
-        Self::after(mechanism, [0.0; 2])
+        Self::after(mechanism, 0.0)
     }
 
-    /// The same where the absorbers among the two springs were crushed up to these displacements, m.
-    pub fn after(mechanism: &scene::Mechanism, crushed_m: [f64; 2]) -> Self {
-        let (first, second) = (&mechanism.spring, &mechanism.second);
-        let alone = |spring: &scene::Spring, crushed_m: f64| {
-            let curve = || Self::Curve(Arc::new(spring.law().curve(spring, crushed_m)));
-            spring.power_law().map_or_else(curve, Self::Power)
-        };
-        let both = |combined: fn(&Curve, &Curve) -> Curve| {
-            let [a, b] = crushed_m;
-            let (a, b) = (first.law().curve(first, a), second.law().curve(second, b));
-            Self::Curve(Arc::new(combined(&a, &b)))
-        };
-        match mechanism.combination {
-            Combination::Alone => alone(first, crushed_m[0]),
-            Combination::Parallel if second.is_absent() => alone(first, crushed_m[0]),
-            Combination::Parallel if first.is_absent() => alone(second, crushed_m[1]),
-            Combination::Parallel => match (first.power_law(), second.power_law()) {
-                (Some(a), Some(b)) if a.exponent.to_bits() == b.exponent.to_bits() => {
-                    let coefficient = a.coefficient + b.coefficient;
-                    Self::Power(PowerLaw { coefficient, ..a })
-                }
-                _ => both(combine::parallel),
-            },
-            Combination::Series => both(combine::series),
+    /// The same where an absorber was crushed up to this displacement, m.
+    pub fn after(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
+        let (first, second) = (&mechanism.spring, mechanism.second_law());
+        let curve = || first.law().curve(first, crushed_m);
+        match first.power_law() {
+            Some(law) if second.is_absent() => Self::Power(law),
+            Some(law) if law.is_absent() => Self::Power(second),
+            Some(law) if law.exponent.to_bits() == second.exponent.to_bits() => {
+                let coefficient = law.coefficient + second.coefficient;
+                Self::Power(PowerLaw { coefficient, ..law })
+            }
+            _ if second.is_absent() => Self::Curve(Arc::new(curve())),
+            _ => Self::Curve(Arc::new(combine::parallel(&curve(), &Curve::power(second)))),
         }
     }
 

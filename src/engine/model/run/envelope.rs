@@ -8,10 +8,10 @@ use std::fmt;
 
 use crate::model::design::Rod;
 use crate::model::library;
-use crate::model::mechanism::{Mechanism, OmittedMass, uncounted};
+use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
 use crate::model::scene::{
-    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, Scene, WhichSpring,
+    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene,
 };
 use crate::model::units::significant;
 use crate::model::variables;
@@ -379,7 +379,7 @@ fn of_plate(run: &Run) -> Vec<Breach> {
 /// The end of a coil spring that moves too fast.
 fn surge(run: &Run) -> Option<Breach> {
     let scene = &run.scene;
-    let is_coil = scene.mechanism.acting().any(|it| it.law().is_coil() && !it.is_absent());
+    let is_coil = scene.mechanism.has_coil();
     let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
     let sprung = scene.plate.mount == Mount::Sprung;
     let speed = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S)?;
@@ -393,25 +393,25 @@ fn surge(run: &Run) -> Option<Breach> {
 
 /// The springs' own mass where it would slow the plate down and is omitted.
 fn spring_mass(run: &Run) -> Option<Breach> {
-    if let Some(suffix) = uncounted(&run.scene).map(WhichSpring::suffix) {
-        let text = format!(
-            "own_mass{suffix}=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give \
-             m_spring{suffix} or e_spring"
-        );
-        return Some(breach(Check::SpringMass, Direction::Unconservative, f64::INFINITY, text));
+    if is_uncounted(&run.scene) {
+        let text = "own_mass=counted adds nothing: the mass of a spring that is neither coil nor beam is not known; give m_spring or \
+                    e_spring";
+        let (check, direction) = (Check::SpringMass, Direction::Unconservative);
+        return Some(breach(check, direction, f64::INFINITY, text.to_owned()));
     }
     let omitted = OmittedMass::of(&run.scene, run.mechanism.stored_j)?;
     let over_plate = omitted.moving_kg / run.scene.plate_mass_kg();
     if over_plate <= SPRING_MASS_MOST {
         return None;
     }
+    let is_of_second = run.scene.mechanism.spring.own_mass == OwnMass::Counted;
+    let cure =
+        if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
     let text = format!(
-        "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; set \
-         own_mass{}=counted",
+        "the spring's own mass, {}{} g, is omitted: the part of it that moves with the plate is {} times the plate's mass; {cure}",
         if omitted.is_least { "at least " } else { "" },
         significant(1e3 * omitted.mass_kg, 3),
-        significant(over_plate, 3),
-        omitted.which.suffix()
+        significant(over_plate, 3)
     );
     Some(breach(Check::SpringMass, Direction::Unconservative, over_plate, text))
 }
@@ -535,13 +535,14 @@ mod tests {
             of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
         assert!(text.contains("end moves at"), "{text}");
         // One coil that acts beside a beam is enough; one without force is none.
-        for (k, k_2, surges) in [("1e5", "0", true), ("0", "1e5", true), ("0", "0", false)] {
-            let pairs = format!("k={k} combine=parallel k_2={k_2}");
-            let kinds =
-                if k == "0" { "spring=prbm-cantilever" } else { "spring_2=prbm-cantilever" };
-            let found = of_run(&run(&variables::scene_with(&format!("{pairs} {kinds}"))));
+        for (pairs, surges) in [
+            ("k=1e5 combine=parallel k_2=0", true),
+            ("spring=prbm-cantilever combine=parallel k_2=1e5", true),
+            ("spring=prbm-cantilever combine=parallel k_2=0", false),
+        ] {
+            let found = of_run(&run(&variables::scene_with(pairs)));
             let is_found = found.iter().any(|it| it.to_string().contains("end moves at"));
-            assert_eq!(is_found, surges, "{pairs} {kinds}");
+            assert_eq!(is_found, surges, "{pairs}");
         }
         // A stop that is never reached is not a breach of a run, one that is hit is.
         light.mechanism.stop.position_m = Some(10.0);
@@ -605,8 +606,6 @@ mod tests {
         assert_eq!(text_of("m_spring=8g"), None);
         let text = text_of("m_spring=10g").unwrap();
         assert!(text.contains("own mass, 10 g,") && text.contains("is 0.113 times"), "{text}");
-        let text = text_of("m_spring=1g combine=parallel k_2=1e4 m_spring_2=100g").unwrap();
-        assert!(text.contains("set own_mass_2=counted"), "{text}");
         let text = text_of("spring=column own_mass=counted").unwrap();
         assert!(text.contains("give m_spring or e_spring"), "{text}");
         // An absorber of 19460 J/kg needs 3.8 g for the same energy.

@@ -94,6 +94,12 @@ fn overruns(t_s: f64, duration_s: f64) -> String {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::InterfacePush { ratio, t_s } if !ratio.is_finite() => write!(
+                f,
+                "the fused interface must carry an unbounded force in compression, first at t = {:.4} ms: penetration would resume; try \
+                 interface = plastic",
+                t_s * 1e3
+            ),
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
                 "the fused interface must carry {ratio:.3} times its strength A S_y in compression, first at t = {:.4} ms: penetration would \

@@ -1,5 +1,6 @@
 //! What carries the plate: springs, damper and stop.
 
+use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::damper::Damper;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
 use crate::model::mechanism::stop::Stop;
@@ -15,16 +16,25 @@ parts! {
         /// The first spring.
         pub spring: Spring = Spring::default();
         pub combination: Combination = Combination::Alone => "combine", "second spring",
-            "a second spring: none (alone), parallel to the first one, or in series with it",
+            "a second spring: none (alone), or a power law parallel to the first spring (parallel)",
             choice().seldom().from("thesis section 6.2.8; one spring in chapter 9");
         /// Without effect where the first spring is alone.
-        pub second: Spring = Spring::default();
+        pub second: Second = Second::default();
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
             optional(SpecificEnergy, Positive, "auto").also(&["energy_j"]).seldom().listed_when(|scene| scene.mechanism.energy_j_kg.is_some())
             .from("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// The stop.
         pub stop: Stop = Stop::default();
+    }
+
+    /// The power law beside the first spring.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Second {
+        pub coefficient: f64 = 1e5 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
+            number(SpringCoefficient, NonNegative).log().from("thesis section 6.2.8");
+        pub exponent: f64 = 1.0 => "n_2", "second exponent", "exponent of the second spring",
+            number(Number, Positive).log().used_when(|scene| scene.mechanism.second.coefficient > 0.0).from("thesis section 6.2.8");
     }
 
     /// The material a spring is wound of: spring steel.
@@ -40,31 +50,6 @@ parts! {
 }
 
 worded! {
-    /// One of the two springs of a mechanism.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum WhichSpring: key {
-        First = "mechanism.spring",
-        Second = "mechanism.second",
-    }
-}
-
-impl WhichSpring {
-    /// What distinguishes its symbols from those of the first spring.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::First => "",
-            Self::Second => "_2",
-        }
-    }
-
-    /// The spring that a key belongs to, and what the key is below it: `kind`.
-    pub fn of_key(key: &str) -> Option<(Self, &str)> {
-        let below = |which: Self| key.strip_prefix(which.key())?.strip_prefix('.');
-        Self::ALL.into_iter().find_map(|which| Some((which, below(which)?)))
-    }
-}
-
-worded! {
     /// How the first and the second spring act together.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
     pub enum Combination: word {
@@ -72,8 +57,6 @@ worded! {
         Alone = "alone",
         /// Both are displaced alike: their forces add.
         Parallel = "parallel",
-        /// Both carry the same force: their displacements add.
-        Series = "series",
     }
 }
 
@@ -89,34 +72,10 @@ worded! {
 }
 
 impl Mechanism {
-    /// One of its springs.
-    pub fn one(&self, which: WhichSpring) -> &Spring {
-        match which {
-            WhichSpring::First => &self.spring,
-            WhichSpring::Second => &self.second,
-        }
-    }
-
-    /// The same, to be changed.
-    pub fn one_mut(&mut self, which: WhichSpring) -> &mut Spring {
-        match which {
-            WhichSpring::First => &mut self.spring,
-            WhichSpring::Second => &mut self.second,
-        }
-    }
-
-    /// Whether one of its springs acts.
-    pub fn acts(&self, which: WhichSpring) -> bool {
-        match which {
-            WhichSpring::First => true,
-            WhichSpring::Second => self.combination != Combination::Alone,
-        }
-    }
-
-    /// The springs that act: one, or both.
-    pub fn acting(&self) -> impl Iterator<Item = &Spring> {
-        let second = self.acts(WhichSpring::Second).then_some(&self.second);
-        std::iter::once(&self.spring).chain(second)
+    /// The second spring where it acts, else none.
+    pub fn second_law(&self) -> PowerLaw {
+        let Second { coefficient, exponent } = self.second;
+        PowerLaw { coefficient, exponent }.only_if(self.combination == Combination::Parallel)
     }
 
     /// Leave the springs out, and with them what they weigh and turn.
@@ -129,7 +88,7 @@ impl Mechanism {
 
     /// Whether there is a spring at all.
     pub fn has_springs(&self) -> bool {
-        self.combination != Combination::Alone || !self.spring.is_absent()
+        !(self.spring.is_absent() && self.second_law().is_absent())
     }
 
     /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion;
@@ -143,9 +102,14 @@ impl Mechanism {
         self.energy_j_kg.or_else(|| self.are_coils().then(coil))
     }
 
-    /// Whether the springs that act are wound of wire.
+    /// Whether the springs that act are wound of wire, as a second one always is.
     pub fn are_coils(&self) -> bool {
-        self.acting().all(|spring| spring.law().is_coil())
+        self.spring.law().is_coil()
+    }
+
+    /// Whether one of the springs that are there is wound of wire.
+    pub fn has_coil(&self) -> bool {
+        (self.spring.law().is_coil() && !self.spring.is_absent()) || !self.second_law().is_absent()
     }
 
     /// The least mass of springs that store this energy, J, kg; `None` where their specific energy is not known.

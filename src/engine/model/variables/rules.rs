@@ -3,7 +3,6 @@
 use super::VariableError;
 use crate::model::scene::{
     self, ClosureInEffect, Combination, ContactModel, Layer, OwnMass, Scene, Stack, Target,
-    WhichSpring,
 };
 use crate::model::units::shortest;
 
@@ -80,14 +79,7 @@ fn check_springs(scene: &Scene) -> Result<(), VariableError> {
         return Ok(());
     }
     let mechanism = &scene.mechanism;
-    for which in WhichSpring::ALL.into_iter().filter(|which| mechanism.acts(*which)) {
-        mechanism.one(which).law().check(which.key())?;
-    }
-    if mechanism.combination == Combination::Series {
-        for which in WhichSpring::ALL {
-            check_rising(mechanism.one(which), which.key())?;
-        }
-    }
+    mechanism.spring.law().check("mechanism.spring")?;
     if scene.contact.model != ContactModel::Appendix || mechanism.is_plain() {
         return Ok(());
     }
@@ -98,28 +90,13 @@ fn check_springs(scene: &Scene) -> Result<(), VariableError> {
     ))
 }
 
-/// In series each force must belong to one displacement.
-fn check_rising(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
-    if spring.curve().is_rising() {
-        return Ok(());
-    }
-    refuse(format!(
-        "combine (mechanism.combination) = series needs a force that rises everywhere, and that of {table} (kind = {}) does \
-         not: take another kind or a coefficient above 0, or combine = parallel",
-        spring.kind.word()
-    ))
-}
-
 /// The mechanism in a few words, for refusals.
 fn described(mechanism: &scene::Mechanism) -> String {
     let kind = mechanism.spring.kind.word();
     let own = if mechanism.spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
     match mechanism.combination {
         Combination::Alone => format!("spring (mechanism.spring.kind) = {kind}{own}"),
-        Combination::Parallel => {
-            format!("{kind} in parallel with {}", mechanism.second.kind.word())
-        }
-        Combination::Series => format!("{kind} in series with {}", mechanism.second.kind.word()),
+        Combination::Parallel => format!("{kind} in parallel with a second spring"),
     }
 }
 

@@ -3,12 +3,12 @@
 use std::sync::LazyLock;
 
 use super::part::Place;
-use super::visible::{is_hydrodynamic, is_listing, is_sprung, may_stop};
+use super::visible::{has_second, is_hydrodynamic, is_listing, is_sprung, may_stop};
 use super::{Group, Variable};
-use crate::model::mechanism::kinds::{add_first_rows, add_second_rows};
+use crate::model::mechanism::kinds::add_spring_rows;
 use crate::model::scene::{
     Combination, Contact, Damper, Interface, Listing, Mechanism, Plate, Projectile, RunSettings,
-    Scene, Stack, Stop, Target,
+    Scene, Second, Stack, Stop, Target,
 };
 
 /// Defines where parts stand in a scene: their group, their path, and when they are listed and used.
@@ -43,6 +43,7 @@ places! {
     Plate, plate: Plate;
     Mechanism, mechanism: Mechanism, used is_sprung;
     Mechanism, mechanism.damper: Damper, used is_sprung;
+    Mechanism, mechanism.second: Second, listed has_second, used has_second;
     Stop, mechanism.stop: Stop, used may_stop;
     Stack, stack: Stack;
     Interface, contact: Contact;
@@ -58,9 +59,9 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
     Target::add_rows::<Scene>(&mut rows);
     Plate::add_rows::<Scene>(&mut rows);
     Damper::add_rows::<Scene>(&mut rows);
-    add_first_rows(&mut rows);
+    add_spring_rows(&mut rows);
     Mechanism::add_rows::<Scene>(&mut rows);
-    add_second_rows(&mut rows);
+    Second::add_rows::<Scene>(&mut rows);
     Stop::add_rows::<Scene>(&mut rows);
     Stack::add_rows::<Scene>(&mut rows);
     Contact::add_rows::<Scene>(&mut rows);
@@ -87,7 +88,7 @@ static SPRING_ROWS: LazyLock<SpringRows> = LazyLock::new(|| {
     SpringRows {
         beyond_plain: at("mechanism.spring.count"),
         beyond_first: at("mechanism.combination"),
-        second: at("mechanism.second.kind"),
+        second: at("mechanism.second.coefficient"),
         end: at("mechanism.stop.position_m"),
     }
 });

@@ -1,7 +1,7 @@
 //! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows.
 
 use super::{Group, Variable};
-use crate::model::scene::{ContactModel, Mount, PlateSize, Scene, StopKind};
+use crate::model::scene::{Combination, ContactModel, Mount, PlateSize, Scene, StopKind};
 
 /// When a variable matters.
 #[derive(Clone, Copy)]
@@ -55,6 +55,11 @@ pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     let of_stop = variable.group == Group::Stop && !places_stop;
     let is_there = is_listed(variable, scene) || (is_sprung(scene) && sizes_plate(variable));
     is_there && (!of_stop || is_used(variable, scene))
+}
+
+/// Whether a second spring acts.
+pub(in crate::model) fn has_second(scene: &Scene) -> bool {
+    is_sprung(scene) && scene.mechanism.combination == Combination::Parallel
 }
 
 pub(in crate::model) fn is_oblique(scene: &Scene) -> bool {
@@ -127,9 +132,9 @@ mod tests {
             ("e_spring=1000", "tau_wire", false),
             ("spring=prbm-cantilever", "tau_wire", false),
             ("k=0", "tau_wire", false),
-            ("combine=parallel", "tau_wire_2", false),
-            ("combine=parallel own_mass_2=counted", "tau_wire_2", true),
-            ("combine=parallel spring_2=column", "tau_wire", false),
+            ("combine=parallel", "k_2", true),
+            ("combine=parallel k_2=0", "n_2", false),
+            ("", "k_2", false),
             ("", "g", true),
             ("mount=rigid", "g", false),
             ("k=0", "d", false),

@@ -1,7 +1,8 @@
 //! Where an axis has ticks and what is written at them: 1-2-5 steps, decades on a logarithmic axis, as many as fit.
 //!
 //! A tick knows its cell from the same [`Mapping`] the curves use, and its label is centred on that cell. What is common to
-//! all labels (a power of ten) is factored out.
+//! all labels (a power of ten) is factored out. Rows of a terminal are coarse: a value is labelled there only where it lies near the
+//! middle of a row, and where no two round values do, the ends of the axis are.
 
 use super::scale::{Mapping, Scale};
 use crate::report::steps::{Step, decade, power};
@@ -11,8 +12,12 @@ use crate::report::steps::{Step, decade, power};
 const LABEL_GAP: (i32, i32) = (2, 8);
 /// Steps tried for one axis, each 2 or 2.5 times the one before: enough to pass from one tick a cell to one in all.
 const STEPS_TRIED: usize = 24;
-/// From this many rows on a row more or less between two labels is not noticed.
-const EVEN_ROWS: u16 = 8;
+/// A value lies in its row if it is this near to the middle, in rows: nearer than the dots of a curve tell. From so many rows between
+/// two labels on a row more or less is not noticed, and any place in the row will do.
+const IN_ROW: f64 = 0.25;
+const EVEN_ROWS: u16 = 6;
+/// Most digits of the label at an end of an axis.
+const END_DIGITS: usize = 6;
 /// A smaller tick stands in every n-th cell at most: nearer ones cannot be counted.
 const MINOR_CELLS: f64 = 3.0;
 /// Ticks looked at for one step; more would never fit.
@@ -55,6 +60,18 @@ pub enum Along {
     Row,
     /// One above the other: a given number of half rows apart on average, and no two nearer than the whole rows in that.
     Column(u16),
+    /// The same where a label can stand in the middle of a row only.
+    Rows(u16),
+}
+
+impl Along {
+    /// Half rows from one label to the next.
+    fn half_rows(self) -> Option<u16> {
+        match self {
+            Self::Row => None,
+            Self::Column(halves) | Self::Rows(halves) => Some(halves),
+        }
+    }
 }
 
 /// The ticks of an axis, as many as fit.
@@ -80,7 +97,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     // No two labels next to each other are nearer than two cells, whatever they say.
     let nearest = match along {
         Along::Row => 2.0,
-        Along::Column(_) => 1.0,
+        Along::Column(_) | Along::Rows(_) => 1.0,
     };
     let most = (f64::from(map.cells()) / nearest).max(2.0);
     let mut step = Step::at_least(view.span() / most);
@@ -96,8 +113,49 @@ fn linear(map: Mapping, along: Along) -> Ticks {
         best = found;
         step = step.next();
     }
-    best.labelled.truncate(1);
-    best
+    match along {
+        Along::Rows(_) => ends(map),
+        Along::Row | Along::Column(_) => {
+            best.labelled.truncate(1);
+            best
+        }
+    }
+}
+
+/// The ends of an axis, in as few digits as keep their labels in their rows.
+fn ends(map: Mapping) -> Ticks {
+    let view = map.view();
+    let exponent = if map.scale() == Scale::Log10 { 0 } else { common_exponent(view.size()) };
+    let last = map.cells().saturating_sub(1);
+    let tick = |cell: u16| {
+        let value = map.value(cell);
+        let near = |text: &String| {
+            let shown =
+                text.parse::<f64>().ok().and_then(|shown| map.position(shown * power(exponent)));
+            shown.is_some_and(|at| (at - f64::from(cell)).abs() <= IN_ROW)
+        };
+        let texts = (1..=END_DIGITS).map(|digits| rounded(value / power(exponent), digits));
+        let all = rounded(value / power(exponent), END_DIGITS);
+        Tick { cell, value, label: texts.into_iter().find(near).unwrap_or(all) }
+    };
+    let cells = if last == 0 { vec![0] } else { vec![0, last] };
+    let mut labelled: Vec<Tick> = cells.into_iter().map(tick).collect();
+    if labelled.iter().any(|tick| tick.label.contains('e')) {
+        // Both alike.
+        for tick in labelled.iter_mut().filter(|tick| !tick.label.contains('e')) {
+            tick.label =
+                tick.label.parse().map_or_else(|_| tick.label.clone(), |it: f64| format!("{it:e}"));
+        }
+    }
+    Ticks { labelled, minor: Vec::new(), exponent }
+}
+
+/// A number in so many digits, in plain decimals where that is short.
+fn rounded(value: f64, digits: usize) -> String {
+    let text = format!("{value:.*e}", digits - 1);
+    let exact: f64 = text.parse().unwrap_or(value);
+    let plain = format!("{exact}");
+    if plain.len() <= text.len() + 1 { plain } else { text }
 }
 
 /// The cells of the smaller ticks: of the steps that divide a step, the least whose ticks can be counted. An axis upward has
@@ -218,32 +276,34 @@ fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
     view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
 }
 
-/// Whether all labels stand clear of each other, each on a cell of its own; on a short axis upward also at equal distances:
-/// there a row more or less makes an even scale look uneven.
+/// Whether all labels stand clear of each other, each on a cell of its own. Of rows there are at least two, each at the middle of
+/// its row.
 fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     let (least, most) = LABEL_GAP;
     let gap = (i32::from(map.cells()) / 12).clamp(least, most);
-    let apart = |pair: &[Tick]| match (pair, along) {
-        ([a, b], Along::Column(halves)) => b.cell >= a.cell + (halves / 2).max(1),
-        ([a, b], Along::Row) => {
+    let apart = |pair: &[Tick]| match (pair, along.half_rows()) {
+        ([a, b], Some(halves)) => b.cell >= a.cell + (halves / 2).max(1),
+        ([a, b], None) => {
             let [la, lb] = [a, b].map(|tick| i32::try_from(tick.label.len()).unwrap_or(0));
             let end = label_start(i32::from(a.cell), la) + la;
             label_start(i32::from(b.cell), lb) >= end + gap
         }
         (_, _) => true,
     };
-    let loose = match (ticks, along) {
-        ([first, .., last], Along::Column(halves)) => {
+    let loose = match (ticks, along.half_rows()) {
+        ([first, .., last], Some(halves)) => {
             let between = u32::try_from(ticks.len() - 1).unwrap_or(u32::MAX);
             2 * u32::from(last.cell.abs_diff(first.cell)) >= between.saturating_mul(halves.into())
         }
-        (_, Along::Column(_) | Along::Row) => true,
+        (_, _) => true,
     };
-    let mut gaps = ticks.windows(2).map(|pair| pair[1].cell.abs_diff(pair[0].cell));
-    let first = gaps.next();
-    let even =
-        along == Along::Row || map.cells() >= EVEN_ROWS || gaps.all(|gap| Some(gap) == first);
-    loose && even && ticks.windows(2).all(apart)
+    let far = ticks.windows(2).all(|pair| pair[1].cell.abs_diff(pair[0].cell) >= EVEN_ROWS);
+    let in_row = |tick: &Tick| {
+        let at = map.position(tick.value);
+        far || at.is_some_and(|at| (at - f64::from(tick.cell)).abs() <= IN_ROW)
+    };
+    let placed = !matches!(along, Along::Rows(_)) || ticks.len() > 1 && ticks.iter().all(in_row);
+    loose && placed && ticks.windows(2).all(apart)
 }
 
 /// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.

@@ -1,4 +1,5 @@
-//! The methods that are compared, each with its letter, its parameter and the function that runs it.
+//! The methods that are compared, each with its letter, its parameter and the function that runs it. Those of the engine simulate
+//! the whole run, the others its first contact. The printed scheme of the thesis stands last: what it computes is another model.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -10,13 +11,36 @@ use crate::model::contact_phase::radau::Radau;
 use crate::model::contact_phase::{self, ContactSolution, Ending, Phase, Refusal, exact};
 use crate::model::impact::{Forced, simulate_by};
 use crate::model::run::Run;
-use crate::model::scene::{InterfaceLaw, Reading, Scene};
+use crate::model::scene::{Reading, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::stepper::dop853::Dop853;
 use crate::numerics::stepper::rk4::{Crossing, Rk4};
 
-/// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.
-const BEYOND_CONTACT: f64 = 1.01;
+/// The result of a method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// Of the first contact.
+    pub contact: ContactSolution,
+    /// Of what only a whole run has; `None` of a method that computes the contact alone.
+    pub whole: Option<WholeRun>,
+}
+
+/// Results of a whole run, as far as they exist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WholeRun {
+    /// The plate's greatest displacement, m.
+    pub displacement_m: Option<f64>,
+    /// The peak contact force, N.
+    pub force_n: Option<f64>,
+    /// The projectile's velocity after a perforation, m/s.
+    pub residual_m_s: Option<f64>,
+}
+
+impl From<ContactSolution> for Answer {
+    fn from(contact: ContactSolution) -> Self {
+        Self { contact, whole: None }
+    }
+}
 
 /// The parameter that makes a method more accurate and more expensive.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,7 +98,7 @@ const TIGHT: [ParameterRange; 2] =
     [ParameterRange::Tolerances(13, 1), ParameterRange::Tolerances(11, 2)];
 
 enumeration! {
-    /// A way to compute the contact phase.
+    /// A way to compute a scene.
     pub enum Method in MethodRow {
         /// The letter on charts.
         letter: char,
@@ -85,19 +109,13 @@ enumeration! {
         /// The values of its parameter on the full ladder and on the quick one.
         ranges: [ParameterRange; 2],
         /// The function that runs it.
-        run: fn(&Job) -> Result<ContactSolution, Refusal>,
-    }
-    /// Appendix A as printed.
-    ThesisPrinted {
-        letter: 'T', name: "thesis as printed", is_of_engine: false,
-        ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
-        run: |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max)
+        run: fn(&Job) -> Result<Answer, Refusal>,
     }
     /// Appendix A with its coupling and damper corrected.
     ThesisCorrected {
         letter: 'M', name: "thesis, corrected", is_of_engine: false,
         ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
-        run: |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max)
+        run: |job| appendix::contact(&job.scene, job.value(), Reading::Corrected, job.steps_max).map(Answer::from)
     }
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4 {
@@ -130,7 +148,7 @@ enumeration! {
     /// Closed form, where only inertia resists.
     ClosedForm {
         letter: 'C', name: "closed form", is_of_engine: true, ranges: [ParameterRange::None; 2],
-        run: |job| exact::solve(&job.scene)
+        run: |job| exact::solve(&job.scene).map(Answer::from)
     }
     /// The contact kernel, as sweeps and searches use it.
     ContactKernel {
@@ -147,6 +165,12 @@ enumeration! {
         letter: 'A', name: "auto", is_of_engine: true, ranges: TIGHT,
         run: |job| auto(&job.scene)
     }
+    /// Appendix A as printed.
+    ThesisPrinted {
+        letter: 'T', name: "printed scheme", is_of_engine: false,
+        ranges: [ParameterRange::Steps(3e5, 1), ParameterRange::Steps(3e3, 1)],
+        run: |job| appendix::contact(&job.scene, job.value(), Reading::Printed, job.steps_max).map(Answer::from)
+    }
 }
 
 impl Method {
@@ -160,7 +184,7 @@ impl Method {
         scene: &Scene,
         steps_max: usize,
     ) -> Result<ContactSolution, Refusal> {
-        Job::new(self, parameter, scene, f64::INFINITY, steps_max).run()
+        Ok(Job::new(self, parameter, scene, steps_max).run()?.contact)
     }
 
     /// The values of its parameter for a contact of about `end_s`, the coarsest first.
@@ -205,30 +229,25 @@ pub struct Job {
 }
 
 impl Job {
-    /// Prepare a computation of the contact phase of a valid scene; `end_s` is about when the contact ends.
-    pub fn new(
-        method: Method,
-        parameter: Parameter,
-        scene: &Scene,
-        end_s: f64,
-        steps_max: usize,
-    ) -> Self {
+    /// Prepares a computation of a valid scene.
+    pub fn new(method: Method, parameter: Parameter, scene: &Scene, steps_max: usize) -> Self {
         let mut own = scene.clone();
-        own.interface.law = InterfaceLaw::Fused;
-        // Without a damper energy says what follows the contact; with one it would be integrated.
-        let horizon_s = Some(BEYOND_CONTACT * end_s).filter(|horizon_s| horizon_s.is_finite());
-        own.run.horizon_s = horizon_s.filter(|_| !scene.mechanism.damper.is_absent());
         if let Parameter::Tolerance(tolerance) = parameter {
             own.run.tolerance = tolerance;
         }
         Self { method, parameter, scene: Arc::new(own), steps_max }
     }
 
+    /// The scene, with the tolerance.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
     /// Do it.
     ///
     /// # Errors
     /// A [`Refusal`] when the method gives no answer.
-    pub fn run(&self) -> Result<ContactSolution, Refusal> {
+    pub fn run(&self) -> Result<Answer, Refusal> {
         (self.method.run())(self)
     }
 
@@ -236,32 +255,41 @@ impl Job {
         self.parameter.value().unwrap_or(f64::NAN)
     }
 
-    fn phase(&self, method: &contact_phase::Method) -> Result<ContactSolution, Refusal> {
-        Phase::of(&self.scene).solve(method, self.steps_max)
+    fn phase(&self, method: &contact_phase::Method) -> Result<Answer, Refusal> {
+        Phase::of(&self.scene).solve(method, self.steps_max).map(Answer::from)
     }
 
-    fn rk4(&self, crossing: Crossing) -> Result<ContactSolution, Refusal> {
+    fn rk4(&self, crossing: Crossing) -> Result<Answer, Refusal> {
         let phase = Phase::of(&self.scene);
         let step = phase.scaled_time(self.value());
-        phase.solve(&Rk4 { step, crossing }, self.steps_max)
+        phase.solve(&Rk4 { step, crossing }, self.steps_max).map(Answer::from)
     }
 }
 
-fn auto(scene: &Arc<Scene>) -> Result<ContactSolution, Refusal> {
+fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
-    answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
+    whole(&run.map_err(|_invalid| Refusal::EndedEarly)?)
 }
 
-fn forced(method: Forced, scene: &Arc<Scene>) -> Result<ContactSolution, Refusal> {
+fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     let run = simulate_by(method, scene).map_err(|_invalid| Refusal::EndedEarly)?;
-    answer_of(&run.ok_or(Refusal::TooStiff)?)
+    whole(&run.ok_or(Refusal::TooStiff)?)
 }
 
-fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<ContactSolution, Refusal> {
+fn whole(run: &Run) -> Result<Answer, Refusal> {
+    let whole = WholeRun {
+        displacement_m: run.max_plate_displacement_m,
+        force_n: run.peak_contact_force_n,
+        residual_m_s: run.residual_velocity_m_s,
+    };
+    Ok(Answer { contact: answer_of(run)?, whole: Some(whole) })
+}
+
+fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NeedsSimulation)?;
     let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
     let free = ContactSolution::free(ending, end.t_s, end.penetration_m);
-    Ok(ContactSolution { steps: end.steps, evaluations: end.steps, ..free })
+    Ok(ContactSolution { steps: end.steps, evaluations: end.steps, ..free }.into())
 }
 
 /// The contact phase of a run, if it came to its end.

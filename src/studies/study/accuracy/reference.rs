@@ -12,6 +12,8 @@ use crate::numerics::larger;
 use crate::study::accuracy::method::{Method, Parameter};
 
 const STEPS_MAX: usize = 400_000;
+/// Steps of a contact by the printed scheme that are near its limit.
+const PRINTED_STEPS: f64 = 5e4;
 const TIGHT: f64 = 1e-14;
 /// That of the implicit one, whose order is lower.
 const TIGHT_IMPLICIT: f64 = 1e-13;
@@ -31,6 +33,8 @@ pub enum ReferenceSource {
     Radau,
     /// The engine at its tightest tolerance.
     Engine,
+    /// What the printed scheme approaches as its step goes to zero.
+    OwnLimit,
 }
 
 impl ReferenceSource {
@@ -43,6 +47,7 @@ impl ReferenceSource {
             Self::Dop853 => "DOP853 at 1e-14".to_owned(),
             Self::Radau => "Radau IIA at 1e-13".to_owned(),
             Self::Engine => "engine at 1e-14".to_owned(),
+            Self::OwnLimit => "its own limit".to_owned(),
         }
     }
 
@@ -52,7 +57,7 @@ impl ReferenceSource {
             Self::Stored(_) => Code::Elsewhere,
             Self::DoubleDouble => Code::DoubleDouble,
             Self::ClosedForm | Self::Engine => Code::Engine,
-            Self::Dop853 | Self::Radau => Code::SecondForm,
+            Self::Dop853 | Self::Radau | Self::OwnLimit => Code::SecondForm,
         }
     }
 
@@ -106,6 +111,19 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<Reference> {
     let row = Stored::rows().find(is_same)?;
     let uncertainty = Some(larger(10f64.powi(-row.trusted), f64::EPSILON));
     Some(Reference { basis: ReferenceSource::Stored(row.name), answer: row.answer(), uncertainty })
+}
+
+/// The depth that the printed scheme approaches as its step goes to zero, from two fine steps of a scheme of first order.
+pub(super) fn printed_limit(scene: &Scene, end_s: f64) -> Option<Reference> {
+    let by = |steps: f64| {
+        let step = Parameter::Step(end_s / steps);
+        Method::ThesisPrinted.solve(step, scene, STEPS_MAX).ok()
+    };
+    let (coarse, fine) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
+    let depth_m = 2.0 * fine.depth_m - coarse.depth_m;
+    let answer = ContactSolution { depth_m, ..fine };
+    let uncertainty = Some(larger((depth_m / fine.depth_m - 1.0).abs(), f64::EPSILON));
+    Some(Reference { basis: ReferenceSource::OwnLimit, answer, uncertainty })
 }
 
 /// All references of a scene, the most trustworthy first.

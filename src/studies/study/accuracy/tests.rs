@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::reference::ReferenceSource;
 use super::*;
+use crate::model::contact_phase::ContactSolution;
 use crate::model::contact_phase::stored::Stored;
 use crate::study::changed_free_plate;
 use crate::study::context::{to_its_end, until};
@@ -42,12 +43,38 @@ fn orders_are_those_of_theory_on_a_smooth_scene() {
     assert!(order('R').unwrap() < 2.5, "{:?}", order('R'));
     assert!(order('D').unwrap() > 5.0, "{:?}", order('D'));
     assert!((order('I').unwrap() - 5.0).abs() < 0.7, "{:?}", order('I'));
-    // As printed the error does not vanish with the step.
-    assert!(order('T').unwrap().abs() < 0.1, "{:?}", order('T'));
-    let printed = methods[&'T'].measured().next_back().unwrap().1.error();
-    assert!((printed - 0.28).abs() < 0.01, "peers.md: 28 %, here {printed}");
+    // The printed scheme approaches a limit of its own.
+    assert!((order('T').unwrap() - 1.0).abs() < 0.3, "{:?}", order('T'));
     assert_eq!(methods[&'C'].points[0].result, Err(Refusal::NoClosedForm));
     assert!(methods[&'C'].cheapest(1.0).is_none());
+}
+
+/// 82.65 % of the depth on a rigid mount instead of 64.28 %: an independent computation of both.
+#[test]
+fn valid_the_printed_scheme_is_off_by_its_coupling() {
+    let report = report(&scene("k=1e5"), Ladder::Quick);
+    let off = report.printed_off.unwrap();
+    assert!((off - (82.65 / 64.28 - 1.0)).abs() < 0.01, "{off}");
+    assert!(report.savings.iter().any(|it| it.part == "motion after the contact"));
+}
+
+/// The whole run: greatest displacement and peak force of a sprung plate, residual velocity behind a thin one.
+#[test]
+fn whole_runs_are_judged_by_every_result_they_have() {
+    for (pairs, results) in [
+        ("k=1e5 b=50", [true, true, true, true, false]),
+        ("h=0.003 v_i=400", [true, true, false, true, true]),
+    ] {
+        let methods = compared(pairs, Ladder::Quick);
+        for letter in ['A', 'N'] {
+            let (_, finest) = methods[&letter].measured().next_back().unwrap();
+            assert_eq!(finest.errors.map(|error| error.is_some()), results, "{pairs}: {letter}");
+            assert!(finest.error() < 1e-9, "{pairs}: {letter} {:?}", finest.errors);
+        }
+        // The contact alone has neither displacement nor velocity beyond it.
+        let (_, contact) = methods[&'D'].measured().next_back().unwrap();
+        assert_eq!(contact.errors[2..], [None; 3]);
+    }
 }
 
 #[test]
@@ -80,8 +107,11 @@ fn a_stiff_scene_keeps_the_rows_of_those_who_fail_on_it() {
     assert!(explicit.points.iter().any(|point| point.result.is_err()));
     // No explicit method is known to reach 1e-4 in less than 21 ms here.
     assert!(explicit.cheapest(1e-4).is_none());
+    // Depth and time alone: `auto` takes the plate for fixed and loses its displacement of a few nanometres.
     for letter in ['A', 'I', 'L', 'N'] {
-        assert!(methods[&letter].least_error().unwrap() < 1e-10, "{letter}");
+        let mut errors = methods[&letter].measured().map(|(_, measured)| measured.errors);
+        let accurate = |error: Option<f64>| error.is_some_and(|error| error < 1e-10);
+        assert!(errors.any(|[depth, time, ..]| accurate(depth) && accurate(time)), "{letter}");
     }
 }
 
@@ -107,9 +137,11 @@ fn every_error_has_a_judge_of_other_code_and_none_lies_below_what_it_can_tell() 
         let report = report(&scene, Ladder::Quick);
         for method in &report.methods {
             let reference = method.reference.unwrap();
-            assert!(!reference.basis.shares_code_with(method.method));
             let floor = reference.uncertainty.unwrap();
-            assert!(floor < 1e-9, "{:?}: {floor:e}", method.method);
+            if method.method != Method::ThesisPrinted {
+                assert!(!reference.basis.shares_code_with(method.method));
+                assert!(floor < 1e-9, "{:?}: {floor:e}", method.method);
+            }
             for (_, measured) in method.measured() {
                 assert!(measured.error() >= floor);
             }
@@ -132,10 +164,9 @@ fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
         let timing = Timing { min_s: *min_s, median_s: *min_s, mad_s: None, repeats: 1 };
         let (ending, t_s, depth_m) = (Ending::Arrest, 1.0, 1.0);
-        let answer =
-            ContactSolution { ending, t_s, depth_m, steps: 1, rejected: 0, evaluations: 1 };
-        let (depth_error, time_error) = (*depth_error, 0.0);
-        let found = Measured { answer, depth_error, time_error, floor: 1e-16, timing };
+        let answer = ContactSolution { steps: 1, ..ContactSolution::free(ending, t_s, depth_m) };
+        let errors = [Some(*depth_error), Some(0.0), None, None, None];
+        let found = Measured { answer: answer.into(), errors, floor: 1e-16, timing };
         Point { parameter: Parameter::Tolerance(*tolerance), result: Ok(found) }
     };
     let points = points.iter().map(point).collect();

@@ -1,19 +1,20 @@
-//! The hardware besides the plates: its mass, and its limits.
+//! The hardware besides the plate: its mass, and its limits.
 
+use crate::model::mechanism::Inertia;
 use crate::model::mechanism::load::exceeded;
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::Run;
 use crate::model::scene::{Mount, Scene};
-use crate::study::compare::elements;
+use crate::study::load::spring_energy_j;
 
 /// Energies this part apart are the same.
 const SAME: f64 = 1e-9;
 
-/// The hardware besides each plate. The energy that a spring or absorber takes up per mass is a variable of the scene.
+/// The hardware besides the plate. The spring is the scene's own; its mass and the energy that it takes up per mass are variables of
+/// the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Hardware {
-    /// The spring's mass, >= 0 kg; `None`: that of the scene's own springs where they know it, or the least for the energy.
-    pub spring_kg: Option<f64>,
+    /// A spring whose mass is not given has just the mass that the design shot needs, and holds no more than that energy. Else it
+    /// holds whatever its law allows.
+    pub is_sized: bool,
     /// Everything else that carries the plate, >= 0 kg.
     pub mount_kg: f64,
     /// The stroke there is, > 0 m; `None`: enough.
@@ -51,49 +52,20 @@ impl Failure {
     }
 }
 
-impl Hardware {
-    pub(super) fn bare() -> Self {
-        Self { spring_kg: Some(0.0), mount_kg: 0.0, stroke_m: None }
-    }
-}
-
-/// The load of a shot on the mechanism of one element.
+/// The load of a shot on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Demand {
     /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.
-    pub(super) max_displacement_m: Option<f64>,
+    max_displacement_m: Option<f64>,
     /// Greatest energy in the springs, J.
-    pub(super) stored_j: Option<f64>,
+    stored_j: Option<f64>,
 }
 
 impl Demand {
-    pub(super) fn of(element: &Scene, max_displacement_m: Option<f64>) -> Self {
-        let stored_j = spring_energy_j(element, element.start_m(), max_displacement_m);
+    pub(super) fn of(scene: &Scene, max_displacement_m: Option<f64>) -> Self {
+        let stored_j = spring_energy_j(scene, scene.start_m(), max_displacement_m);
         Self { max_displacement_m, stored_j }
     }
-
-    fn of_rest(element: &Scene) -> Self {
-        Self::of(element, Some(element.start_m()))
-    }
-
-    /// The demands of every element of a run's scene.
-    pub(super) fn of_run(run: &Run, elements: &[Scene]) -> Vec<Self> {
-        let mut runs = run.plates();
-        let demand = |element: &Scene| {
-            let struck = runs.next();
-            struck.map_or_else(
-                || Self::of_rest(element),
-                |run| Self::of(element, run.max_plate_displacement_m),
-            )
-        };
-        elements.iter().map(demand).collect()
-    }
-}
-
-/// The mass of an element's springs for a demand, kg; `None` where it is not known.
-fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f64> {
-    let least_kg = || element.mechanism.least_spring_kg(demand.stored_j?);
-    hardware.spring_kg.or_else(|| Inertia::of(element).spring_kg(least_kg()))
 }
 
 /// Whether the springs of a scene know their own mass.
@@ -101,105 +73,52 @@ pub(super) fn is_own(scene: &Scene) -> bool {
     Inertia::of(scene).spring_mass_kg.is_some()
 }
 
-/// The failure of an element when a spring of this capacity, J, meets the demand.
-fn failure(
-    hardware: &Hardware,
-    element: &Scene,
-    demand: &Demand,
-    capacity_j: f64,
-) -> Option<Failure> {
-    let max_displacement_m =
-        demand.max_displacement_m.filter(|_| element.plate.mount == Mount::Sprung)?;
-    if let Some(limit) = exceeded(element, max_displacement_m).first() {
-        return Some(Failure::Range(limit.what));
-    }
-    let stroke_m = max_displacement_m + element.plate.cocking_m;
-    if hardware.stroke_m.is_some_and(|room| stroke_m > room * (1.0 + SAME)) {
-        return Some(Failure::Stroke);
-    }
-    demand.stored_j.filter(|stored| *stored > capacity_j * (1.0 + SAME)).map(|_| Failure::Energy)
-}
-
-/// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes, and where
-/// their specific energy is not known.
-fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
-    if hardware.spring_kg.is_none() && element.mechanism.spring.has_own_mass() {
-        return f64::INFINITY;
-    }
-    let capacity_j = spring_kg.zip(element.mechanism.specific_energy_j_kg()).map(|(kg, e)| kg * e);
-    capacity_j.unwrap_or(f64::INFINITY)
-}
-
-#[derive(Clone, Debug, PartialEq)]
+/// A scene's hardware as it is built.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Built {
     hardware: Hardware,
-    elements: Vec<Scene>,
-    /// The springs' mass, kg, and what they can store, J, by element.
-    springs_kg: Vec<Option<f64>>,
-    capacities_j: Vec<f64>,
+    /// The springs' mass, kg; `None` where it is not known.
+    pub(super) spring_kg: Option<f64>,
+    /// What they can store, J.
+    capacity_j: f64,
 }
 
 impl Built {
-    /// Size the springs of a scene for a run.
-    pub(super) fn of(scene: &Scene, hardware: &Hardware, run: &Run) -> Self {
-        let elements = elements(scene);
-        let demands = Demand::of_run(run, &elements);
-        Self::for_demands(elements, hardware, &demands)
+    /// For this demand, where the springs do not know their own mass.
+    pub(super) fn of(scene: &Scene, hardware: Hardware, demand: &Demand) -> Self {
+        let least_kg =
+            demand.stored_j.and_then(|stored_j| scene.mechanism.least_spring_kg(stored_j));
+        let spring_kg = Inertia::of(scene).spring_kg(least_kg);
+        // The law of a beam says itself how far it goes.
+        let is_bounded =
+            !scene.mechanism.spring.has_own_mass() && (hardware.is_sized || is_own(scene));
+        let capacity_j =
+            spring_kg.zip(scene.mechanism.specific_energy_j_kg()).map(|(kg, e)| kg * e);
+        let capacity_j = capacity_j.filter(|_| is_bounded).unwrap_or(f64::INFINITY);
+        Self { hardware, spring_kg, capacity_j }
     }
 
-    /// Size the springs of a scene's elements for their demands.
-    pub(super) fn for_demands(
-        elements: Vec<Scene>,
-        hardware: &Hardware,
-        demands: &[Demand],
-    ) -> Self {
-        let pairs = elements.iter().zip(demands);
-        let springs_kg: Vec<Option<f64>> =
-            pairs.map(|(element, demand)| spring_kg(hardware, element, demand)).collect();
-        let pairs = elements.iter().zip(&springs_kg);
-        let capacities_j = pairs.map(|(element, kg)| capacity_j(hardware, element, *kg)).collect();
-        Self { hardware: *hardware, elements, springs_kg, capacities_j }
-    }
-
-    /// All springs together, kg; `None` where one is not known.
-    pub(super) fn spring_kg(&self) -> Option<f64> {
-        self.springs_kg.iter().copied().sum()
-    }
-
-    /// Areal mass of the scene with these springs, kg/m².
+    /// Areal mass of a scene with this hardware, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
-        let mut sum = 0.0;
-        for (element, spring_kg) in self.elements.iter().zip(&self.springs_kg) {
-            let plate = element.target.density_kg_m3 * element.target.thickness_m;
-            let besides_kg = (*spring_kg)? + self.hardware.mount_kg;
-            sum += plate * (1.0 + besides_kg / element.plate_mass_kg());
+        let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
+        Some(
+            plate_kg_m2
+                * (1.0 + (self.spring_kg? + self.hardware.mount_kg) / scene.plate_mass_kg()),
+        )
+    }
+
+    /// What fails under a demand.
+    pub(super) fn failure(&self, scene: &Scene, demand: &Demand) -> Option<Failure> {
+        let max_displacement_m =
+            demand.max_displacement_m.filter(|_| scene.plate.mount == Mount::Sprung)?;
+        if let Some(limit) = exceeded(scene, max_displacement_m).first() {
+            return Some(Failure::Range(limit.what));
         }
-        let base = scene.stack.base_thickness_m;
-        Some(sum + base.map_or(0.0, |thickness| thickness * scene.target.density_kg_m3))
+        let stroke_m = max_displacement_m + scene.plate.cocking_m;
+        if self.hardware.stroke_m.is_some_and(|room| stroke_m > room * (1.0 + SAME)) {
+            return Some(Failure::Stroke);
+        }
+        let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);
+        demand.stored_j.filter(is_full).map(|_| Failure::Energy)
     }
-
-    pub(super) fn failure(&self, run: &Run) -> Option<Failure> {
-        self.failure_under(&Demand::of_run(run, &self.elements))
-    }
-
-    /// The failure of the elements under these demands.
-    pub(super) fn failure_under(&self, demands: &[Demand]) -> Option<Failure> {
-        let mut each = self.elements.iter().zip(demands).zip(&self.capacities_j);
-        each.find_map(|((element, demand), capacity_j)| {
-            failure(&self.hardware, element, demand, *capacity_j)
-        })
-    }
-}
-
-/// Greatest energy in the springs between where the plate starts and its greatest displacement, J.
-pub(in crate::study) fn spring_energy_j(
-    scene: &Scene,
-    start_m: f64,
-    max_displacement_m: Option<f64>,
-) -> Option<f64> {
-    let spring = Mechanism::of(scene).spring;
-    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
-        return Some(0.0);
-    }
-    Some(spring.greatest_energy(start_m, max_displacement_m?))
 }

@@ -3,17 +3,18 @@
 use std::ops::Range;
 
 use crate::model::scene::Scene;
-use crate::study::compare::is_equal;
+use crate::model::variables;
+use crate::study::compare::hardware::Hardware;
 use crate::study::compare::sized::{Absence, mass_efficiency};
-use crate::study::compare::{Hardware, hold_spring_mass};
+use crate::study::compare::{hold_spring_mass, is_equal};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
-use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
 const PIECE: u64 = 16;
 /// Points along an axis, if none is given.
-pub const COUNT_USUAL: u64 = 101;
+pub const COUNT_USUAL: u64 = 41;
 /// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
 const WIDTH: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-6;
@@ -40,9 +41,10 @@ impl Map {
         hardware: Hardware,
         context: &mut Context<'_>,
     ) -> Result<Self, SweepError> {
-        if !scene.is_stack() && axes.iter().any(|axis| axis.symbol() == "h") {
+        variables::require_single(scene).map_err(|error| SweepError(error.to_string()))?;
+        if axes.iter().any(|axis| axis.symbol() == "h") {
             let text = "the map does not depend on h: each point sizes h to just stop its shot; take another variable, or \
-                        `cmra sweep --over h --outputs limit_with_hardware_m_s`";
+                        `cmra sweep --over h --outputs limit_if_spring_survives_m_s`";
             return Err(SweepError(text.to_owned()));
         }
         let mut own = scene.clone();
@@ -50,7 +52,7 @@ impl Map {
         if own.run.tolerance < TOLERANCE {
             own.run.tolerance = TOLERANCE;
         }
-        let plan = Plan::new(&own, axes.to_vec(), Design::FACTORIAL, &["final_penetration_m"])?;
+        let plan = Plan::new(&own, axes.to_vec(), &["final_penetration_m"])?;
         let worker = || {
             let mut placed = plan.base().clone();
             let plan = &plan;
@@ -59,7 +61,7 @@ impl Map {
                     plan.place(&mut placed, index);
                     let mut own = placed.clone();
                     hold_spring_mass(&mut own);
-                    mass_efficiency(&own, &hardware, WIDTH)
+                    mass_efficiency(&own, hardware, WIDTH)
                 };
                 piece.map(cell).collect()
             }
@@ -114,6 +116,13 @@ impl Map {
         };
         (0..self.x().count() - 1).filter_map(crossing).collect()
     }
+}
+
+/// The axes of the usual map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place; `None` where
+/// one of them has no such axis.
+pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
+    let axis = |name| usual_axis(scene, name, COUNT_USUAL).ok();
+    Some([axis("v_i")?, axis(scene.plate.size.key())?])
 }
 
 /// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range

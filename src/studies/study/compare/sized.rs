@@ -3,25 +3,24 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ClosureInEffect, Mount, Scene};
-use crate::model::stack;
+use crate::model::scene::{Mount, Scene, Target};
 use crate::model::units::fixed_significant;
 use crate::numerics::{larger, smaller};
-use crate::study::compare::closures::ByClosure;
 use crate::study::compare::hardware::{Built, Demand, Failure, Hardware};
-use crate::study::compare::solid::{Thickness, thickness_of_limit};
-use crate::study::compare::{elements, face_m2, is_held};
+use crate::study::compare::is_held;
+use crate::study::compare::solid::thickness_of_limit;
 use crate::study::limit::Criterion;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide, digits_apart};
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the thickness is closed in.
 pub const WIDTH: f64 = 1e-9;
+/// Relative distance from the thickness at which a closure changes that is none.
+const AT_THE_CHANGE: f64 = 1e-4;
 /// How often a bracket is widened by a factor of two before the search is given up.
 const WIDENED_MAX: usize = 20;
-/// The least thickness of the numerical envelope, m (model page, section 8).
-pub(super) const THINNEST_M: f64 = 5e-4;
+/// The least thickness of the numerical envelope, m.
+pub const THINNEST_M: f64 = 5e-4;
 
 /// Why there is no such armour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +38,8 @@ pub enum Absence {
         /// The thinnest plate above that is known to stop the shot, m.
         stopped_m: f64,
     },
-    /// The comparison is decided by the change of a closure by thickness alone.
-    ClosureChange(ByClosure),
+    /// A stack is no armour of one plate.
+    Stack,
     /// Nothing stops plate and projectile.
     NothingStops,
     /// The spring's mass is not known.
@@ -50,14 +49,9 @@ pub enum Absence {
 }
 
 impl Absence {
-    /// The mass efficiencies by either closure, where there is no other.
-    pub fn by_closure(self) -> Option<ByClosure> {
-        if let Self::ClosureChange(by_closure) = self { Some(by_closure) } else { None }
-    }
-
     /// Whether it is the verdict that it leaves open, and not the armour that is missing.
-    pub(super) fn is_open(self) -> bool {
-        matches!(self, Self::Undecided { .. } | Self::ClosureChange(_))
+    pub fn is_open(self) -> bool {
+        matches!(self, Self::Undecided { .. })
     }
 
     /// The letter that stands for it in maps.
@@ -66,7 +60,7 @@ impl Absence {
             Self::NoSolid => 'N',
             Self::NoThickness | Self::EveryThickness => 'T',
             Self::Undecided { .. } => '?',
-            Self::ClosureChange(by_closure) => by_closure.letter(),
+            Self::Stack => 'S',
             Self::NothingStops => 'U',
             Self::NoSpringMass => 'M',
             Self::Fails(_) => 'F',
@@ -77,7 +71,6 @@ impl Absence {
     pub fn brief(self) -> String {
         match self {
             Self::Undecided { .. } => "least thickness not decided".to_owned(),
-            Self::ClosureChange(by_closure) => by_closure.brief(),
             _ => self.words(),
         }
     }
@@ -101,7 +94,7 @@ impl Absence {
                     shown(stopped_m),
                 )
             }
-            Self::ClosureChange(by_closure) => by_closure.words(),
+            Self::Stack => "a stack is compared with nothing: its mechanisms share one shot".to_owned(),
             Self::NothingStops => "nothing stops plate and projectile".to_owned(),
             Self::NoSpringMass => "the spring's mass is not known".to_owned(),
             Self::Fails(failure) => failure.words(),
@@ -114,8 +107,6 @@ impl Absence {
 pub struct Sized {
     /// The scene with that thickness.
     pub scene: Arc<Scene>,
-    /// Its thicknesses over the scene's.
-    pub factor: f64,
     /// The mass of its springs, kg.
     pub spring_kg: f64,
     /// Its areal mass, kg/m².
@@ -129,6 +120,15 @@ impl Sized {
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
     }
+
+    /// Whether the armour or the solid plate is just as thick as the projectile, where a closure by thickness changes.
+    pub(super) fn rests_on_closure(&self) -> bool {
+        let target = &self.scene.target;
+        let change_m = Target::thick_from_m(self.scene.projectile.tip_radius_m);
+        let both_m = [target.thickness_m, self.solid_areal_kg_m2 / target.density_kg_m3];
+        let is_there = |thickness_m: f64| (thickness_m / change_m - 1.0).abs() < AT_THE_CHANGE;
+        self.scene.closure_by_thickness().is_some() && both_m.into_iter().any(is_there)
+    }
 }
 
 /// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
@@ -136,99 +136,44 @@ impl Sized {
 ///
 /// # Errors
 /// Why there is none.
-pub fn mass_efficiency(scene: &Scene, hardware: &Hardware, width: f64) -> Result<f64, Absence> {
+pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NothingStops);
     }
     sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
 }
 
-/// A run's scene as built, its springs sized for that shot; a shot that perforates does not size them.
-fn built(run: &Run) -> Built {
-    let elements = elements(&run.scene);
-    let demands = if run.shot_outcome() == Outcome::Perforated {
-        elements.iter().map(|element| Demand::of(element, None)).collect()
-    } else {
-        Demand::of_run(run, &elements)
-    };
-    Built::for_demands(elements, &Hardware::default(), &demands)
-}
-
-/// Areal mass of the scene of a run as built, its springs sized for that shot, kg/m²; `None` where it is not known, as for springs
-/// behind a plate that is perforated.
-pub fn areal_mass_of_run(run: &Run) -> Option<f64> {
-    built(run).areal_kg_m2(&run.scene)
-}
-
-/// The same in all: plates and springs, kg.
-pub(in crate::study) fn system_mass_of_run(run: &Run) -> Option<f64> {
-    Some(plates_kg(&run.scene) + built(run).spring_kg()?)
-}
-
-/// The mass of all plates of a scene, kg: a base plate is as large as the first plate.
-pub(in crate::study) fn plates_kg(scene: &Scene) -> f64 {
-    let Some(base_m) = scene.stack.base_thickness_m else { return scene.plate_mass_kg() };
-    let base_kg = base_m * scene.target.density_kg_m3 * face_m2(scene);
-    elements(scene).iter().map(Scene::plate_mass_kg).sum::<f64>() + base_kg
-}
-
 /// Size a valid scene for its own impact velocity, to this relative width of its thickness.
-pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Sized, Absence> {
-    let velocity_m_s = scene.projectile.velocity_m_s;
-    let by_closure = || ByClosure::of(scene, hardware, width);
-    let solid = thickness_of_limit(scene, velocity_m_s, false).ok_or(Absence::NoSolid)?;
-    let Thickness::Root(solid_m) = solid else {
-        return Err(Absence::ClosureChange(by_closure()?));
-    };
-    let sized = armour(scene, hardware, solid_m, width)?;
-    let own = closures_by_thickness(&sized.scene);
-    let below = scaled(scene, sized.factor * (1.0 - 2.0 * larger(width, ONE_POINT)));
-    if own != closures_by_thickness(&below) {
-        return Err(Absence::ClosureChange(by_closure()?));
+pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Sized, Absence> {
+    if scene.is_stack() {
+        return Err(Absence::Stack);
     }
-    let solid = scaled(scene, solid_m / scene.target.thickness_m).closure();
-    let contradicts = |it: &ByClosure| it.contradict(sized.mass_efficiency());
-    match own.iter().any(|it| *it != solid).then(by_closure) {
-        Some(Ok(by_closure)) if contradicts(&by_closure) => Err(Absence::ClosureChange(by_closure)),
-        _ => Ok(sized),
-    }
-}
-
-/// The closures that the thicknesses of a scene's plates choose.
-fn closures_by_thickness(scene: &Scene) -> Vec<ClosureInEffect> {
-    stack::plates(scene).iter().filter_map(Scene::closure_by_thickness).collect()
-}
-
-/// The thinnest armour, beside a solid plate of this thickness, m.
-fn armour(scene: &Scene, hardware: &Hardware, solid_m: f64, width: f64) -> Result<Sized, Absence> {
+    let solid = thickness_of_limit(scene, scene.projectile.velocity_m_s, false);
+    let solid_m = solid.ok_or(Absence::NoSolid)?;
     let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
     let own = scaled(scene, factor);
-    let built = Built::for_demands(elements(&own), hardware, &shot.demands);
-    if let Some(failure) = built.failure_under(&shot.demands) {
+    let built = Built::of(&own, hardware, &shot.demand);
+    if let Some(failure) = built.failure(&own, &shot.demand) {
         return Err(Absence::Fails(failure));
     }
-    let known = built.areal_kg_m2(&own).zip(built.spring_kg());
+    let known = built.areal_kg_m2(&own).zip(built.spring_kg);
     let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NoSpringMass)?;
     let solid_areal_kg_m2 = solid_m * scene.target.density_kg_m3;
-    Ok(Sized { scene: Arc::new(own), factor, spring_kg, areal_kg_m2, solid_areal_kg_m2 })
+    Ok(Sized { scene: Arc::new(own), spring_kg, areal_kg_m2, solid_areal_kg_m2 })
 }
 
-/// The scene with all thicknesses times a factor. Where the plate's face is given it stays, else the mass ratio does, and the face
+/// The scene with its thickness times a factor. Where the plate's face is given it stays, else the mass ratio does, and the face
 /// changes.
 fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut own = scene.clone();
     own.target.thickness_m *= factor;
-    own.stack.base_thickness_m = own.stack.base_thickness_m.map(|thickness| thickness * factor);
-    for layer in &mut own.stack.layers {
-        layer.target.thickness_m *= factor;
-    }
     own.follow_size();
     own
 }
 
 struct Shot {
     verdict: ShotOutcome,
-    demands: Vec<Demand>,
+    demand: Demand,
 }
 
 /// The shot at a scene, by the contact kernel where that is enough.
@@ -237,24 +182,21 @@ fn shoot(scene: Scene) -> Option<Shot> {
     if let Some(end) = kernel::contact(&scene, Wanted::Displacement, tolerance) {
         let demand = Demand::of(&scene, kernel::max_displacement_m(&scene, &end));
         let verdict = if end.arrested { ShotOutcome::Stopped } else { ShotOutcome::Perforated };
-        return Some(Shot { verdict, demands: vec![demand] });
+        return Some(Shot { verdict, demand });
     }
-    let elements = elements(&scene);
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let (run, verdict) = decide(&Arc::new(scene), Criterion::Passage, go_on)?;
-    Some(Shot { verdict, demands: Demand::of_run(&run, &elements) })
+    let demand = Demand::of(&run.scene, run.max_plate_displacement_m);
+    Some(Shot { verdict, demand })
 }
 
-/// The least factor of the thicknesses that stops the shot, and that shot.
+/// The least factor of the thickness that stops the shot, and that shot.
 fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
     let search = Search { scene, width };
     // A plate that its mechanism does not help is as good as a free or a rigid one.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
-        .map_or(solid, |thickness| thickness.m() / scene.target.thickness_m);
-    let (mut thin, mut thick) = if scene.is_stack() {
-        // Between what all its plates together and what each of them alone would need.
-        (0.5 * solid, 1.1 * solid)
-    } else if scene.plate.mount == Mount::Rigid {
+        .map_or(solid, |thickness_m| thickness_m / scene.target.thickness_m);
+    let (mut thin, mut thick) = if scene.plate.mount == Mount::Rigid {
         (solid * (1.0 - width), solid * (1.0 + width))
     } else {
         (free * (1.0 - width), solid * (1.0 + width))
@@ -288,7 +230,7 @@ fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Ab
     search.close_in(thin, thick, stops)
 }
 
-/// The search for the least factor of a scene's thicknesses, to a relative width.
+/// The search for the least factor of a scene's thickness, to a relative width.
 struct Search<'s> {
     scene: &'s Scene,
     width: f64,

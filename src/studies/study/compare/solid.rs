@@ -6,36 +6,10 @@ use crate::model::scene::{ContactModel, Scene, Target};
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
-/// Relative accuracy of a thickness in closed form.
-const ROUNDING: f64 = 1e-12;
-
-/// The least thickness that a limit velocity takes.
-pub(super) enum Thickness {
-    /// A plate of this thickness has this limit, m.
-    Root(f64),
-    /// No plate has: the limit jumps over it at this thickness, m, where a closure by thickness changes.
-    Jump(f64),
-}
-
-impl Thickness {
-    pub(super) fn m(self) -> f64 {
-        match self {
-            Self::Root(thickness_m) | Self::Jump(thickness_m) => thickness_m,
-        }
-    }
-
-    pub(super) fn root_m(self) -> Option<f64> {
-        match self {
-            Self::Root(thickness_m) => Some(thickness_m),
-            Self::Jump(_) => None,
-        }
-    }
-}
-
 /// The thickness, m, at which a free (`moves`) or rigid plate of the scene's material has this limit velocity, m/s, against the scene's
 /// projectile; `None` for another contact model, or without strength or limit. A closure that depends on thickness gives the thinner of
-/// two such plates.
-pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<Thickness> {
+/// two such plates; where its limit jumps over this one, that of the jump.
+pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     let of_nose = |tip_radius_m: f64| {
         let target = scene.target.in_effect(tip_radius_m);
         of_stated_closure(&Scene { target, ..scene.clone() }, limit_m_s, moves)
@@ -44,13 +18,9 @@ pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> 
     let thin = of_nose(f64::INFINITY)?;
     let thick_from_m = Target::thick_from_m(scene.projectile.tip_radius_m);
     if scene.closure_by_thickness().is_none() || thin < thick_from_m {
-        return Some(Thickness::Root(thin));
+        return Some(thin);
     }
-    let thick = of_nose(0.0)?;
-    // Within rounding a plate of just this thickness has the limit.
-    let is_root = thick >= thick_from_m * (1.0 - ROUNDING);
-    let thickness_m = larger(thick, thick_from_m);
-    Some(if is_root { Thickness::Root(thickness_m) } else { Thickness::Jump(thickness_m) })
+    Some(larger(of_nose(0.0)?, thick_from_m))
 }
 
 fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {

@@ -43,7 +43,7 @@ impl Closures {
 }
 
 /// A scene whose flow strengths come from their yield stresses by this closure, with the dishing and the drag that belong to it.
-pub(in crate::study) fn by_closure(scene: &Scene, closure: Closure) -> Scene {
+fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     let mut own = scene.clone();
     own.sweep = None;
     let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);

@@ -7,13 +7,13 @@ use crate::model::run::{EndReason, Outcome, Warning, envelope};
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
-use crate::study::compare::Load;
 use crate::study::context::Context;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, CURVE, Closures, Criterion, JUST_BELOW, Limit, LimitMethod, RANGE_M_S,
     SCAN, Shot, closed_form,
 };
+use crate::study::load::Load;
 use crate::study::sweep::kernel::{self, Wanted};
 
 /// Relative width to which the limit is closed in.

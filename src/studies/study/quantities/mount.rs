@@ -1,10 +1,10 @@
 //! The quantities of the mount, from where the plate starts and turns: the force into it, and the masses of spring and plate.
 
 use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::Run;
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
-use crate::study::compare::{elements, load, spring_energy_j};
+use crate::study::load::{self, spring_energy_j};
 
 /// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
 pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
@@ -12,12 +12,9 @@ pub(super) fn least_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) ->
     scene.mechanism.least_spring_kg(stored_j)
 }
 
-/// The springs' own mass, kg; of a stack, of all its elements.
-pub(super) fn own_spring_kg(run: &Run) -> Option<f64> {
-    if run.stack.is_none() {
-        return run.mechanism.spring_mass_kg;
-    }
-    elements(&run.scene).iter().map(|element| Inertia::of(element).spring_mass_kg).sum()
+/// The greatest displacement of a run whose shot is stopped, m: one that perforates does not size the springs.
+pub(super) fn stopped_displacement_m(run: &Run) -> Option<f64> {
+    run.max_plate_displacement_m.filter(|_| run.outcome != Outcome::Perforated)
 }
 
 /// The springs' own mass where it is known, else the least, kg.

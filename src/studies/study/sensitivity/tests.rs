@@ -3,12 +3,15 @@
 use super::*;
 use crate::study::context::{to_its_end, until};
 use crate::study::plain_run;
+use crate::study::quantities::named;
 use crate::study::testing::{axes, rigid, scene};
 
-const EFFORT: SamplingOptions = SamplingOptions { rows: 256, trajectories: 20, seed: 1 };
+fn request(over: Vec<Axis>, output: &str) -> Request {
+    Request { over, output: Some(named(output).unwrap()), samples: 256, seed: 1 }
+}
 
 fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
-    study(scene, axes, output, EFFORT, &mut Context::new(2, &mut to_its_end))
+    study(scene, &request(axes, output), &mut Context::new(2, &mut to_its_end))
 }
 
 #[test]
@@ -27,8 +30,8 @@ fn a_stop_keeps_what_there_is() {
     let asked = axes(&[("gamma", 0.8, 7.0), ("k", 0.0, 7.5e6)]);
     let mut watch = until(10);
     let stopped = &mut Context::new(2, &mut watch);
-    let cut = study(&Scene::default(), asked, "percent_of_baseline", EFFORT, stopped).unwrap();
-    assert!(cut.sobol.is_none() && cut.effects.is_empty() && cut.bars[0].swing().is_some());
+    let cut = study(&Scene::default(), &request(asked, "percent_of_baseline"), stopped).unwrap();
+    assert!(cut.sobol.is_none() && cut.bars[0].swing().is_some());
 }
 
 #[test]

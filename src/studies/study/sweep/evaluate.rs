@@ -11,7 +11,9 @@ use std::sync::Arc;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
+use crate::study::compare::{self, Absence, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
+use crate::study::limit;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
@@ -265,11 +267,24 @@ impl<'p> Evaluator<'p> {
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;
             let known = outputs.iter().filter(|_| run.end.is_complete());
-            let values = known.map(|it| it.found(&run)).collect();
+            let values = known.map(|it| found(it, &run)).collect();
             Some((run, values))
         };
         // Each point begins again, so a panic at one leaves nothing behind for the next.
         let done = catch_unwind(AssertUnwindSafe(work)).map_err(|_panic| Failure::Panicked)?;
         done.ok_or(Failure::Refused)
+    }
+}
+
+/// An output of a run; why not, where a search with many shots does not give it, and empty where there is nothing to say.
+fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
+    match output.name {
+        "limit_velocity_m_s" => limit::velocity_m_s(&run.scene),
+        "limit_if_spring_survives_m_s" => compare::limit_if_spring_survives_m_s(&run.scene),
+        "mass_efficiency" => {
+            let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
+            found.map_err(Absence::words)
+        }
+        _ => output.value(run).ok_or_else(String::new),
     }
 }

@@ -79,11 +79,9 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// An empty grid for a factorial plan of one or two axes, or a plan of any other design, of at most [`GRID_MAX`] points;
-    /// `None` for other plans.
+    /// An empty grid for a plan of one or two axes, of at most [`GRID_MAX`] points; `None` for other plans.
     pub fn new(plan: Arc<Plan>) -> Option<Self> {
         let counts = match plan.axes() {
-            _ if !plan.design().is_full() => (plan.points(), 1),
             [x] => (x.count(), 1),
             [x, y] => (x.count(), y.count()),
             _ => return None,
@@ -110,11 +108,6 @@ impl Grid {
     /// Points along the first axis and the second.
     pub fn counts(&self) -> (usize, usize) {
         self.counts
-    }
-
-    /// Whether it is a full grid: then neighbours are neighbours along its axes.
-    pub fn is_full(&self) -> bool {
-        self.plan.design().is_full()
     }
 
     /// The value of an axis at a point, in the stored unit.
@@ -167,7 +160,7 @@ impl Grid {
                     None => Cell::Outcome(outcome),
                 };
             }
-            if stride >= COARSEST || !self.is_full() {
+            if stride >= COARSEST {
                 return Cell::Waiting;
             }
             stride *= 2;

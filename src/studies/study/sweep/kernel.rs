@@ -8,13 +8,13 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::contact_kernel::{Contact, ContactEnd, contact_end, run_batch};
+use crate::model::contact_kernel::{Contact, ContactEnd, contact_end};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
-use crate::study::compare::load::holds_still;
+use crate::study::load::holds_still;
 use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::PointOutcome;
@@ -62,9 +62,6 @@ pub(super) struct Kernel<'p> {
     /// An output needs the scene of its point.
     needs_scene: bool,
     baseline: Baseline,
-    /// The contacts of the piece that have to be integrated, and their places.
-    contacts: Vec<Contact>,
-    places: Vec<usize>,
     answers: Vec<Option<(PointOutcome, KernelResult)>>,
 }
 
@@ -90,8 +87,6 @@ impl<'p> Kernel<'p> {
             } else {
                 Baseline::ByPoint
             },
-            contacts: Vec::new(),
-            places: Vec::new(),
             answers: Vec::new(),
         })
     }
@@ -110,25 +105,23 @@ impl<'p> Kernel<'p> {
     pub(super) fn answer(&mut self, points: &[u64], scene: &mut Scene) {
         self.answers.clear();
         self.answers.resize(points.len(), None);
-        self.contacts.clear();
-        self.places.clear();
         let wanted = if self.displacement { Wanted::Displacement } else { Wanted::Contact };
+        let tolerance = TOLERANCE_FRACTION * scene.run.tolerance;
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if decides(scene, wanted) && self.tells_force(scene) {
-                self.contacts.push(Contact::of(scene));
-                self.places.push(place);
+            if !(decides(scene, wanted) && self.tells_force(scene)) {
+                continue;
             }
-        }
-        let ends =
-            run_batch(&self.contacts, TOLERANCE_FRACTION * scene.run.tolerance, self.displacement);
-        for (place, end) in self.places.iter().zip(ends) {
-            let Some(end) = end else { continue };
-            self.plan.place(scene, points[*place]);
-            let answer = self.finish(scene, end);
+            let contact = Contact::of(scene);
+            let end = if self.displacement {
+                contact.run_minding_plate(tolerance)
+            } else {
+                contact.run(tolerance)
+            };
+            let answer = end.map(|end| self.finish(scene, end));
             // The mount of a plate that never moves bears the contact force, which takes a simulation.
-            let still = self.force && holds_still(scene, answer.1.max_displacement_m);
-            self.answers[*place] = (!still).then_some(answer);
+            let still = |displaced_m| self.force && holds_still(scene, displaced_m);
+            self.answers[place] = answer.filter(|answer| !still(answer.1.max_displacement_m));
         }
     }
 

@@ -26,7 +26,7 @@ fn rows(plan: &Plan) -> Rows {
 #[test]
 fn the_last_axis_runs_fastest() {
     let axes = vec![axis("gamma", 1.0, 2.0, 2), axis("k", 0.0, 3.0, 4), axis("n", 1.0, 3.0, 3)];
-    let plan = Plan::new(&Scene::default(), axes, Design::FACTORIAL, &NONE).unwrap();
+    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
     assert_eq!(plan.points(), 24);
     let mut index = 0;
     for gamma in [1.0, 2.0] {
@@ -48,7 +48,7 @@ fn the_last_axis_runs_fastest() {
 fn a_row_says_why_many_shots_give_no_value() {
     let outputs = ["limit_velocity_m_s", "mass_efficiency"];
     let axes = vec![axis("h", 0.0254, 5.0, 2)];
-    let plan = Plan::new(&scene("k=0 b=0"), axes, Design::FACTORIAL, &outputs).unwrap();
+    let plan = Plan::new(&scene("k=0 b=0"), axes, &outputs).unwrap();
     let rows = rows(&plan);
     let reasons = [0, 1].map(|row| rows.reason(row).unwrap().to_owned());
     assert_eq!(reasons[0], "nothing stops plate and projectile");
@@ -64,7 +64,7 @@ fn a_bad_plan_is_refused_before_anything_runs() {
         (Vec::new(), ["at least one axis", "gamma=0.8..7:101"]),
         (huge, ["1.0e18 points are too many", "fewer"]),
     ] {
-        let refused = Plan::new(&Scene::default(), axes, Design::FACTORIAL, &NONE).unwrap_err();
+        let refused = Plan::new(&Scene::default(), axes, &NONE).unwrap_err();
         let text = refused.to_string();
         assert!(fragments.iter().all(|fragment| text.contains(fragment)), "{text}");
     }
@@ -92,16 +92,11 @@ fn each_point_is_in_one_shard_and_in_order() {
 }
 
 #[test]
-fn great_designs_are_enumerated_without_memory() {
+fn great_sweeps_are_enumerated_without_memory() {
     let axes = vec![axis("gamma", 0.8, 7.0, 10_000), axis("k", 0.0, 7.5e6, 10_000)];
-    let plan = Plan::new(&Scene::default(), axes, Design::FACTORIAL, &NONE).unwrap();
+    let plan = Plan::new(&Scene::default(), axes, &NONE).unwrap();
     assert_eq!(plan.points(), 100_000_000);
     assert_eq!(plan.coordinate(99_999_999, 0).to_bits(), 7f64.to_bits());
-    let axes = vec![axis("gamma", 0.8, 7.0, 2), axis("k", 0.0, 7.5e6, 2)];
-    let design = Design { sampling: Sampling::LatinHypercube, points: 100_000_000, seed: 1 };
-    let plan = Plan::new(&Scene::default(), axes, design, &NONE).unwrap();
-    let gamma = plan.coordinate(99_999_999, 0);
-    assert!((0.8..=7.0).contains(&gamma));
 }
 
 /// The value of an output by a single full simulation.
@@ -148,7 +143,7 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
         "baseline_penetration_m",
     ];
     for (scene, axes) in surfaces() {
-        let plan = Plan::new(&scene, axes, Design::FACTORIAL, &names).unwrap();
+        let plan = Plan::new(&scene, axes, &names).unwrap();
         let rows = rows(&plan);
         assert_eq!(rows.len() as u64, plan.points());
         for (row, index) in (0..plan.points()).enumerate() {
@@ -202,7 +197,7 @@ fn by_threads(
 #[test]
 fn threads_pieces_and_shards_do_not_change_a_bit() {
     for (scene, axes) in surfaces() {
-        let plan = Plan::new(&scene, axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
+        let plan = Plan::new(&scene, axes, &USUAL_OUTPUTS).unwrap();
         let whole = by_threads(&plan, (1, 1_000_000), Shard::WHOLE);
         for parallel in [(2, 3), (3, 64)] {
             assert_eq!(by_threads(&plan, parallel, Shard::WHOLE), whole);
@@ -218,7 +213,7 @@ fn threads_pieces_and_shards_do_not_change_a_bit() {
 #[test]
 fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     let axes = vec![axis("gamma", 0.8, 7.0, 33), axis("k", 0.0, 7.5e6, 20)];
-    let plan = Plan::new(&scene(""), axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
+    let plan = Plan::new(&scene(""), axes, &USUAL_OUTPUTS).unwrap();
     let direct = rows(&plan);
     let mut seen = Vec::new();
     let watch = &mut |_, pass: Option<&Grid>| {
@@ -249,7 +244,7 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
 fn a_stopped_grid_keeps_the_finished_part() {
     let axes = vec![axis("gamma", 0.8, 7.0, 101), axis("n", 0.1, 3.0, 101)];
     // With a stop every point is a full simulation: none is over before the flag is seen.
-    let plan = Plan::new(&scene("x_stop=2mm"), axes, Design::FACTORIAL, &USUAL_OUTPUTS).unwrap();
+    let plan = Plan::new(&scene("x_stop=2mm"), axes, &USUAL_OUTPUTS).unwrap();
     let grid = Grid::new(Arc::new(plan)).unwrap().fill(4, &mut Context::new(2, &mut until(20)));
     let (done, all) = grid.progress();
     assert!((20..200).contains(&done), "{done} of {all}");
@@ -261,7 +256,7 @@ fn a_stopped_grid_keeps_the_finished_part() {
 fn the_depth_of_a_perforation_is_no_number() {
     let axes = vec![axis("v_i", 200.0, 260.0, 7)];
     let names = ["final_penetration_m", "residual_velocity_m_s", "max_plate_displacement_m"];
-    let plan = Plan::new(&scene("mount=rigid"), axes, Design::FACTORIAL, &names).unwrap();
+    let plan = Plan::new(&scene("mount=rigid"), axes, &names).unwrap();
     let empty = Grid::new(Arc::new(plan)).unwrap();
     let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
     // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
@@ -270,25 +265,4 @@ fn the_depth_of_a_perforation_is_no_number() {
     assert_eq!(grid.cell(4, 0, 2), Cell::Value(0.0));
     assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
     assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Ended(Outcome::Arrested)));
-}
-
-/// A design other than the full grid is kept point by point, with the values of a sweep over it.
-#[test]
-fn a_hypercube_is_kept_as_a_row_of_points() {
-    let axes = vec![axis("gamma", 0.8, 7.0, 5), axis("k", 0.0, 7.5e6, 5)];
-    let design = Design { sampling: Sampling::LatinHypercube, points: 37, seed: 3 };
-    let plan = Arc::new(Plan::new(&Scene::default(), axes, design, &USUAL_OUTPUTS).unwrap());
-    let stop = CancelFlag::default();
-    let empty = Grid::new(Arc::clone(&plan)).unwrap();
-    assert_eq!((empty.counts(), empty.is_full()), ((37, 1), false));
-    let filled = empty.fill(4, &mut Context::new(2, &mut to_its_end));
-    assert!(filled.is_complete());
-    let rows = Evaluator::new(&plan, &stop).rows(0..37);
-    for (x, index) in (0..37).zip(0u64..) {
-        let exact = plan.coordinate(index, 1);
-        assert_eq!(filled.coordinate((x, 0), 1).to_bits(), exact.to_bits());
-        for output in 0..2 {
-            assert_eq!(filled.value(x, 0, output), rows.value(x, output));
-        }
-    }
 }

@@ -2,17 +2,15 @@
 //! letter on the axis, never a number.
 
 use crate::report::figures::{axis_of, column_of, map_over, sweeps};
-use crate::report::map::{Cell, Map};
+use crate::report::map::Map;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{self, Grid};
 use crate::tui::app::status::shortened;
-use crate::tui::chart::heatmap::{dot, role, swatch};
+use crate::tui::chart::heatmap::{role, swatch};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, Levels, MARKERS, Unit};
 use crate::tui::pages::explore::plan::PictureSweep;
-use crate::tui::pages::explore::state::{
-    Picture, SweepResult, nearest, no_value, place, quadratic,
-};
+use crate::tui::pages::explore::state::{Picture, SweepResult, nearest, no_value};
 use crate::tui::pages::explore::{RESULTS, SweepPanes};
 use crate::tui::pages::prelude::*;
 use crate::tui::widgets::text::{put, wrapped};
@@ -62,11 +60,7 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
     let scale = app.pages.explore.value_scale;
     let line = |y: usize| -> Vec<(f64, f64)> {
         let point = |x: usize| (grid.coordinate((x, y), 0), number(grid.cell(x, y, output)));
-        if grid.is_full() {
-            return (0..along).map(point).collect();
-        }
-        // Dots: the points of a design are not neighbours.
-        (0..along).flat_map(|x| [point(x), (f64::NAN, f64::NAN)]).collect()
+        (0..along).map(point).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     // The values in view, as in Run; all of them where no point is.
@@ -82,7 +76,7 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         return nothing_exists(&title, &why(), area, canvas);
     };
     let (x, selected) = app.cursor_point(grid);
-    let named = axes.get(1).filter(|_| grid.is_full());
+    let named = axes.get(1);
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = named.map_or_else(String::new, |axis| {
             // The first of the family also says what is repeated.
@@ -110,11 +104,7 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
     };
     let layout = canvas.draw(&chart, area);
     marks(app, grid, output, &layout, canvas);
-    if grid.is_full() {
-        canvas.plot(&layout, |x, _| Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, selected))));
-    } else {
-        canvas.plot(&layout, |x, _| nearest_point(grid, &layout, x));
-    }
+    canvas.plot(&layout, |x, _| Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, selected))));
 }
 
 /// Parts of the values of a chart that are about as wide as its line.
@@ -123,7 +113,7 @@ const LINE: f64 = 0.02;
 /// The curves of a figure by the scheme that the thesis prints, as far as they differ from the corrected ones by more than a line.
 pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f64)>> {
     let found = app.pages.explore.printed.as_ref();
-    let is_same = |it: &&Arc<Grid>| it.plan().axes() == grid.plan().axes() && grid.is_full();
+    let is_same = |it: &&Arc<Grid>| it.plan().axes() == grid.plan().axes();
     let Some(found) = found.filter(is_same) else { return Vec::new() };
     let (along, repeats) = grid.counts();
     let value = |grid: &Grid, at: (usize, usize)| number(grid.cell(at.0, at.1, output));
@@ -135,17 +125,6 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
         (0..along).any(differs).then(|| (0..along).map(point).collect())
     };
     (0..repeats).filter_map(curve).collect()
-}
-
-/// The point of a design whose variable along is drawn nearest to a value.
-fn nearest_point(grid: &Grid, layout: &Layout, x: f64) -> Option<Target> {
-    let here = layout.x.position(x)?;
-    let away = |index: usize| {
-        let there = layout.x.position(grid.coordinate((index, 0), 0));
-        there.map_or(f64::INFINITY, |there| (there - here).abs())
-    };
-    let nearest = (0..grid.counts().0).min_by(|a, b| away(*a).total_cmp(&away(*b)))?;
-    Some(Target::Cell(RESULTS, (nearest, 0)))
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.
@@ -200,8 +179,6 @@ struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static Quantity,
-    /// Whether a fit is taken off the values.
-    is_fit: bool,
     /// The value shown at every point; the second axis varies fastest.
     points: Vec<grid::Cell>,
     scale: Scale,
@@ -214,19 +191,8 @@ impl<'a> ChartView<'a> {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
         let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let residuals = app.pages.explore.residuals;
-        let fit = residuals.then(|| quadratic(grid, output)).flatten();
-        // A value, or what is left of it beside the fit.
-        let seen = |point: (usize, usize)| match (grid.cell(point.0, point.1, output), fit) {
-            (grid::Cell::Value(value), Some(fit)) => {
-                let (u, v) = place(grid, point);
-                grid::Cell::Value(value - fit.value(u, v))
-            }
-            (cell, _) => cell,
-        };
-        let points: Vec<grid::Cell> = points.map(seen).collect();
-        // Residuals of a fit are positive and negative.
-        let scale = if residuals { Scale::Linear } else { app.pages.explore.value_scale };
+        let points = points.map(|(x, y)| grid.cell(x, y, output)).collect::<Vec<grid::Cell>>();
+        let scale = app.pages.explore.value_scale;
         let empty = || {
             let unit = Unit::with_prefix(1.0, column.unit());
             chart::Axis::new("", ViewRange::default()).scale(scale).unit(unit)
@@ -235,7 +201,6 @@ impl<'a> ChartView<'a> {
         Self {
             levels: Levels::of(scale, values()),
             values: chart::Axis::fitted("", column.unit(), scale, values()).unwrap_or_else(empty),
-            is_fit: fit.is_some(),
             grid,
             output,
             column,
@@ -263,9 +228,6 @@ impl<'a> ChartView<'a> {
             let why = app.keymap.shown(&no_value(self.grid, self.output).join("\n"));
             return nothing_exists(&title, &why, area, canvas);
         };
-        if !self.grid.is_full() {
-            return self.dots(app, title, area, canvas);
-        }
         let cell = |x: usize, y: usize| sweeps::cell(self.point((x, y)), self.scale);
         let (x, y) = app.cursor_point(self.grid);
         let map = Map {
@@ -288,52 +250,23 @@ impl<'a> ChartView<'a> {
         up: &chart::Axis<'_>,
         width: u16,
     ) -> String {
-        let fit = if self.is_fit { "off the fit: " } else { "" };
         let old = if old { ", old" } else { "" };
         let (output, name) = (self.column.title(), &up.label);
-        let long = format!("{fit}{output}{old}, up: {name}");
-        let short = format!("{fit}{}{old}, up: {name}", shortened(&output));
+        let long = format!("{output}{old}, up: {name}");
+        let short = format!("{}{old}, up: {name}", shortened(&output));
         // In the line are also its unit and the other axis with brackets, blanks, and the frame's ends.
         let alone = usize::from(width).saturating_sub(up.unit.name.len() + 8);
         let both = alone.saturating_sub(across.label.len() + across.unit.name.len() + 5);
         let choices = [(&long, both), (&short, both), (&long, alone), (&short, alone)];
         let fits = choices.into_iter().find(|(title, room)| title.chars().count() <= *room);
         // The row below the map tells the output, too.
-        fits.map_or_else(|| format!("{fit}up: {name}{old}"), |(title, _)| title.clone())
-    }
-
-    /// The points of a design where they lie, each in the colour of its band or as its letter.
-    fn dots(&self, app: &App, title: String, area: Rect, canvas: &mut Canvas<'_>) {
-        let Some(levels) = &self.levels else { return };
-        let axes = self.grid.plan().axes();
-        let chart = Chart {
-            focused: app.has_focus(RESULTS),
-            ..Chart::new(title, axis_of(&axes[0]), axis_of(&axes[1]), Vec::new())
-        };
-        let layout = canvas.draw_with_picture(&chart, area, Vec::new);
-        let cursor = app.cursor_point(self.grid).0;
-        // The cursor's point last: it lies over others in its cell.
-        let points = (0..self.grid.counts().0).filter(|x| *x != cursor).chain([cursor]);
-        for x in points {
-            let at = |axis: usize| self.grid.coordinate((x, 0), axis);
-            let Some(place) = layout.place(at(0), at(1)) else { continue };
-            let (symbol, style) = match sweeps::cell(self.point((x, 0)), self.scale) {
-                _ if x == cursor => ('X', canvas.theme.style(Role::Selection)),
-                Cell::Value(value) => dot(levels.index(value), levels.bands(), app.theme),
-                Cell::Mark(letter, tone) => (letter, app.theme.style(role(tone))),
-                Cell::Empty => continue,
-            };
-            put(canvas, layout.plot, place, &symbol.to_string(), style);
-        }
-        let at = |x: usize, axis: usize| self.grid.coordinate((x, 0), axis);
-        let places = (0..self.grid.counts().0).map(|x| Some((at(x, 0), at(x, 1))));
-        canvas.points(&layout, places, |x| Target::Cell(RESULTS, (x, 0)));
+        fits.map_or_else(|| format!("up: {name}{old}"), |(title, _)| title.clone())
     }
 
     /// The value of the contour, which runs through the point under the cursor, where one is drawn.
     fn contour(&self, app: &App) -> Option<f64> {
         let here = self.value(app.cursor_point(self.grid));
-        let is_shown = self.grid.is_full() && !app.pages.explore.hides_contour;
+        let is_shown = !app.pages.explore.hides_contour;
         (is_shown && here.is_finite()).then_some(here)
     }
 
@@ -349,8 +282,7 @@ impl<'a> ChartView<'a> {
         if let Some(levels) = &self.levels {
             let here = self.value(app.cursor_point(self.grid));
             for band in (0..levels.bands()).rev() {
-                let patch = if self.grid.is_full() { swatch } else { dot };
-                let (symbol, style) = patch(band, levels.bands(), app.theme);
+                let (symbol, style) = swatch(band, levels.bands(), app.theme);
                 let patch: String = [symbol; 3].iter().collect();
                 put(canvas, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);
@@ -377,25 +309,19 @@ impl<'a> ChartView<'a> {
         }
     }
 
-    /// The output along one axis, through the cursor; of a design, which has no rows, all points seen along the other axis.
+    /// The output along one axis, through the cursor.
     fn slice(&self, app: &App, along: bool, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
         let place = usize::from(!along);
         let (x, y) = app.cursor_point(self.grid);
         let (across, upward) = self.grid.counts();
         let point = |at: (usize, usize)| (self.grid.coordinate(at, place), self.value(at));
-        let (title, points): (String, Vec<(f64, f64)>) = if self.grid.is_full() {
-            let held = &axes[1 - place];
-            let held_at = self.grid.coordinate((x, y), 1 - place);
-            let title = format!("at {} {}", held.symbol(), significant(held_at, 3));
-            let count = if along { across } else { upward };
-            let at = |index: usize| if along { (index, y) } else { (x, index) };
-            (title, (0..count).map(|index| point(at(index))).collect())
-        } else {
-            // Each by itself: they are not neighbours.
-            let apart = |x: usize| [point((x, 0)), (f64::NAN, f64::NAN)];
-            (format!("over {}", axes[place].symbol()), (0..across).flat_map(apart).collect())
-        };
+        let held = &axes[1 - place];
+        let held_at = self.grid.coordinate((x, y), 1 - place);
+        let title = format!("at {} {}", held.symbol(), significant(held_at, 3));
+        let count = if along { across } else { upward };
+        let at = |index: usize| if along { (index, y) } else { (x, index) };
+        let points: Vec<(f64, f64)> = (0..count).map(|index| point(at(index))).collect();
         let curves = vec![Curve::new('*', "", points)];
         let chart = Chart {
             crosshair: Some(self.grid.coordinate((x, y), place)),

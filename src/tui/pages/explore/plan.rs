@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::model::run::Outcome;
 use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use crate::study::sweep::{Axis, Design, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::worker::study::Tempo;
@@ -92,8 +92,7 @@ impl App {
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),
         }
-        let design = Design::new(self.pages.explore.sampling(picture), axes[0].count(), 0);
-        let plan = Plan::new(scene, axes, design, &sweep.outputs)?;
+        let plan = Plan::new(scene, axes, &sweep.outputs)?;
         grid::fits(&plan).map(|()| plan)
     }
 }

@@ -6,8 +6,8 @@ use crate::model::scene::Sweep;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::study::sweep::{Axis, Sampling};
 use crate::tui::app::status::fitting;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
@@ -25,7 +25,6 @@ pub enum SetupRow {
     Heading(&'static str),
     Axis(usize, Part),
     Picture,
-    Design,
     Curves,
     Output,
     /// A held variable, by index into the table.
@@ -44,17 +43,14 @@ impl App {
         use SetupRow as R;
         let is_map = self.picture() == Picture::Surface;
         let has_two = is_map || has_family(&self.scene);
-        let is_grid = self.pages.explore.sampling(self.picture()) == Sampling::Factorial;
         let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
         let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
         rows.extend(along.map(|part| R::Axis(0, part)));
-        rows.extend([R::Design, R::Heading("Across"), R::Axis(1, Part::Name)]);
+        rows.extend([R::Heading("Across"), R::Axis(1, Part::Name)]);
         if has_two {
             rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
-            // A design has a given number of points in all, not along each axis.
             let count = if is_map { R::Axis(1, Part::Points) } else { R::Curves };
-            rows.extend(is_grid.then_some(count));
-            rows.push(R::Axis(1, Part::Spacing));
+            rows.extend([count, R::Axis(1, Part::Spacing)]);
         }
         rows.push(R::Heading("Hold"));
         let sweep = sweep_of(&self.scene);
@@ -105,11 +101,6 @@ impl App {
                 let word = if picture == Picture::Line { "curves" } else { "map" };
                 FormRow::word("shown as", word).means(
                     "curves: one for each value of the variable across, if any; map: colours over both",
-                )
-            }
-            SetupRow::Design => {
-                FormRow::word("design", self.pages.explore.sampling(picture).label()).means(
-                    "every combination; or a Latin hypercube or Sobol's sequence of so many points",
                 )
             }
             SetupRow::Curves => FormRow::typed("curves", self.pages.explore.plan.curves.to_string())
@@ -216,10 +207,6 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
             let next = around(&[Picture::Line, Picture::Surface], picture, press.by());
             tried(app, next, |sweeping| sweeping.plan.picture = next)?;
         }
-        (SetupRow::Design, Input::Step(press)) => {
-            let next = around(&Sampling::ALL, app.pages.explore.sampling(picture), press.by());
-            tried(app, picture, |sweeping| sweeping.plan.samplings[picture as usize] = next)?;
-        }
         (SetupRow::Curves, _) => {
             let curves = app.pages.explore.plan.curves;
             let next = match input {
@@ -235,7 +222,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
             choose_output(app, quantity_after(name, input)?);
         }
         (SetupRow::Held(index), _) => edit::change(app, index, input)?,
-        (SetupRow::Heading(_) | SetupRow::Design | SetupRow::Picture, _) => {}
+        (SetupRow::Heading(_) | SetupRow::Picture, _) => {}
     }
     Ok(())
 }
@@ -291,30 +278,27 @@ fn stood_in(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     completed(&app.scene, sweep)
 }
 
-/// Change the sampling of a picture, unless the picture cannot be made then.
+/// Change how a picture is shown, unless the picture cannot be made then.
 fn tried(
     app: &mut App,
     picture: Picture,
     change: impl FnOnce(&mut Sweeping),
 ) -> Result<(), String> {
-    let (state, old) = (app.snapshot(), app.pages.explore.sampling(picture));
+    let state = app.snapshot();
     change(&mut app.pages.explore);
     if let Err(error) = app.sweep_plan(picture) {
         app.pages.explore.plan = state.plan;
         return Err(error.to_string());
     }
     let (before, after) = (state.plan, app.pages.explore.plan);
-    let new = app.pages.explore.sampling(picture);
     if after == before {
         return Ok(());
     }
-    let label = if before.picture != after.picture {
-        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
-        format!("show {word}")
-    } else if old == new {
+    let label = if before.picture == after.picture {
         format!("curves {} -> {}", before.curves, after.curves)
     } else {
-        format!("design {} -> {}", old.label(), new.label())
+        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
+        format!("show {word}")
     };
     edit::note(app, state, label, None);
     explore::after_edit(app);

@@ -11,8 +11,7 @@ use crate::model::units::{self, engineering};
 use crate::model::variables;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
-use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, Sampling, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, USUAL_OUTPUTS};
 use crate::tui::pages::prelude::*;
 
 use crate::tui::pages::explore::plan::PictureSweep;
@@ -45,18 +44,16 @@ pub struct SweepResult {
     pub took: Option<Duration>,
 }
 
-/// How a sweep is shown, how many points it has, and which.
+/// How a sweep is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SamplingPlan {
+pub struct PicturePlan {
     pub curves: u64,
-    /// Which points each picture computes: curves, map.
-    pub samplings: [Sampling; 2],
     pub picture: Picture,
 }
 
-impl Default for SamplingPlan {
+impl Default for PicturePlan {
     fn default() -> Self {
-        Self { curves: CURVES, samplings: [Sampling::Factorial; 2], picture: Picture::Line }
+        Self { curves: CURVES, picture: Picture::Line }
     }
 }
 
@@ -79,20 +76,13 @@ pub struct Sweeping {
     pub value_scale: Scale,
     /// The contour through the point under the cursor, of all designs with the same value, is hidden.
     pub hides_contour: bool,
-    /// The surface shows the residuals of a quadratic fit.
-    pub residuals: bool,
-    /// Curves of a family, and which points are visited.
-    pub plan: SamplingPlan,
+    /// Curves of a family, and the picture.
+    pub plan: PicturePlan,
 }
 
 impl Sweeping {
     pub fn found(&self, picture: Picture) -> Option<&SweepResult> {
         self.found[picture as usize].as_ref()
-    }
-
-    /// Which points a picture computes.
-    pub fn sampling(&self, picture: Picture) -> Sampling {
-        self.plan.samplings[picture as usize]
     }
 
     /// The place of the output shown among those of a sweep.
@@ -121,36 +111,10 @@ fn same_place(old: &Grid, at: (usize, usize), new: &Grid) -> Option<(usize, usiz
     let is_same = before.iter().map(Axis::symbol).eq(after.iter().map(Axis::symbol));
     let value = |axis: usize| nearest(after.get(axis)?, old.coordinate(at, axis));
     let is_inside = at.0 < old.counts().0 && at.1 < old.counts().1;
-    if !is_same || !is_inside || !old.is_full() || !new.is_full() {
+    if !is_same || !is_inside {
         return None;
     }
     Some((value(0)?, value(1).unwrap_or(0)))
-}
-
-/// The quadratic that fits an output of a grid of two axes; `None` where there is none.
-pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
-    let (along, up) = grid.counts();
-    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-    Quadratic::through(points.map(|(x, y)| {
-        let value = grid.cell(x, y, output).value().unwrap_or(f64::NAN);
-        let (u, v) = place(grid, (x, y));
-        (u, v, value)
-    }))
-}
-
-/// A point of a grid or a design in shares of its axes, -1 to 1.
-pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
-    if !grid.is_full() {
-        let axes = grid.plan().axes();
-        let share = |at: usize| {
-            let share = axes.get(at).and_then(|axis| axis.share(grid.coordinate((x, y), at)));
-            2.0 * share.unwrap_or(0.5) - 1.0
-        };
-        return (share(0), share(1));
-    }
-    let share = |at: usize, count: usize| 2.0 * at as f64 / (count.max(2) - 1) as f64 - 1.0;
-    let (along, up) = grid.counts();
-    (share(x, along), share(y, up))
 }
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
@@ -214,28 +178,12 @@ impl App {
         if let Some(at) = kept.filter(|(x, y)| *x < across && *y < up) {
             return at;
         }
-        if !grid.is_full() {
-            return (self.nearest_point(grid), 0);
-        }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
-            nearest(axis, axis.get(&self.scene)?)
+            nearest(axis, here(axis, &self.scene)?)
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
-    }
-
-    /// The point of a design nearest to the scene, each axis by its length.
-    fn nearest_point(&self, grid: &Grid) -> usize {
-        let away = |x: usize| -> f64 {
-            let one = |(axis, value): (&Axis, f64)| {
-                let here = axis.get(&self.scene).and_then(|value| axis.share(value));
-                (here.unwrap_or(0.0) - axis.share(value).unwrap_or(0.0)).powi(2)
-            };
-            values_at(grid, (x, 0)).map(one).sum()
-        };
-        let points = 0..grid.counts().0;
-        points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
     }
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
@@ -264,7 +212,7 @@ impl App {
         };
         let mut parts: Vec<String> = values().map(at).collect();
         let away = values().any(|(axis, value)| {
-            axis.get(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+            here(axis, &self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
         parts.clear();
@@ -330,6 +278,15 @@ impl Detail {
             _ => output.title(),
         }
     }
+}
+
+/// The value that a scene has of an axis, also where another variable gives the plate its size.
+fn here(axis: &Axis, scene: &Scene) -> Option<f64> {
+    axis.get(scene).or_else(|| match axis.variable().key {
+        "plate.mass_kg" => Some(scene.plate_mass_kg()),
+        "plate.face_m" => Some(scene.plate_face_m()),
+        _ => None,
+    })
 }
 
 /// The axes of a grid with their values at a point.

@@ -3,10 +3,9 @@
 
 use crate::model::library::{Entry, Library};
 use crate::report;
-use crate::report::compare::picture;
+use crate::report::compare::{picture, reasons, verdict};
 use crate::report::figures::column_of;
-use crate::study::compare::map::{self, Map};
-use crate::study::compare::summary;
+use crate::study::compare::map::{Map, usual_axes};
 use crate::study::compare::{self, Hardware, is_equal};
 use crate::study::context::Progress;
 use crate::study::sweep::Axis;
@@ -17,11 +16,8 @@ use crate::tui::pages::prelude::*;
 use crate::tui::widgets::axis::span;
 use crate::tui::widgets::text::put;
 
-/// Points along each axis of the map of the mass efficiency.
-const MAP_POINTS: u64 = 41;
-
 /// What the rows of the comparison mean, for `?`.
-pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate alone is perforated above it. Limit with hardware: the plate is perforated or the spring fails, which is sized for the design velocity and holds no faster shot. Mass efficiency as built: of the plate as thick as it is, at its own limit. *: nothing stops plate and projectile. P, D and C on the map: only the change of closure at h = D decides; it pays by both closures, by neither, or is not decided";
+pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring must survive: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
 /// Compares at equal areal mass, and maps the mass efficiency around the scene, or over a part of its axes.
 #[derive(Debug)]
@@ -32,15 +28,9 @@ pub struct EqualMass {
     pub part: Option<MapPart>,
 }
 
-/// The axes of the map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place.
-pub fn usual_axes(scene: &Scene) -> Option<[Axis; 2]> {
-    let axis = |name| map::usual_axis(scene, name, MAP_POINTS).ok();
-    Some([axis("v_i")?, axis(scene.plate.size.key())?])
-}
-
 /// An axis over a part of its values.
 fn over_part(axis: &Axis, part: ViewRange) -> Option<Axis> {
-    Axis::new(axis.symbol(), (part.lo(), part.hi()), MAP_POINTS, axis.spacing()).ok()
+    Axis::new(axis.symbol(), (part.lo(), part.hi()), axis.count(), axis.spacing()).ok()
 }
 
 /// A comparison at equal areal mass with its map, where there is one.
@@ -54,9 +44,14 @@ pub struct Comparison {
 }
 
 impl Study for EqualMass {
-    /// A scene without such a map, a stack for one, has none.
+    /// A scene without such a map has none.
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
-        let points = usize::try_from(MAP_POINTS * MAP_POINTS)?;
+        let axes = usual_axes(scene).and_then(|[x, y]| match self.part {
+            Some([across, up]) => Some([over_part(&x, across)?, over_part(&y, up)?]),
+            None => Some([x, y]),
+        });
+        let points = axes.as_ref().map_or(0, |[x, y]| x.count() * y.count());
+        let points = usize::try_from(points)?;
         let whole = points + compare::Candidate::ALL.len();
         let of_all = |progress: Progress, before: usize| Progress {
             done: before + progress.done,
@@ -65,10 +60,6 @@ impl Study for EqualMass {
         let watch = &mut |progress, _: Option<&()>| reporter.tell(of_all(progress, 0), &|| None);
         let context = &mut Context::new(1, watch);
         let report = compare::compare(scene, Hardware::default(), context)?;
-        let axes = usual_axes(scene).and_then(|[x, y]| match self.part {
-            Some([across, up]) => Some([over_part(&x, across)?, over_part(&y, up)?]),
-            None => Some([x, y]),
-        });
         let first = Comparison { report, absorber: self.absorber.clone(), map: None };
         let Some(axes) = axes.filter(|_| first.report.is_complete) else {
             return Ok(Finding::new(first));
@@ -202,7 +193,7 @@ fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
         let lead = |at: usize| if at == 0 { "" } else { GOES_ON };
         parts.map(|(at, part)| (lead(at).to_owned() + &part, role)).collect()
     };
-    let mut lines = sentence(Role::Text, &summary::verdict(report));
+    let mut lines = sentence(Role::Text, &verdict(report));
     if let Some(caution) = report.caution() {
         lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
     }
@@ -214,7 +205,7 @@ fn lines(report: &compare::Report, scene: &str, width: usize) -> Vec<TextLine> {
         _ => vec![(line.to_owned(), Role::Text)],
     }));
     lines.push((String::new(), Role::Text));
-    lines.extend(summary::reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
+    lines.extend(reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
     lines
 }
 

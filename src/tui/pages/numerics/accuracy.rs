@@ -6,9 +6,9 @@ use crate::model::contact_phase::Ending;
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
 use crate::numerics::{larger, smaller};
-use crate::report::accuracy::{TARGETS, by, curve, percent, seconds};
+use crate::report::accuracy::{TARGETS, advice, curve, gain, percent, printed_scheme, seconds};
 use crate::study::accuracy::method::{Method, Parameter};
-use crate::study::accuracy::{self, ComparisonOptions, Measured, MethodReport, Report};
+use crate::study::accuracy::{self, ComparisonOptions, Measured, MethodReport, RESULTS, Report};
 use crate::tui::chart::{Curve, Mapping};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::along;
@@ -47,30 +47,10 @@ pub struct Accuracy {
     pub hidden: Vec<Method>,
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
-    pub view: ChartView,
+    /// The run times in view, s; `None`: all.
+    pub times_s: Option<ViewRange>,
     /// Points of the study requested last, once known.
     pub points_in_all: usize,
-    /// The page of the table's columns.
-    pub table_page: usize,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ChartView {
-    /// The run times in view, s; `None`: all.
-    pub times: Option<ViewRange>,
-    pub time_scale: Scale,
-    pub error_scale: Scale,
-    /// Lines of the slopes that orders make are drawn.
-    pub guides: bool,
-    /// The spread of the timings is drawn.
-    pub bars: bool,
-}
-
-impl Default for ChartView {
-    fn default() -> Self {
-        let (time_scale, error_scale) = (Scale::Log10, Scale::Log10);
-        Self { times: None, time_scale, error_scale, guides: false, bars: false }
-    }
 }
 
 impl Accuracy {
@@ -119,7 +99,7 @@ impl Accuracy {
     }
 
     /// The least and greatest run time of all that is drawn, s.
-    pub fn times_s(&self) -> Option<(f64, f64)> {
+    fn ends_s(&self) -> Option<(f64, f64)> {
         let curves = self.curves();
         let times = curves.iter().flat_map(|one| one.1.points.iter()).map(|it| it.0);
         let times = times.filter(|time| time.is_finite() && *time > 0.0);
@@ -130,18 +110,18 @@ impl Accuracy {
     }
 
     pub fn times(&self) -> Option<ViewRange> {
-        self.view.times.map(|times| times.on(self.view.time_scale)).or_else(|| self.all_times())
+        self.times_s.map(|times| times.on(Scale::Log10)).or_else(|| self.all_times())
     }
 
     /// The run times of all that is drawn, rounded.
     pub fn all_times(&self) -> Option<ViewRange> {
-        let (least, most) = self.times_s()?;
-        Some(ViewRange::new(least, most).rounded(self.view.time_scale))
+        let (least, most) = self.ends_s()?;
+        Some(ViewRange::new(least, most).rounded(Scale::Log10))
     }
 
     /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
     pub fn errors(&self) -> Option<ViewRange> {
-        let (times, scale) = (self.times()?, self.view.error_scale);
+        let (times, scale) = (self.times()?, Scale::Log10);
         let curves = self.curves();
         let seen = || {
             let points = curves.iter().flat_map(|(_, curve)| curve.points.iter());
@@ -161,31 +141,19 @@ impl Accuracy {
 
     /// Put the crosshair on a run time, s, or on the nearest there is.
     pub fn place_cursor(&mut self, run_time_s: f64) {
-        if let Some((least, most)) = self.times_s() {
+        if let Some((least, most)) = self.ends_s() {
             self.cursor_s = Some(run_time_s.clamp(least, most));
         }
     }
 
     /// Move the crosshair by columns of a plot so wide; it starts in the middle.
     pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
+        let (Some((least, most)), Some(view)) = (self.ends_s(), self.times()) else {
             return;
         };
-        let view = Mapping::new(self.view.time_scale, view, width);
+        let view = Mapping::new(Scale::Log10, view, width);
         let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
         self.cursor_s = Some(view.stepped(here, columns).clamp(least, most));
-    }
-
-    /// The spread of the timings as strokes with gaps between, method by method: from the least time to the median and its
-    /// deviation, s, at the point's error.
-    pub fn spreads(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
-        let stroke = |it: &Measured| {
-            let most = it.timing.median_s + it.timing.mad_s.unwrap_or(0.0);
-            [(it.timing.min_s, it.error()), (most, it.error()), (f64::NAN, f64::NAN)]
-        };
-        self.drawn()
-            .map(|one| (one.method, one.measured().flat_map(|(_, it)| stroke(it)).collect()))
-            .collect()
     }
 
     pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
@@ -268,36 +236,27 @@ impl App {
         parts
     }
 
-    /// Which method `auto` uses for this scene, and why.
-    pub fn auto_sentence(&self) -> Option<String> {
-        let cost = &self.shown.as_ref().filter(|_| !self.is_stale())?.run.cost;
-        Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
-    }
-
-    /// The run times for some accuracies, one line each.
-    pub(crate) fn accuracy_costs(&self) -> Vec<String> {
+    /// What to use and what it costs, how far the printed scheme is off, and what leaving out gains.
+    pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.found else { return Vec::new() };
-        TARGETS
+        if !report.is_complete {
+            let running = self.jobs.running::<Measurements>();
+            let kept = (tab.points(), tab.points_in_all.max(tab.points()));
+            let (done, total) = running.and_then(|it| it.points).unwrap_or(kept);
+            return vec![format!("error {:.0e}: not computed yet ({done} of {total})", TARGETS[0])];
+        }
+        let gains: Vec<String> = report
+            .savings
             .iter()
-            .map(|target| match report.cheapest(*target) {
-                Some(found) if report.is_complete => {
-                    let full = report.cheapest_in_full(*target);
-                    let other = full.filter(|full| full.method != found.method);
-                    let full = other.map_or_else(String::new, |full| {
-                        format!("; full simulation {}", seconds(full.min_s))
-                    });
-                    format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
-                }
-                _ if !report.is_complete => {
-                    let running = self.jobs.running::<Measurements>();
-                    let kept = (tab.points(), tab.points_in_all.max(tab.points()));
-                    let (done, total) = running.and_then(|it| it.points).unwrap_or(kept);
-                    format!("error {target:.0e}: not computed yet ({done} of {total})")
-                }
-                _ => format!("error {target:.0e}: no method reaches it"),
+            .map(|it| {
+                let [with, without] = [it.with_s, it.without_s].map(seconds);
+                format!("{} {with} -> {without} ({})", it.part, gain(it))
             })
-            .collect()
+            .collect();
+        let gains = (!gains.is_empty()).then(|| format!("left out: {}", gains.join("; ")));
+        let printed = printed_scheme(report);
+        std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
     }
 
     /// All about the selected method: its example point, then what it refused and why.
@@ -315,6 +274,11 @@ impl App {
             let parameter = parameter.to_string();
             let lead = if parameter.is_empty() { String::new() } else { format!("{parameter}: ") };
             add(Role::Text, format!("{lead}error {:.1e}{floor}", it.error()));
+            let errors = RESULTS.iter().zip(it.errors);
+            let errors: Vec<String> = errors
+                .filter_map(|((_, words), error)| Some(format!("{words} {:.0e}", error?)))
+                .collect();
+            add(Role::Text, errors.join(", "));
         }
         let mut reasons: Vec<(&str, usize)> = Vec::new();
         for refusal in report.points.iter().filter_map(|point| point.result.err()) {
@@ -332,7 +296,7 @@ impl App {
                 .timing
                 .spread()
                 .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
-            let steps = it.answer.steps;
+            let steps = it.answer.contact.steps;
             add(Role::Text, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
         }
         lines
@@ -351,8 +315,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run => measure(app),
         Action::Enter => use_method(app),
-        Action::View => app.pages.numerics.accuracy.table_page += 1,
-        Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         Action::ShowHide | Action::Mark => show_or_hide(app),
         _ => match along(action, 10) {
             Some(by) => {
@@ -399,43 +361,6 @@ fn use_method(app: &mut App) {
     }
     edit::commit_scene(app, scene, format!("use {what}"), None);
     app.tell(format!("{what} (<undo> undoes)"));
-}
-
-/// Another way to look at the chart.
-fn look(app: &mut App, action: Action) {
-    let view = &mut app.pages.numerics.accuracy.view;
-    let word = |scale| match scale {
-        Scale::Linear => "linear",
-        Scale::Log10 => "logarithmic",
-    };
-    let text = match action {
-        Action::LogX => {
-            view.time_scale = view.time_scale.toggled();
-            format!("run time: {}", word(view.time_scale))
-        }
-        Action::LogY => {
-            view.error_scale = view.error_scale.toggled();
-            format!("error: {}", word(view.error_scale))
-        }
-        Action::SlopeGuides => {
-            view.guides = !view.guides;
-            let logarithmic = (view.time_scale, view.error_scale) == (Scale::Log10, Scale::Log10);
-            match (view.guides, logarithmic) {
-                (true, true) => "slopes of orders 1, 2, 4 and 8, from the upper left".to_owned(),
-                (true, false) => "slopes of orders show where both axes are logarithmic".to_owned(),
-                (false, _) => "no slopes".to_owned(),
-            }
-        }
-        _ => {
-            view.bars = !view.bars;
-            if view.bars {
-                "error bars: from the shortest run time to the median plus its deviation".to_owned()
-            } else {
-                "no bars".to_owned()
-            }
-        }
-    };
-    app.tell(text);
 }
 
 fn measure(app: &mut App) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::scene::{SpringKind, WhichSpring};
+use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES, Value, Variable, is_listed, is_offered};
 use crate::report::chart::Below;
@@ -345,7 +345,7 @@ fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
 
 /// The points of the spring whose kind the selected variable is, in words, where it is a table.
 pub(crate) fn measured(app: &App) -> Option<String> {
-    let (which, row) = WhichSpring::of_key(app.editor.variable().key)?;
-    let spring = app.scene.mechanism.one(which);
-    (row == "kind" && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
+    let spring = &app.scene.mechanism.spring;
+    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
+    (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
 }

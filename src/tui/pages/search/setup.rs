@@ -252,9 +252,17 @@ impl App {
     /// The setup of a page.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.pages.search.setup;
+        // The usual variables have no need of being named.
         let axes = || {
+            if setup.bounds.is_empty() {
+                return Ok(Vec::new());
+            }
             let varied = self.search_bounds().into_iter().filter(|bound| bound.on);
-            varied.map(|bound| bound.axis).collect()
+            let varied: Vec<Axis> = varied.map(|bound| bound.axis).collect();
+            if varied.is_empty() {
+                return Err("every variable is held: vary one (<right>)".to_owned());
+            }
+            Ok(varied)
         };
         Ok(match page {
             Page::Seek => {
@@ -262,12 +270,13 @@ impl App {
                 let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
                 Request::Seek(seek::Request { over, goal: Goal { measure, target: setup.goal.1 } })
             }
-            Page::Front => Request::Front(self.front_request(axes())?),
-            Page::Sensitivity => Request::Sensitivity {
-                axes: axes(),
-                output: setup.output.to_owned(),
-                effort: sensitivity::SamplingOptions { rows: 1024, trajectories: 100, seed: 1 },
-            },
+            Page::Front => Request::Front(self.front_request(axes()?)?),
+            Page::Sensitivity => {
+                let output = named(setup.output).map_err(|error| error.to_string())?;
+                let output = Some(output).filter(|it| it.name != quantities::usual_of(&self.scene));
+                let usual = sensitivity::Request::default();
+                Request::Sensitivity(sensitivity::Request { over: axes()?, output, ..usual })
+            }
             Page::MonteCarlo => Request::MonteCarlo(monte_carlo::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),

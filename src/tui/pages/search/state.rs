@@ -8,7 +8,6 @@ use crate::study::monte_carlo::{self, Summary};
 use crate::study::search::front::{self, Design, Front};
 use crate::study::search::seek;
 use crate::study::sensitivity;
-use crate::study::sweep::Axis;
 use crate::study::validity;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::pages::explore::state::{copy_value, placed};
@@ -279,13 +278,12 @@ impl App {
         let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
-        match &found.request {
-            Request::Seek(request) => copy_value(&request.over, &found.scene, &mut scene),
-            Request::Front(request) => {
-                request.over.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
-            }
-            Request::Sensitivity { .. } | Request::MonteCarlo(_) => {}
-        }
+        let over = match &*found.answer {
+            StudyResult::Seek(report) => std::slice::from_ref(&report.axis),
+            StudyResult::Front(front) => &front.request.over,
+            StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_) => &[],
+        };
+        over.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
         *found.scene != scene || request.as_ref() != Some(&found.request)
     }
 
@@ -383,12 +381,7 @@ pub enum Request {
     /// The Pareto front: designs that no other one dominates.
     Front(front::Request),
     /// How strongly each variable acts on a quantity.
-    Sensitivity {
-        /// The variables and their bounds.
-        axes: Vec<Axis>,
-        output: String,
-        effort: sensitivity::SamplingOptions,
-    },
+    Sensitivity(sensitivity::Request),
     /// How results scatter when inputs do.
     MonteCarlo(monte_carlo::Task),
 }
@@ -399,14 +392,7 @@ impl Request {
         match self {
             Self::Seek(request) => request.to_string(),
             Self::Front(request) => request.to_string(),
-            Self::Sensitivity { axes, output, effort } => {
-                let sensitivity::SamplingOptions { rows, trajectories, seed } = effort;
-                let over: Vec<String> = axes.iter().map(|axis| format!("--over {axis}")).collect();
-                let over = over.join(" ");
-                format!(
-                    "sensitivity {over} --output {output} --samples {rows} --trajectories {trajectories} --seed {seed}"
-                )
-            }
+            Self::Sensitivity(request) => request.to_string(),
             Self::MonteCarlo(task) => {
                 let vary = task.tolerances.iter().map(|it| match it.distribution {
                     monte_carlo::Distribution::LogNormal { deviation, .. } => {
@@ -425,7 +411,7 @@ impl Request {
         match self {
             Self::Seek(_) => Page::Seek,
             Self::Front(_) => Page::Front,
-            Self::Sensitivity { .. } => Page::Sensitivity,
+            Self::Sensitivity(_) => Page::Sensitivity,
             Self::MonteCarlo(_) => Page::MonteCarlo,
         }
     }
@@ -463,10 +449,9 @@ impl Study for Request {
                 let context = &mut Context::new(threads, watch);
                 StudyResult::Front(Box::new(front::optimise(scene, request, context)?))
             }
-            Self::Sensitivity { axes, output, effort } => {
+            Self::Sensitivity(request) => {
                 let context = &mut Context::new(threads, plain);
-                let report = sensitivity::study(scene, axes.clone(), output, *effort, context)?;
-                StudyResult::Sensitivity(report)
+                StudyResult::Sensitivity(sensitivity::study(scene, request, context)?)
             }
             Self::MonteCarlo(task) => {
                 let context = &mut Context::new(threads, plain);

@@ -191,7 +191,7 @@ pub(crate) fn design_cells(tab: &Searching, front: &Front) -> Vec<Cells> {
 
 /// The columns shown of a sensitivity study, and of a Monte Carlo one.
 const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
-const INDICES: [&str; 4] = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
+const INDICES: [&str; 3] = ["variable", "sobol_first", "sobol_total"];
 const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
 
 /// The places in the exported table of the rows that are listed; `None` where all are.

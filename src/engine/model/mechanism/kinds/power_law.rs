@@ -26,15 +26,17 @@ impl Law for Plain {
     }
 }
 
-/// A power law that can be combined with others: straight very close to zero, where it may be singular.
-pub(super) fn curve(law: PowerLaw) -> Curve {
-    let scale_m = 1e-3;
-    if matches!(law.kind(), PowerKind::Absent | PowerKind::Linear) {
-        let pieces = vec![Piece::line(0.0, 0.0, law.coefficient)];
-        return Curve::new(Segments { knots_m: Vec::new(), pieces }, scale_m);
+impl Curve {
+    /// A power law that can be combined with others: straight very close to zero, where it may be singular.
+    pub(in crate::model::mechanism) fn power(law: PowerLaw) -> Self {
+        let scale_m = 1e-3;
+        if matches!(law.kind(), PowerKind::Absent | PowerKind::Linear) {
+            let pieces = vec![Piece::line(0.0, 0.0, law.coefficient)];
+            return Self::new(Segments { knots_m: Vec::new(), pieces }, scale_m);
+        }
+        let core = Piece::line(0.0, 0.0, law.force(CORE_M) / CORE_M);
+        let side = |side: f64| Piece::Power { law, side };
+        let pieces = vec![side(-1.0), core, side(1.0)];
+        Self::new(Segments { knots_m: vec![-CORE_M, CORE_M], pieces }, scale_m)
     }
-    let core = Piece::line(0.0, 0.0, law.force(CORE_M) / CORE_M);
-    let side = |side: f64| Piece::Power { law, side };
-    let pieces = vec![side(-1.0), core, side(1.0)];
-    Curve::new(Segments { knots_m: vec![-CORE_M, CORE_M], pieces }, scale_m)
 }

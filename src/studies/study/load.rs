@@ -1,42 +1,41 @@
-//! The load of the mount in a run: the greatest force, and the impulse.
+//! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Mode, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
-use crate::study::quantities::Join;
 
-/// The load of a shot on the mechanisms and their mounts; in a stack, the greatest of any plate. `None` where there is no such
-/// thing, or where it is not known.
+/// The load of a shot on the mechanism and its mount; `None` where there is no such thing, or where it is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Load {
-    /// Greatest displacement of a plate, m.
+    /// Greatest displacement of the plate, m.
     pub max_displacement_m: Option<f64>,
     /// Greatest displacement plus cocking distance, m.
     pub stroke_m: Option<f64>,
-    /// Greatest energy in the springs, J; in a stack of all elements together.
+    /// Greatest energy in the springs, J.
     pub stored_j: Option<f64>,
     /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
     pub mount_force_n: Option<f64>,
-    /// Impulse into the mount up to the greatest displacement, N s; in a stack, into all of them and the base plate.
+    /// Impulse into the mount up to the greatest displacement, N s.
     pub impulse_n_s: Option<f64>,
-    /// Energy in the cocked spring, J; in a stack of all elements together.
+    /// Energy in the cocked spring, J.
     pub preload_j: Option<f64>,
 }
 
 impl Load {
-    /// Of a run that kept its series.
+    /// Of a run that kept its series; the plates of a stack share no mechanism, and it has none.
     pub fn of(run: &Run) -> Self {
+        if run.stack.is_some() {
+            return Self::default();
+        }
         let has_spring = !Mechanism::of(&run.scene).is_absent();
         Self {
-            max_displacement_m: Join::Greatest
-                .of(run.elements().map(|run| run.max_plate_displacement_m)),
-            stroke_m: Join::Greatest.of(run.elements().map(Run::stroke_m)),
-            stored_j: run.elements().map(|run| run.mechanism.stored_j).sum(),
-            mount_force_n: Join::Greatest.of(run.plates().map(peak_n)),
-            impulse_n_s: run.plates().map(impulse_n_s).sum(),
-            preload_j: has_spring
-                .then(|| run.elements().map(|run| run.ledger.initial_spring_j).sum()),
+            max_displacement_m: run.max_plate_displacement_m,
+            stroke_m: run.stroke_m(),
+            stored_j: run.mechanism.stored_j,
+            mount_force_n: peak_n(run),
+            impulse_n_s: impulse_n_s(run),
+            preload_j: has_spring.then_some(run.ledger.initial_spring_j),
         }
     }
 }
@@ -127,4 +126,17 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         return Some(lost - left);
     }
     Some(if row.mode == Mode::Fused { m_p * cos * struck } else { lost })
+}
+
+/// Greatest energy in the springs between where the plate starts and its greatest displacement, J.
+pub(in crate::study) fn spring_energy_j(
+    scene: &Scene,
+    start_m: f64,
+    max_displacement_m: Option<f64>,
+) -> Option<f64> {
+    let spring = Mechanism::of(scene).spring;
+    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
+        return Some(0.0);
+    }
+    Some(spring.greatest_energy(start_m, max_displacement_m?))
 }
