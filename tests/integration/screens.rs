@@ -3,6 +3,7 @@
 mod accuracy;
 mod bench;
 mod curve;
+mod doors;
 mod exports;
 mod faults;
 mod filters;
