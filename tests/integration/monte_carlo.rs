@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::support::says;
 
 fn out(arguments: &[&str], code: i32) -> (String, String) {
-    says("scatter", arguments, code)
+    says("montecarlo", arguments, code)
 }
 
 /// Velocities uniform about the rigid limit of 232.295378 m/s (model page): half perforate.
