@@ -144,6 +144,6 @@ fn map_page(map: &Map, scene: &str) -> String {
     let picture = draw::map(&tables::picture(map), text::chart_size(draw::MAP));
     let (method, symbol) = (map.method.name(), map.axis.symbol());
     format!(
-        "{method} on {scene}: time step against {symbol}\n\n{picture}\nlargest stable dt of this scene: {largest}\n"
+        "{method} on {scene}: time step against {symbol}; a run uses auto, for which see cmra accuracy\n\n{picture}\nlargest stable dt of this scene: {largest}\n"
     )
 }

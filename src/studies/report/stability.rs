@@ -100,10 +100,10 @@ pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> 
         .with("limit_dt_s", "greatest stable dt", "s", |at| map.limit_s[at.0])
 }
 
-/// The map; its cells as letters, row by row.
+/// The map; its cells as they are shaded, row by row.
 pub fn map_json(scene: &str, map: &Map) -> Value {
-    let letters = |row| (0..map.dt_s.len()).map(move |column| map.cell(row, column).letter());
-    let rows: Vec<String> = (0..map.values.len()).map(|row| letters(row).collect()).collect();
+    let shades = |row| (0..map.dt_s.len()).map(move |column| map.cell(row, column).shade());
+    let rows: Vec<String> = (0..map.values.len()).map(|row| shades(row).collect()).collect();
     json!({
         "scene": scene,
         "method": map.method.name(),
@@ -130,22 +130,33 @@ pub fn picture(found: &Map) -> map::Map<'static> {
     let counts = (found.dt_s.len(), found.values.len());
     let cell = |column: usize, row: usize| {
         let cell = found.cell(row, column);
-        map::Cell::Mark(cell.letter(), tone(cell))
+        map::Cell::Mark(cell.shade(), tone(cell))
     };
     let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
     let mut marks: Vec<(char, String)> =
-        named.map(|cell| (cell.letter(), cell.words().to_owned())).collect();
+        named.map(|cell| (cell.shade(), named_shade(cell))).collect();
     marks.push((LINE, "analytic limit of stability".to_owned()));
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     map::Map {
         line: (0..counts.1).map(|row| found.limit_column(row)).collect(),
         present: found.present_at().map(|at| (at, '+')),
         marks,
-        ..map::Map::new(found.method.name(), axes, counts, None, cell)
+        ..map::Map::new(title(found), axes, counts, None, cell)
     }
 }
 
-/// How a cell's letter stands out.
+/// What a shade means; a blank is named.
+pub fn named_shade(cell: Cell) -> String {
+    let blank = if cell.shade() == ' ' { "blank: " } else { "" };
+    format!("{blank}{}", cell.words())
+}
+
+/// The title of a map: of which scheme it speaks.
+pub fn title(found: &Map) -> String {
+    format!("{}, not auto; up: {}", found.method.name(), found.axis.symbol())
+}
+
+/// How a cell's shade stands out.
 pub fn tone(cell: Cell) -> Tone {
     match cell {
         Cell::Accurate => Tone::Plain,

@@ -90,7 +90,7 @@ fn the_map_of_stability_is_computed_again_over_half_its_decades() {
     }
     stability::answer(&mut bench);
     let before = bench.message();
-    assert!(bench.screen().contains("the thesis's scheme, up: k"), "{}", bench.screen());
+    assert!(bench.screen().contains("the thesis's scheme, not auto; up: k"), "{}", bench.screen());
     bench.keys("]");
     let panned = requested(&bench).expect("a part");
     assert!(is_near(decades((near[0].0, panned[0].0)), 2.5 / 4.0), "{near:?} {panned:?}");

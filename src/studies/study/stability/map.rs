@@ -112,23 +112,23 @@ enumeration! {
         word: &'static str,
         /// Its meaning.
         words: &'static str,
-        /// Its letter.
-        letter: char,
+        /// Its character on a map: the worse, the darker.
+        shade: char,
     }
     /// Within 1 %.
-    Accurate { word: "accurate", words: "accurate (1 %)", letter: 'S' }
+    Accurate { word: "accurate", words: "accurate (1 %)", shade: ' ' }
     /// It ends, but not there.
-    Inaccurate { word: "inaccurate", words: "inaccurate", letter: 'i' }
+    Inaccurate { word: "inaccurate", words: "inaccurate", shade: '.' }
     /// The plate oscillates as it should not.
-    Oscillating { word: "oscillating", words: "oscillating", letter: 'o' }
+    Oscillating { word: "oscillating", words: "oscillating", shade: ':' }
     /// Values grow without bound.
-    BlownUp { word: "blown up", words: "diverged", letter: 'X' }
+    BlownUp { word: "blown up", words: "diverged", shade: '@' }
     /// The step budget was used up.
-    TooManySteps { word: "too many steps", words: "too many steps", letter: '.' }
+    TooManySteps { word: "too many steps", words: "too many steps", shade: '~' }
     /// There is nothing to compare with.
-    Unknown { word: "unknown", words: "nothing to compare with", letter: '?' }
+    Unknown { word: "unknown", words: "nothing to compare with", shade: '?' }
     /// It has not been computed yet.
-    Waiting { word: "not computed", words: "not computed", letter: ' ' }
+    Waiting { word: "not computed", words: "not computed", shade: '_' }
 }
 
 /// How many cells a map has, at least 2 each way.

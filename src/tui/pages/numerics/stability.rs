@@ -3,11 +3,10 @@
 use crate::model::variables::{VARIABLES, Value};
 use crate::report;
 use crate::report::accuracy::seconds;
-use crate::report::stability::{HOW_IT_RAN, picture, table, tone};
-use crate::study::stability::map::{self, Axis, Cell, FixedStep, Map, Wanted};
+use crate::report::stability::{HOW_IT_RAN, picture, table, title};
+use crate::study::stability::map::{self, Axis, FixedStep, Map, Wanted};
 use crate::study::stability::others::Other;
 use crate::study::stability::{self, Basis, Row};
-use crate::tui::chart::heatmap::role;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::{cursor_moved, moved};
@@ -325,7 +324,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", why));
     };
-    let title = format!("{}, up: {}{old}", found.method.name(), found.axis.symbol());
+    let title = title(found) + old;
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
@@ -337,27 +336,15 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.plot(&layout, |dt_s, value| Some(Target::Cell(STABILITY, found.nearest(dt_s, value)?)));
 }
 
-/// The legend of letters and marks, as long as there is room.
+/// The legend of shades and marks, as long as there is room.
 fn legend(area: Rect, canvas: &mut Canvas<'_>) {
-    let cells = [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp];
-    let short = ["1 %", "worse", "rings", "blows up"];
-    let marks = ["# analytic limit  + this scene at the thesis's 1e-6 s", "# limit  + 1e-6 s"];
-    let width = |words: [&str; 4], marks| {
-        // A letter and a space before each, and two spaces behind.
-        1 + words.into_iter().map(|text| columns(text) + 4).sum::<u16>() + columns(marks)
-    };
-    let long = cells.map(Cell::words);
-    let choices = [(long, marks[0]), (long, marks[1]), (short, marks[1])];
-    let fits = choices.into_iter().find(|(words, marks)| width(*words, marks) <= area.width);
-    let (words, marks) = fits.unwrap_or(choices[2]);
-    let row = area.height - 1;
-    let mut column = 1;
-    for (cell, text) in cells.into_iter().zip(words) {
-        let letter = cell.letter().to_string();
-        canvas.put(area, (column, row), &letter, role(tone(cell)));
-        column = canvas.put(area, (column + 2, row), text, Role::Text) + 2;
-    }
-    canvas.put(area, (column, row), marks, Role::Text);
+    let shades = "blank accurate  . inaccurate  : oscillating  @ diverged";
+    let marks =
+        ["  # analytic limit  + this scene at the thesis's 1e-6 s", "  # limit  + 1e-6 s", ""];
+    let room = area.width.saturating_sub(1);
+    let fits = |marks: &&str| columns(shades) + columns(marks) <= room;
+    let marks = marks.into_iter().find(fits).unwrap_or_default();
+    canvas.put(area, (1, area.height - 1), &format!("{shades}{marks}"), Role::Text);
 }
 
 pub(crate) fn draw_battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
