@@ -1,4 +1,4 @@
-//! What was found wrong while trying the workbench: each with the keys that showed it.
+//! Faults of counters, ranges and labels that were found by use and put right, each with the keys that showed it.
 
 use super::accuracy;
 use super::bench::Bench;

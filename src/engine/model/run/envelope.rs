@@ -39,6 +39,9 @@ const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
 
+/// What a breach begins with in words.
+pub const OUTSIDE: &str = "outside validity: ";
+
 worded! {
     /// One row of the table.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -137,7 +140,7 @@ impl Breach {
 
 impl fmt::Display for Breach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "outside validity: {} ({})", self.text, self.direction.word())
+        write!(f, "{OUTSIDE}{} ({})", self.text, self.direction.word())
     }
 }
 
