@@ -146,7 +146,7 @@ fn a_solution_becomes_the_scene_and_back() {
         assert!((there - value).abs() <= 1e-15 * value.abs(), "{}", axis.symbol());
     }
     // Another variable makes the results stale: Enter refuses them.
-    bench.keys("1jjl4");
+    bench.keys("1/v_i<Enter>l<Esc>4");
     let before = Arc::clone(&bench.app.scene);
     bench.press("<Enter>");
     assert_eq!(bench.app.scene, before);
