@@ -131,11 +131,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let preset = arguments.scene.load()?;
         let found = compare(&preset.scene, &mut clock::processor_s)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
-        let table = arguments.table.of(
-            &arguments.scene,
-            &preset.scene,
-            format!("run --compare {}", what.word()),
-        );
+        let command = "run --compare models".to_owned();
+        let table = arguments.table.of(&arguments.scene, &preset.scene, command);
         return table.deliver(&page, tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
     let computed = match arguments.dt {
