@@ -133,7 +133,8 @@ mod tests {
     #[test]
     fn an_escape_is_held_longer_over_ssh() {
         assert_eq!(hold(|_| None), HOLD);
-        let over_ssh = |name: &str| (name == "SSH_CONNECTION").then(|| "10.0.0.1 1 10.0.0.2 22".to_owned());
+        let over_ssh =
+            |name: &str| (name == "SSH_CONNECTION").then(|| "10.0.0.1 1 10.0.0.2 22".to_owned());
         assert_eq!(hold(over_ssh), HOLD_OVER_SSH);
     }
 }

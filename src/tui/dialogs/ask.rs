@@ -86,7 +86,8 @@ pub(crate) fn export_table(app: &mut App) {
 /// Why a page has no table.
 fn nothing_yet(app: &App, what: &str) -> String {
     if pages::all_jobs(app).any(|(tab, _)| tab == app.tab) {
-        return "nothing is finished yet: <back> stops the job and keeps what is finished".to_owned();
+        return "nothing is finished yet: <back> stops the job and keeps what is finished"
+            .to_owned();
     }
     format!("nothing to {what} yet: press <run> to compute it")
 }

@@ -7,9 +7,7 @@
 
 use std::time::Duration;
 
-use crossterm::event::{
-    KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
-};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 /// The rest of a sequence may come so much later, on a line that falters.
 const REST: Duration = Duration::from_millis(500);
@@ -84,7 +82,7 @@ impl Decoder {
             State::Single => out.push(character('O', KeyModifiers::ALT)),
             State::Text(introducer, false) => {
                 out.push(character(char::from(introducer), KeyModifiers::ALT));
-            },
+            }
             State::Paste(text) => out.push(paste(&text)),
             _ => {}
         }
@@ -246,7 +244,8 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
         b'~' | b'^' | b'@' => {
             let shift = if last == b'@' { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
             let control = if last == b'~' { KeyModifiers::NONE } else { KeyModifiers::CONTROL };
-            numbered(first.to_string().as_bytes()).map(|code| with(code, modifiers | shift | control))
+            numbered(first.to_string().as_bytes())
+                .map(|code| with(code, modifiers | shift | control))
         }
         b'n' => (numbers == [0]).then_some(Input::Arrived),
         b'u' => Some(with(spelled(char::from_u32(first.into())?)?, modifiers)),
@@ -473,7 +472,12 @@ mod tests {
     #[test]
     fn clicks_and_the_wheel_count_and_other_buttons_do_not() {
         let mouse = |kind| {
-            vec![Input::Mouse(MouseEvent { kind, column: 4, row: 7, modifiers: KeyModifiers::NONE })]
+            vec![Input::Mouse(MouseEvent {
+                kind,
+                column: 4,
+                row: 7,
+                modifiers: KeyModifiers::NONE,
+            })]
         };
         let press = MouseEventKind::Down(MouseButton::Left);
         assert_eq!(one(b"\x1b[<0;5;8M"), mouse(press));

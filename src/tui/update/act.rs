@@ -245,7 +245,8 @@ fn leave(app: &mut App, action: Action) {
     if action == Action::Back {
         return back(app);
     }
-    let is_lost = pages::all_jobs(app).any(|(tab, job)| tab == Tab::Search || app.jobs.long.contains(&job));
+    let is_lost =
+        pages::all_jobs(app).any(|(tab, job)| tab == Tab::Search || app.jobs.long.contains(&job));
     let question = if is_quit && is_lost {
         Some(
             "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",

@@ -130,7 +130,8 @@ fn ends(map: Mapping) -> Ticks {
     let tick = |cell: u16| {
         let value = map.value(cell);
         let near = |text: &String| {
-            let shown = text.parse::<f64>().ok().and_then(|shown| map.position(shown * power(exponent)));
+            let shown =
+                text.parse::<f64>().ok().and_then(|shown| map.position(shown * power(exponent)));
             shown.is_some_and(|at| (at - f64::from(cell)).abs() <= IN_ROW)
         };
         let texts = (1..=END_DIGITS).map(|digits| rounded(value / power(exponent), digits));
@@ -142,7 +143,8 @@ fn ends(map: Mapping) -> Ticks {
     if labelled.iter().any(|tick| tick.label.contains('e')) {
         // Both alike.
         for tick in labelled.iter_mut().filter(|tick| !tick.label.contains('e')) {
-            tick.label = tick.label.parse().map_or_else(|_| tick.label.clone(), |it: f64| format!("{it:e}"));
+            tick.label =
+                tick.label.parse().map_or_else(|_| tick.label.clone(), |it: f64| format!("{it:e}"));
         }
     }
     Ticks { labelled, minor: Vec::new(), exponent }
