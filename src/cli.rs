@@ -6,7 +6,7 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Parser, ValueEnum};
+use clap::{FromArgMatches as _, Parser, ValueEnum};
 
 use crate::files::clean;
 use crate::tui::plain as draw;
@@ -66,6 +66,8 @@ pub use output::fail;
                   input file is wrong."
 )]
 pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Option<commands::Commands>,
     #[command(flatten)]
     workbench: workbench::WorkbenchArguments,
 }
@@ -117,8 +119,11 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }
     };
-    commands::carry_out(&matches).unwrap_or_else(|| {
-        let arguments = commands::read::<Arguments>(&matches)?;
-        workbench::run(&arguments.workbench)
-    })
+    // The parser has checked them.
+    let arguments = Arguments::from_arg_matches(&matches)
+        .map_err(|error| CliError::Option(error.to_string()))?;
+    match arguments.command {
+        Some(command) => command.carry_out(),
+        None => workbench::run(&arguments.workbench),
+    }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::table::{TableArguments, at_top};
+use crate::cli::table::TableArguments;
 use crate::cli::text::{chart_size, width};
 use crate::cli::{CliError, draw, output, progress, scene};
 use crate::files::bundled;
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
             break;
         }
     }
-    let (page, json) = (page(&reports), accuracy::json(&reports));
+    let (page, json) = (page(&reports, &arguments.table), accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
     let table = arguments.table.of_scene(&arguments.changes, only.map(|it| &it.scene));
     table.deliver_report(&page, json, accuracy::table(&reports))?;
@@ -99,8 +99,10 @@ fn auto_failures((scene, report): &Named) -> Vec<String> {
 }
 
 /// The pages of all scenes, one under the other.
-fn page(reports: &[Named]) -> String {
-    let page = |(name, report): &Named| at_top(&page_of(name, report), &accuracy::warnings(report));
+fn page(reports: &[Named], table: &TableArguments) -> String {
+    let page = |(name, report): &Named| {
+        page_of(name, report) + &table.warnings(&accuracy::warnings(report))
+    };
     let pages: Vec<String> = reports.iter().map(page).collect();
     pages.join("\n")
 }

@@ -1,99 +1,105 @@
-//! The commands of the program, a row each: what it is for, its name, what it does, and the function that carries it out.
+//! The commands of the program: what each does, its arguments, and the function that carries it out.
 
-use std::process::{ExitCode, Termination as _};
+use std::process::ExitCode;
 
-use clap::{ArgMatches, Args, Command, CommandFactory as _};
+use clap::{Command, CommandFactory as _, Subcommand};
 
-use crate::cli::{self, Arguments, CliError};
+use crate::cli::{
+    Arguments, CliError, accuracy, compare, completions, design, explain, help, install, libraries,
+    limit, monte_carlo, optimise, presets, report, reproduce, run, seek, sensitivity, stability,
+    sweep, validate,
+};
 
-pub(super) struct Row {
-    /// The heading of its group in `cmra --help`.
-    pub(super) group: &'static str,
-    pub(super) name: &'static str,
-    pub(super) about: &'static str,
-    /// An old name that still works.
-    old_name: Option<&'static str>,
-    /// Another spelling, which `--help` names.
-    spelling: Option<&'static str>,
-    /// Adds its arguments, which is put off until they are needed.
-    arguments: fn(Command) -> Command,
-    /// Reads them and carries it out.
-    run: fn(&ArgMatches) -> Result<ExitCode, CliError>,
+/// How many commands `cmra --help` lists first: those that do what most people come for.
+pub(super) const FIRST: usize = 9;
+
+/// Every command, in the order of `cmra --help`. The descriptions are attributes since those of shared arguments would replace doc
+/// comments.
+#[derive(Debug, Subcommand)]
+#[expect(clippy::large_enum_variant, reason = "there is one, once")]
+pub(super) enum Commands {
+    #[command(about = "Run one scene and print what happened", long_about = None)]
+    Run(run::RunArguments),
+    #[command(about = "Run a scene at every point of one or more axes", long_about = None)]
+    Sweep(sweep::SweepArguments),
+    #[command(about = "Find the ballistic limit and the residual velocity beyond it", long_about = None)]
+    Limit(limit::LimitArguments),
+    #[command(about = "Compare with a solid plate of the same areal mass; draw a map", long_about = None)]
+    Compare(compare::CompareArguments),
+    #[command(about = "Find the values of a variable that reach a goal", long_about = None)]
+    Seek(seek::SeekArguments),
+    #[command(
+        about = "Find the best design under constraints, or a Pareto front", long_about = None,
+        visible_alias = "optimize"
+    )]
+    Optimise(optimise::OptimiseArguments),
+    #[command(about = "Compare the error and the run time of every method", long_about = None)]
+    Accuracy(accuracy::AccuracyArguments),
+    #[command(about = "Check stiff and extreme scenes; map where a fixed step is stable", long_about = None)]
+    Stability(stability::StabilityArguments),
+    #[command(about = "List the presets and where your own lie, or show one", long_about = None)]
+    Presets(presets::PresetsArguments),
+    #[command(about = "Find which variables matter most", long_about = None)]
+    Sensitivity(sensitivity::SensitivityArguments),
+    #[command(name = "montecarlo", about = "Show how results spread when inputs do", long_about = None)]
+    MonteCarlo(monte_carlo::MonteCarloArguments),
+    #[command(about = "Write one file with scene, results, charts and warnings", long_about = None)]
+    Report(report::ReportArguments),
+    #[command(about = "Compute again what the thesis prints", long_about = None)]
+    Reproduce(reproduce::ReproduceArguments),
+    #[command(about = "Compare the model with measurements from the literature", long_about = None)]
+    Validate(validate::ValidateArguments),
+    #[command(about = "Explain a variable or a quantity, or list all of them", long_about = None)]
+    Explain(explain::ExplainArguments),
+    #[command(about = "List threats, materials and absorbers with their sources", long_about = None)]
+    Libraries(libraries::LibrariesArguments),
+    #[command(about = "Print a shot's formulas: ricochet, collisions, mass of a spring", long_about = None)]
+    Design(design::DesignArguments),
+    #[command(about = "Explain a topic (scenes, csv, equations, ...) or a command", long_about = None)]
+    Help(help::HelpArguments),
+    #[command(about = "Print a completion script for a shell", long_about = None)]
+    Completions(completions::CompletionsArguments),
+    #[command(about = "Install manual pages and shell completions", long_about = None)]
+    Install(install::InstallArguments),
 }
 
-macro_rules! commands {
-    ($($group:literal $name:literal $(old $old:literal)? $(or $or:literal)? $about:literal $module:ident;)*) => {
-        /// Every command, in the order of `cmra --help`.
-        pub(super) const COMMANDS: &[Row] = &[$(Row {
-            group: $group,
-            name: $name,
-            about: $about,
-            old_name: [$($old,)?].first().copied(),
-            spelling: [$($or,)?].first().copied(),
-            // The descriptions of shared arguments would replace its own.
-            arguments: |command| augmented(command, cli::$module::run).about($about).long_about(None::<&str>),
-            // Nothing to say of the end is success.
-            run: |matches| cli::$module::run(&read(matches)?).map(|end| end.report()),
-        }),*];
-    };
+impl Commands {
+    /// Carry it out.
+    pub(super) fn carry_out(&self) -> Result<ExitCode, CliError> {
+        let done = |()| ExitCode::SUCCESS;
+        match self {
+            Self::Run(it) => run::run(it),
+            Self::Sweep(it) => sweep::run(it),
+            Self::Limit(it) => limit::run(it),
+            Self::Compare(it) => compare::run(it),
+            Self::Seek(it) => seek::run(it),
+            Self::Optimise(it) => optimise::run(it),
+            Self::Accuracy(it) => accuracy::run(it),
+            Self::Stability(it) => stability::run(it),
+            Self::Presets(it) => presets::run(it).map(done),
+            Self::Sensitivity(it) => sensitivity::run(it),
+            Self::MonteCarlo(it) => monte_carlo::run(it),
+            Self::Report(it) => report::run(it),
+            Self::Reproduce(it) => reproduce::run(it),
+            Self::Validate(it) => validate::run(it),
+            Self::Explain(it) => explain::run(it).map(done),
+            Self::Libraries(it) => libraries::run(it).map(done),
+            Self::Design(it) => design::run(it).map(done),
+            Self::Help(it) => help::run(it).map(done),
+            Self::Completions(it) => completions::run(it).map(done),
+            Self::Install(it) => install::run(it).map(done),
+        }
+    }
 }
 
-commands! {
-    "Run and explore" "run" "Run one scene and print what happened" run;
-    "Run and explore" "sweep" "Run a scene at every point of one or more axes" sweep;
-    "Decide" "limit" "Find the ballistic limit and the residual velocity beyond it" limit;
-    "Decide" "compare" old "worth" "Compare with a solid plate of the same areal mass; draw a map" compare;
-    "Decide" "seek" "Find the values of a variable that reach a goal" seek;
-    "Decide" "optimise" or "optimize" "Find the best design under constraints, or a Pareto front" optimise;
-    "Decide" "sensitivity" "Find which variables matter most" sensitivity;
-    "Decide" "montecarlo" old "scatter" "Show how results spread when inputs do" monte_carlo;
-    "Decide" "report" "Write one file with scene, results, charts and warnings" report;
-    "Check" "accuracy" "Compare the error and the run time of every method" accuracy;
-    "Check" "stability" "Check stiff and extreme scenes; map where a fixed step is stable" stability;
-    "Check" "reproduce" "Compute again what the thesis prints" reproduce;
-    "Check" "validate" "Compare the model with measurements from the literature" validate;
-    "Data" "presets" "List the presets and where your own lie, or show one" presets;
-    "Data" "explain" "Explain a variable or a quantity, or list all of them" explain;
-    "Data" "libraries" "List threats, materials and absorbers with their sources" libraries;
-    "Data" "design" "Print a shot's formulas: ricochet, collisions, mass of a spring" design;
-    "Data" "help" "Explain a topic (scenes, csv, equations, ...) or a command" help;
-    "Data" "completions" "Print a completion script for a shell" completions;
-    "Data" "install" "Install manual pages and shell completions" install;
-}
-
-/// A command with the arguments that its function takes.
-fn augmented<A: Args, T>(command: Command, _: fn(&A) -> T) -> Command {
-    A::augment_args(command)
-}
-
-/// The arguments as written; the parser has checked them.
-pub(super) fn read<A: Args>(matches: &ArgMatches) -> Result<A, CliError> {
-    A::from_arg_matches(matches).map_err(|error| CliError::Option(error.to_string()))
-}
-
-/// The whole command line. The arguments of a command are added when it is named, or by `build`.
-pub(super) fn program() -> Command {
-    let command = |row: &Row| {
-        let command = Command::new(row.name).about(row.about).defer(row.arguments);
-        command.aliases(row.old_name).visible_aliases(row.spelling)
-    };
-    Arguments::command().subcommands(COMMANDS.iter().map(command))
-}
-
-/// The whole command line with the arguments of every command, for those that look them up.
+/// The whole command line, for those that look up its parts.
 pub(super) fn whole() -> Command {
-    let mut program = program();
+    let mut program = Arguments::command();
     program.build();
     program
 }
 
-/// Carry out the command that was named; nothing if none was.
-pub(super) fn carry_out(matches: &ArgMatches) -> Option<Result<ExitCode, CliError>> {
-    let (name, matches) = matches.subcommand()?;
-    let row = COMMANDS.iter().find(|row| row.name == name)?;
-    Some((row.run)(matches))
-}
-
-pub(super) fn names() -> Vec<&'static str> {
-    COMMANDS.iter().map(|row| row.name).collect()
+/// The names of the commands.
+pub(super) fn names() -> Vec<String> {
+    Arguments::command().get_subcommands().map(|it| it.get_name().to_owned()).collect()
 }

@@ -10,7 +10,6 @@ use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{StudyArguments, StudyOutput};
 use crate::cli::sweep::axes::range;
-use crate::cli::table::at_top;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
@@ -101,7 +100,7 @@ impl CompareArguments {
             .run("points", |context| Map::compute(&preset.scene, axes, hardware, context))?;
         let name = preset.name.as_str();
         let warnings = validity::of_points(map.scene(), axes);
-        let page = at_top(&map_page(name, &map), &warnings);
+        let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
         let table = self.study.table.of(&self.study.scene, &preset.scene);
         if !self.pictures.is_stdout() {
             table.deliver(&page, tables::map_table(name, &map))?;

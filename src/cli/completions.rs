@@ -51,7 +51,7 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
         "subject_to" => quantities("<="),
         "name" if owner == "show" => presets(),
         "name" if owner == "explain" => [symbols(""), quantities("")].concat(),
-        "topic" => help::names().into_iter().map(str::to_owned).collect(),
+        "topic" => help::names(),
         "threat" => entries(Library::Threats),
         "material" => entries(Library::Materials),
         "absorber" => entries(Library::Absorbers),

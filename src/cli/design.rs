@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{TableArguments, at_top};
+use crate::cli::table::TableArguments;
 use crate::model::design;
 use crate::model::library;
 use crate::model::run::envelope;
@@ -41,7 +41,8 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let mut warnings: Vec<String> = breaches.iter().map(ToString::to_string).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene).map(str::to_owned));
-    arguments.table.alone().deliver(&at_top(&page, &warnings), rows.with_warnings(&warnings))
+    let page = page + &arguments.table.warnings(&warnings);
+    arguments.table.alone().deliver(&page, rows.with_warnings(&warnings))
 }
 
 /// A value by a formula, and where that is from.

@@ -2,10 +2,9 @@
 
 use std::fmt::Write as _;
 
-use clap::{Args, Command};
+use clap::{Args, Command, CommandFactory as _};
 
-use crate::cli::commands::{self, COMMANDS};
-use crate::cli::{CliError, keys, output};
+use crate::cli::{Arguments, CliError, commands, keys, output};
 use crate::files::error::did_you_mean;
 
 /// One page of `cmra help`.
@@ -38,23 +37,23 @@ pub(super) struct HelpArguments {
 /// The command line with its commands in groups.
 pub(super) fn command() -> Command {
     let groups = grouped();
-    commands::program().help_template(format!(
+    Arguments::command().help_template(format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\
          Arguments:\n{{positionals}}\n\nOptions:\n{{options}}{{after-help}}"
     ))
 }
 
-/// Each group with its commands and what they do.
+/// The commands that most people come for, then the others, with what they do.
 fn grouped() -> String {
-    let mut text = String::new();
-    for group in COMMANDS.chunk_by(|a, b| a.group == b.group) {
-        let _ = writeln!(text, "{}:", group[0].group);
-        for row in group {
-            let _ = writeln!(text, "  {:<12} {}", row.name, row.about);
+    let mut text = String::from("Commands:\n");
+    for (index, command) in Arguments::command().get_subcommands().enumerate() {
+        if index == commands::FIRST {
+            text.push_str("\nMore:\n");
         }
-        text.push('\n');
+        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+        let _ = writeln!(text, "  {:<12} {about}", command.get_name());
     }
-    text
+    text + "\n"
 }
 
 /// Print a topic, the help of a command, or the list of topics.
@@ -81,12 +80,13 @@ fn topics() -> Vec<&'static str> {
 }
 
 /// The topics and the commands.
-pub(super) fn names() -> Vec<&'static str> {
-    [topics(), commands::names()].concat()
+pub(super) fn names() -> Vec<String> {
+    topics().into_iter().map(str::to_owned).chain(commands::names()).collect()
 }
 
 fn unknown(name: &str) -> CliError {
-    let cure = did_you_mean(name, &names())
+    let names = names();
+    let cure = did_you_mean(name, &names.iter().map(String::as_str).collect::<Vec<_>>())
         .unwrap_or_else(|| format!("the topics are {}", topics().join(", ")));
     CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
 }
@@ -103,7 +103,9 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::{completions, sweep};
+    use clap::Parser as _;
+
+    use crate::cli::completions;
 
     const COLUMNS: usize = 80;
 
@@ -133,11 +135,11 @@ mod tests {
         assert!(examples().len() > 10, "{:?}", examples());
         for example in examples() {
             let words = std::iter::once("cmra").chain(example.split(' '));
-            let typed = commands::whole().try_get_matches_from(words).expect(example);
-            let (name, typed) = typed.subcommand().unwrap();
+            let typed = Arguments::try_parse_from(words).expect(example);
             // Those of a cluster are for its own files.
-            if name == "sweep" && !example.contains('$') {
-                let arguments: sweep::SweepArguments = commands::read(typed).unwrap();
+            if let Some(commands::Commands::Sweep(arguments)) = typed.command
+                && !example.contains('$')
+            {
                 assert_eq!(arguments.problem(), None, "{example}");
             }
         }

@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, TableDestination, at_top, choice};
+use crate::cli::table::{TableArguments, TableDestination, choice};
 use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, again, draw, output};
 use crate::files::clean;
@@ -167,14 +167,18 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         output::print(&report::json(name, &computed.run, took.as_secs_f64()))?;
     } else {
         output::print(&arguments.scene.changes.changed())?;
-        print_readable(&computed, arguments.plain.then_some(arguments.glyphs))?;
+        print_readable(&computed, arguments.plain.then_some(arguments.glyphs), &arguments.table)?;
     }
     Ok(exit_code(&computed.run))
 }
 
 /// The summary, with charts of these characters below it where they are wanted.
-pub(super) fn print_readable(computed: &Computed, charts: Option<Glyphs>) -> Result<(), CliError> {
-    let mut text = summary(computed);
+pub(super) fn print_readable(
+    computed: &Computed,
+    charts: Option<Glyphs>,
+    table: &TableArguments,
+) -> Result<(), CliError> {
+    let mut text = summary(computed, table);
     if let Some(glyphs) = charts {
         text.push_str(&drawn(&computed.run, glyphs));
     }
@@ -231,7 +235,7 @@ fn drawn(run: &Run, glyphs: Glyphs) -> String {
     })
 }
 
-fn summary(computed: &Computed) -> String {
+fn summary(computed: &Computed, table: &TableArguments) -> String {
     let run = &computed.run;
     let title = clean::line(&run.scene.title);
     let name = &computed.preset.name;
@@ -247,6 +251,7 @@ fn summary(computed: &Computed) -> String {
     for line in results(run) {
         let _ = writeln!(page, "{line}");
     }
+    page += &table.warnings(&warnings(run));
     let sections = [
         ("energy", energy(&run.ledger)),
         ("events", events_in_brief(run)),
@@ -258,7 +263,7 @@ fn summary(computed: &Computed) -> String {
             let _ = writeln!(page, "  {line}");
         }
     }
-    at_top(&page, &warnings(run))
+    page
 }
 
 fn models_page(name: &str, found: &Comparison) -> String {

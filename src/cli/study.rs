@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
-use crate::cli::table::{TableArguments, at_top};
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress};
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
@@ -58,7 +58,8 @@ impl StudyArguments {
     ) -> Result<(), CliError> {
         let StudyOutput { warnings, page, mut object, rows } = answer;
         object["warnings"] = warnings.as_slice().into();
-        let (page, rows) = (at_top(&page, &warnings), rows.with_warnings(&warnings));
+        let page = page + &self.table.warnings(&warnings);
+        let rows = rows.with_warnings(&warnings);
         self.table.of(&self.scene, scene).deliver_report(&page, object, rows)
     }
 }

@@ -16,7 +16,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
-use crate::cli::table::{TableArguments, TableDestination, at_top};
+use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, output, progress};
 use crate::files::atomic::Growing;
@@ -100,7 +100,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
-        let text = job.page(&ended, kept.as_ref(), start.elapsed().as_secs_f64());
+        let text = job.page(&ended, kept.as_ref(), start.elapsed().as_secs_f64())
+            + &arguments.table.warnings(&validity::of_plan(&plan));
         output::print(&fitted(&(arguments.scene.changes.changed() + &text)))?;
     }
     arguments.pictures.write(&arguments.table, || page::pictures(kept.as_ref(), columns))?;
@@ -166,9 +167,8 @@ impl Job<'_> {
 
     fn page(&self, summary: &Summary, kept: Option<&Grid>, took_s: f64) -> String {
         let head = page::Head { name: &self.preset.name, threads: self.threads, took_s };
-        let warnings = validity::of_plan(self.plan);
         let missing = self.missing(summary).map_or_else(String::new, |it| it + "\n\n");
-        missing + &at_top(&page::text(self.plan, &head, summary, kept), &warnings)
+        missing + &page::text(self.plan, &head, summary, kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.

@@ -13,12 +13,13 @@ use crate::cli::{CliError, again, output, text};
 use crate::files::atomic::Existing;
 use crate::files::error::FileError;
 use crate::files::export::{Beside, Destination};
+use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
-use crate::tui::app::status::wrap;
+use crate::tui::app::status::{clip, wrap};
 
 /// `--json`, `--csv FILE`, `--force`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(group = clap::ArgGroup::new("files").multiple(true))]
 pub(super) struct TableArguments {
     /// Print JSON instead of the page: SI units, null for a quantity that does not exist
@@ -30,6 +31,9 @@ pub(super) struct TableArguments {
     /// Replace an existing file
     #[arg(long, requires = "files")]
     force: bool,
+    /// Print warnings in full instead of a line each
+    #[arg(long)]
+    verbose: bool,
 }
 
 /// Reads one of these choices by its word; `--help` says what each is.
@@ -67,6 +71,21 @@ impl TableArguments {
     /// Whether a table is wanted, or JSON.
     pub(super) fn is_given(&self) -> bool {
         self.json || self.csv.is_some()
+    }
+
+    /// Warnings below a result, a line each.
+    pub(super) fn warnings(&self, warnings: &[String]) -> String {
+        if warnings.is_empty() {
+            return String::new();
+        }
+        let room = text::width() - 4;
+        let line = |warning: &String| match self.verbose {
+            true => wrap(warning, room).join("\n    "),
+            false => brief(warning),
+        };
+        let lines = warnings.iter().map(|warning| format!("  ! {}\n", line(warning)));
+        let how = if self.verbose { "" } else { " (--verbose prints them in full)" };
+        format!("\nwarnings{how}\n{}", lines.collect::<String>())
     }
 
     /// The handling of an existing file.
@@ -201,17 +220,17 @@ fn marked<R>(table: Table<'_, R>) -> Table<'_, R> {
     if not_complete().is_some() { table.with("complete", "", "", |_| false) } else { table }
 }
 
-/// A page with warnings below its first line.
-pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
-    if warnings.is_empty() {
-        return page.to_owned();
-    }
-    let (first, rest) = page.split_once('\n').unwrap_or((page, ""));
-    let hang = |warning: &String| {
-        "  ! ".to_owned() + &wrap(warning, text::width() - 4).join("\n    ") + "\n"
-    };
-    let lines: String = warnings.iter().map(hang).collect();
-    format!("{first}\n{lines}{rest}")
+/// A warning in a line: of a breach of validity the first clause, which has its name and number, or the first two where the first has
+/// no number, and on which side the answer errs; of any other what fits.
+fn brief(warning: &str) -> String {
+    let room = text::width() - 4;
+    let Some((lead, text)) = warning.split_once(OUTSIDE) else { return clip(warning, room) };
+    let (text, direction) = text.rsplit_once(" (").unwrap_or((text, ""));
+    let ends = text.match_indices([':', ';']).map(|(at, _)| &text[..at]);
+    let has_number = |clause: &&str| clause.contains(|c: char| c.is_ascii_digit());
+    let clause = ends.into_iter().find(has_number).unwrap_or(text);
+    let room = room.saturating_sub(direction.chars().count() + 2);
+    format!("{} ({direction}", clip(&format!("{lead}{clause}"), room))
 }
 
 #[cfg(test)]
@@ -219,9 +238,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn warnings_stand_below_the_first_line() {
-        let warnings = ["one \"quoted\"".to_owned(), "two".to_owned()];
-        assert_eq!(at_top("head\nrest\n", &warnings), "head\n  ! one \"quoted\"\n  ! two\nrest\n");
-        assert_eq!(at_top("head\n", &[]), "head\n");
+    fn a_warning_is_a_line_with_its_number_and_direction() {
+        for (warning, line) in [
+            (
+                "outside validity: h/D = 2: with dishing the law is validated up to about 1; set dishing=off (conservative)",
+                "h/D = 2 (conservative)",
+            ),
+            (
+                "at k = 7.5e6: outside validity: the spring's end moves at 36.8 m/s: a coil surges (unconservative)",
+                "at k = 7.5e6: the spring's end moves at 36.8 m/s (unconservative)",
+            ),
+            (
+                "outside validity: nose = blunt: about 60 % too high (unconservative)",
+                "nose = blunt: about 60 % too high (unconservative)",
+            ),
+            (
+                "the horizon of 1 ms was not reached: the run stopped",
+                "the horizon of 1 ms was not reached",
+            ),
+        ] {
+            assert_eq!(brief(warning), line);
+        }
+        assert!(brief(&"word ".repeat(40)).chars().count() <= text::width() - 4);
     }
 }

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::run::{compute, print_readable};
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, Glyphs, commands, output, scene};
 use crate::files::bundled;
 use crate::files::error::{FileError, did_you_mean};
@@ -42,7 +43,11 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
 /// The scene; a mistyped subcommand arrives here, too.
 fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
-        match (error, did_you_mean(&name.to_string_lossy(), &commands::names())) {
+        match (error, {
+            let names = commands::names();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            did_you_mean(&name.to_string_lossy(), &names)
+        }) {
             (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
                 let hint = nearest.replace("you mean", "you mean the subcommand");
                 CliError::File(FileError::UnknownScene { name, hint })
@@ -61,7 +66,7 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
     let computed = compute(preset)?;
-    print_readable(&computed, Some(glyphs))?;
+    print_readable(&computed, Some(glyphs), &TableArguments::default())?;
     Ok(ExitCode::SUCCESS)
 }
 

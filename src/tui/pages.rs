@@ -215,10 +215,6 @@ pub(crate) trait Page: Sync {
         Some(self.form(app)?.row(row)?.label.clone())
     }
 
-    fn second_click(&self, _app: &App) -> Action {
-        Action::Enter
-    }
-
     /// The text that the rows of the pane are filtered by, where `/` filters them.
     fn filter<'a>(&self, _app: &'a mut App) -> Option<&'a mut String> {
         None

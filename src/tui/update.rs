@@ -318,7 +318,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
             app.focus_on(pane);
             let page = pages::of(app.tab);
             if had_keys && page.rows(app).is_some_and(|rows| rows.selected == row) {
-                act::act(app, page.second_click(app));
+                act::act(app, Action::Enter);
             } else {
                 page.select(app, row);
             }

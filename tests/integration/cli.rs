@@ -121,9 +121,14 @@ fn run_prints_a_summary_of_the_baseline() {
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     let mut lines = done.out.lines();
     assert_eq!(lines.next(), Some("thesis-baseline: Baseline of chapter 9"));
-    // What the model is not valid for stands above the answer.
-    assert!(lines.next().unwrap().starts_with("  ! outside validity: h/D = 2"), "{}", done.out);
-    assert!(done.out.contains("\narrested: "), "{}", done.out);
+    assert!(lines.next().unwrap().starts_with("arrested: "), "{}", done.out);
+    // The answer and its numbers, then in a line each what the model is not valid for.
+    let force = done.out.find("\npeak mount force        3.83798 kN\n").unwrap();
+    let warnings = done.out.find("\nwarnings (--verbose prints them in full)\n").unwrap();
+    let first = done.out.find("\n  ! h/D = 2 (conservative)\n").unwrap();
+    assert!(force < warnings && warnings < first, "{}", done.out);
+    let full = place.cmra("run --verbose");
+    assert!(full.out.contains("! outside validity: h/D = 2: with dishing"), "{}", full.out);
     for label in ["first arrest", "peak contact force", "residual", "run time"] {
         assert!(done.out.contains(label), "{label}\n{}", done.out);
     }

@@ -1,5 +1,5 @@
 //! Files that are not scenes, devices that never end, places that cannot be written: reported in one short line, with the exit
-//! status of the contract.
+//! status that stands for it.
 
 use std::fs;
 
@@ -173,7 +173,7 @@ fn an_unwritable_table_is_refused_before_the_computation() {
     // Any of these but the last takes longer than this test may.
     let long: [(&str, &[&str]); 5] = [
         ("optimise", &["--samples", "16777216"]),
-        ("scatter", &["--samples", "10000000"]),
+        ("montecarlo", &["--samples", "10000000"]),
         ("sensitivity", &["--samples", "1048576"]),
         ("sweep", &["--over", "gamma=1..2:1000000000"]),
         ("reproduce", &[]),
@@ -337,7 +337,7 @@ fn numbers_that_do_not_exist_are_not_shown() {
             assert!(bad.is_empty(), "{arguments:?}: {out}");
         }
     }
-    let (page, _) = says("run", cases[0], 0);
+    let (page, _) = says("run", &[cases[0], &["--verbose"]].concat(), 0);
     let words: Vec<&str> = page.split_whitespace().collect();
     assert!(words.join(" ").contains("cannot without a grip"), "{page}");
     let page = cmra("run", cases[1]).output().unwrap().stdout;

@@ -81,7 +81,7 @@ fn a_drag_of_ones_own_leaves_the_closure_by_thickness() {
     let file = path.to_str().unwrap();
     for (sets, is_warned) in [(&["h=5mm"][..], true), (&["h=5mm", "C_d=0.212"], false)] {
         for command in ["run", "limit", "compare"] {
-            let page = says(command, &with(sets), 0).0;
+            let page = says(command, &[&with(sets)[..], &["--verbose"]].concat(), 0).0;
             assert_eq!(page.contains("set C_d=0.212"), is_warned, "{command}: {page}");
         }
         says("report", &[&with(sets)[..], &["-o", file, "--force"]].concat(), 0);
@@ -222,11 +222,11 @@ fn every_command_that_takes_a_scene_has_the_options() {
         "run",
         "sweep",
         "limit",
-        "worth",
+        "compare",
         "seek",
         "optimise",
         "sensitivity",
-        "scatter",
+        "montecarlo",
         "accuracy",
         "stability",
     ] {
@@ -246,7 +246,7 @@ fn an_unknown_name_gets_the_nearest_and_a_blunt_nose_a_warning() {
     );
     let (_, error) = says("run", &["--material", "unobtainium"], 2);
     assert!(error.contains("aa6061-t6511") && error.contains("cmra libraries"), "{error}");
-    let (page, error) = says("run", &["--threat", "fsp-22"], 0);
+    let (page, error) = says("run", &["--threat", "fsp-22", "--verbose"], 0);
     assert!(
         page.contains("blunt chisel nose") && error.contains("no velocity: v_i = 100 m/s"),
         "{error}"
@@ -313,7 +313,7 @@ fn the_scene_beside_an_export_holds_the_values_and_names_the_source() {
     let studies: [(&str, &[&str]); 5] =
         [("run", &[]), ("sweep", &over), ("compare", &[]), ("compare", &map), ("limit", &[])];
     for (command, more) in studies {
-        let page = says(command, &[&[again], more].concat(), 0).0;
+        let page = says(command, &[&[again, "--verbose"], more].concat(), 0).0;
         assert!(page.contains("threat warning: m80-ball: lead core"), "{command}: {page}");
     }
 }

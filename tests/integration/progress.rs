@@ -1,4 +1,4 @@
-//! A person at a terminal sees how far a long command is, and an interrupt keeps what is finished.
+//! Progress of long commands on a terminal: a person sees how far one is, and an interrupt keeps what is finished.
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -76,9 +76,8 @@ fn a_long_run_reports_the_time_it_has_reached() {
 #[test]
 fn every_long_computation_reports_its_progress() {
     for (words, said) in [
-        ("limit --samples 1000000", " shots or so"),
         ("accuracy --set interface=plastic", " of 89 points"),
-        ("scatter --samples 1000000 --set n=0.7", " runs"),
+        ("montecarlo --samples 1000000 --set n=0.7", " runs"),
     ] {
         let (page, _) = interrupted(words, said);
         assert!(page.contains("interrupted: "), "{words}: {page}");
@@ -130,7 +129,7 @@ fn a_search_is_stopped_within_a_run() {
     let scene = "--set k=1e9 --set n=1.5 --set interface=plastic --set run.horizon_s=1000";
     for (command, said) in [
         ("seek --over gamma=1..3:9 --goal stroke_m=1mm", "0 of 49 runs"),
-        ("scatter", "0 of 10000 runs"),
+        ("montecarlo", "0 of 10000 runs"),
         ("optimise", " of 16384 runs"),
         ("sweep --over gamma=1..3:9", "0 of 9 points"),
         ("compare", "0 of 4 candidates"),

@@ -227,7 +227,7 @@ fn while_accuracy_is_being_measured() {
 #[test]
 fn a_method_that_refuses_says_why() {
     let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
-    bench.keys("gjjjjjV");
+    bench.keys("gjjjjj");
     assert_snapshot!("accuracy_refusals", bench.screen());
     bench.keys("e");
     assert_snapshot!("accuracy_export", bench.screen());

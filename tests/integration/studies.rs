@@ -38,7 +38,7 @@ const STUDIES: [&str; 6] = [
     "montecarlo --set gamma=2 --samples 50 --seed 3 --outputs percent_of_baseline",
     "seek --set b=20 --over gamma=1..5:5 --goal percent_of_baseline=75",
     "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline --samples 16",
-    "worth --set gamma=2",
+    "compare --set gamma=2",
     "stability --set gamma=2 --map k --quick",
 ];
 
@@ -74,7 +74,7 @@ fn pages_list_the_changed_inputs() {
     let place = tempfile::tempdir().unwrap();
     for words in [
         "limit",
-        "worth",
+        "compare",
         "run",
         "sweep --over k=1e5..1e6:2",
         "montecarlo --samples 4",
@@ -91,7 +91,7 @@ fn pages_list_the_changed_inputs() {
 #[test]
 fn two_results_for_standard_output_are_refused() {
     let place = tempfile::tempdir().unwrap();
-    for words in ["run", "sweep --over k=1e5..1e6:2", "limit", "validate", "reproduce", "worth"] {
+    for words in ["run", "sweep --over k=1e5..1e6:2", "limit", "validate", "reproduce", "compare"] {
         let done = cmra(place.path(), &format!("{words} --json --csv -"));
         assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
         assert!(

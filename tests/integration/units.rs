@@ -31,7 +31,7 @@ fn an_angle_is_in_degrees_where_its_name_says_so_and_needs_a_unit_elsewhere() {
 fn a_range_has_two_units_or_none() {
     let (_, error) = says("sweep", &["--over", "h=1..2mm:3"], 2);
     assert!(error.contains("`1 mm..2mm` or `1 m..2mm`"), "{error}");
-    let (_, error) = says("scatter", &["--vary", "h=uniform:24mm..27"], 2);
+    let (_, error) = says("montecarlo", &["--vary", "h=uniform:24mm..27"], 2);
     assert!(error.contains("`24mm..27 mm` or `24mm..27 m`"), "{error}");
 }
 

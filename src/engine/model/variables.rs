@@ -441,8 +441,16 @@ pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
     changed(scene, changes)
 }
 
-/// Every value that is legal yet outside the range the thesis searched.
+/// Every value that is legal yet outside the range the thesis searched. Another shot or target than that of the thesis has nothing to
+/// do with its range.
 pub fn range_warnings(scene: &Scene) -> Vec<String> {
+    let usual = Scene::default();
+    let is_of_thesis = ["m_p", "R", "rho", "S_y", "closure", "face", "m_2"]
+        .iter()
+        .all(|name| find(name).is_ok_and(|variable| variable.show(scene) == variable.show(&usual)));
+    if !is_of_thesis {
+        return Vec::new();
+    }
     VARIABLES
         .iter()
         .filter(|variable| is_used(variable, scene))

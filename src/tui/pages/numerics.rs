@@ -25,12 +25,10 @@ pub struct Numerics {
 
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
-    PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[Part::Chart], keys: &[
+    PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
         key(A::Down, "method", "select another method"),
         key(A::Enter, "use", "run the scene by this method: auto at the tolerance for 1e-6, or the printed scheme"),
         key(A::Right, "cursor", "move the cursor in run time"),
-        key(A::ShowHide, "show/hide", "show or hide this method"),
-        key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[
         key(A::Right, "cursor", "move the cursor: time step across, variable upward"),
@@ -177,21 +175,8 @@ impl Page for NumericsTab {
         (app.pane() == STIFF_SCENES).then_some(&mut app.pages.numerics.stability.listing.filter)
     }
 
-    fn second_click(&self, app: &App) -> Action {
-        if app.pane() == ACCURACY { Action::ShowHide } else { Action::Enter }
-    }
-
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.pages.numerics.stability.cursor = Some(cell);
-    }
-
-    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
-        if app.pane() != ACCURACY {
-            return None;
-        }
-        let tab = &mut app.pages.numerics.accuracy;
-        let (all, about) = (tab.all_times()?, tab.cursor_s);
-        Some(Across::of(&mut tab.times_s, all, Scale::Log10, about))
     }
 
     fn map_axes(&self, app: &App) -> Option<[Span; 2]> {

@@ -10,7 +10,6 @@ use cmra::study::accuracy::method::{Answer, Ladder, Method, Parameter};
 use cmra::study::accuracy::reference::{Reference, ReferenceSource};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report, Saving};
-use cmra::tui::chart::ViewRange;
 use cmra::tui::message::{ExportOutcome, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::numerics::accuracy::Measurements;
@@ -163,9 +162,6 @@ fn the_crosshair_shows_the_error_for_a_run_time() {
     // At the left end only the quickest have an answer.
     bench.keys("HHHHHHHHHH");
     assert!(!bench.message().contains("I="), "{}", bench.message());
-    // What is hidden is not told.
-    bench.keys("LLLLLLLLGV");
-    assert!(!bench.message().contains("T="), "{}", bench.message());
 }
 
 #[test]
@@ -194,35 +190,6 @@ fn leaving_asks_while_a_study_has_been_going_on_for_long() {
     bench.send(Message::LongJob(study.id));
     bench.keys("q");
     assert!(bench.message().contains("q again quits"), "{}", bench.message());
-}
-
-#[test]
-fn the_chart_is_zoomed_panned_and_fitted_again() {
-    let mut bench = open(GlyphSet::Ascii, (120, 40));
-    let all = bench.app.pages.numerics.accuracy.times().unwrap();
-    bench.keys("L++");
-    let (near, cursor) = (
-        bench.app.pages.numerics.accuracy.times().unwrap(),
-        bench.app.pages.numerics.accuracy.cursor_s.unwrap(),
-    );
-    let decades = |view: ViewRange| (view.hi() / view.lo()).log10();
-    assert!((decades(near) / decades(all) - 0.25).abs() < 1e-9);
-    assert!(near.contains(cursor), "zoomed about the crosshair");
-    bench.keys("]");
-    assert!(bench.app.pages.numerics.accuracy.times().unwrap().lo() > near.lo());
-    bench.keys("[0");
-    assert_eq!(bench.app.pages.numerics.accuracy.times(), Some(all));
-    // Ten columns of the narrower view are less time than of the wider one.
-    bench.keys("++");
-    let before = bench.app.pages.numerics.accuracy.cursor_s.unwrap();
-    bench.keys("L");
-    let moved = bench.app.pages.numerics.accuracy.cursor_s.unwrap() / before;
-    assert!(moved > 1.0 && moved.log10() < 0.3 * decades(near), "{moved}");
-    // The view goes no farther than all of the points.
-    bench.keys("]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]");
-    assert!(
-        (bench.app.pages.numerics.accuracy.times().unwrap().hi() / all.hi() - 1.0).abs() < 1e-9
-    );
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Findings of a tester, each with the keys that showed it.
+//! Faults of the workbench that were found by use and put right, each with the keys that showed it.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -1,5 +1,4 @@
-//! The seven tasks of somebody who has never seen the workbench, with the keys pressed from the start counted: a text that is
-//! typed counts as one.
+//! Tasks of a new user, with the keys they take from the start: a text that is typed counts as one key.
 
 use super::accuracy;
 use super::bench::Bench;

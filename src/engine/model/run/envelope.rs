@@ -10,7 +10,9 @@ use crate::model::design::Rod;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene};
+use crate::model::scene::{
+    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene,
+};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
@@ -41,6 +43,9 @@ const OBLIQUE_UP_TO: f64 = 20.0;
 const COIL_END_M_S: f64 = 20.0;
 /// The moving part of the springs' own mass over the plate's that may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
+
+/// What a breach begins with in words.
+pub const OUTSIDE: &str = "outside validity: ";
 
 worded! {
     /// One row of the table.
@@ -143,7 +148,7 @@ impl Breach {
 
 impl fmt::Display for Breach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "outside validity: {} ({})", self.text, self.direction.word())
+        write!(f, "{OUTSIDE}{} ({})", self.text, self.direction.word())
     }
 }
 

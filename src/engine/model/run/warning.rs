@@ -91,19 +91,22 @@ fn overruns(t_s: f64, duration_s: f64) -> String {
     )
 }
 
+fn demand(ratio: f64) -> String {
+    if ratio.is_finite() {
+        format!("{ratio:.3} times its strength A S_y")
+    } else {
+        "an unbounded force".to_owned()
+    }
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::InterfacePush { ratio, t_s } if !ratio.is_finite() => write!(
-                f,
-                "the fused interface must carry an unbounded force in compression, first at t = {:.4} ms: penetration would resume; try \
-                 interface = plastic",
-                t_s * 1e3
-            ),
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
-                "the fused interface must carry {ratio:.3} times its strength A S_y in compression, first at t = {:.4} ms: penetration would \
-                 resume; try interface = plastic",
+                "the fused interface must carry {} in compression, first at t = {:.4} ms: penetration would resume; try interface = \
+                 plastic",
+                demand(*ratio),
                 t_s * 1e3
             ),
             Self::InterfacePull { ratio, t_s } if !ratio.is_finite() => write!(
@@ -124,8 +127,9 @@ impl fmt::Display for Warning {
             ),
             Self::InterfaceRebound { ratio } => write!(
                 f,
-                "after this run the plate comes back and pulls at the fused interface with {ratio:.2} times its strength g A S_y (grip g \
-                 is an assumption): the projectile would be pulled out, and may strike again; try interface = plastic",
+                "the rebound pulls with {ratio:.2} times the interface's strength: after this run the plate comes back, and the strength \
+                 g A S_y of the fused interface (grip g is an assumption) does not hold the projectile, which may strike again; try \
+                 interface = plastic",
             ),
             Self::InterfaceWithoutStrength => {
                 f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")

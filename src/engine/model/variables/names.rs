@@ -41,9 +41,14 @@ pub fn listing() -> String {
     text
 }
 
-/// A hint that names the variables spelled most like `name`.
+/// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling.
 pub fn nearest(name: &str) -> String {
     let lower = name.to_lowercase();
+    let meant: Vec<(usize, &str)> =
+        VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol)).collect();
+    if let Some(hint) = close(name, meant) {
+        return hint;
+    }
     let ranked: Vec<(usize, &str)> = VARIABLES
         .iter()
         .flat_map(|variable| {
@@ -58,6 +63,14 @@ pub fn nearest(name: &str) -> String {
         .collect();
     close(name, ranked)
         .unwrap_or_else(|| format!("the usual ones are {USUAL}; `cmra run --help` lists all"))
+}
+
+/// Whether a symbol begins with a name, `v_i` with `v`, or a synonym or the field of the full key has it as a word.
+fn is_meant(variable: &Variable, lower: &str) -> bool {
+    let field = variable.key.rsplit('.').next().unwrap_or(variable.key);
+    let mut synonyms = variable.aliases.iter().chain([&field]);
+    variable.symbol.to_lowercase().split('_').next() == Some(lower)
+        || synonyms.any(|synonym| synonym.split(['_', '-']).any(|word| word == lower))
 }
 
 /// `did you mean ...?` with the nearest of some candidates, each with its distance from a name; `None` when none is close. Of those as
@@ -94,5 +107,15 @@ mod tests {
         let hint = nearest("quux");
         assert!(hint.contains(USUAL) && hint.len() < 120, "{hint}");
         assert!(nearest("gama").contains("`gamma`"));
+    }
+
+    #[test]
+    fn what_is_meant_goes_before_what_is_spelled_alike() {
+        for (name, meant) in
+            [("v", "`v_i`"), ("m_P", "`m_p`"), ("ratio", "`gamma`"), ("Velocity", "`v_i`")]
+        {
+            let hint = nearest(name);
+            assert!(hint.starts_with(&format!("did you mean {meant}")), "{name}: {hint}");
+        }
     }
 }

@@ -133,6 +133,7 @@ pub fn results(run: &Run) -> Vec<String> {
         rounded(run.interface_demand_ratio, " of its strength A S_y")
     };
     let closure = run.scene.closure_by_thickness().map(|it| format!("{}, by thickness", it.word()));
+    let mount_force = quantities::find("peak_mount_force_n").and_then(|it| it.value(run));
     let of_run = [
         ("closure", closure),
         ("first arrest, depth", known(arrest.map(|it| it.penetration_m), "m")),
@@ -150,6 +151,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("separation, time", known(separation.map(|it| it.t_s), "s")),
         ("  projectile velocity", known(separation.map(|it| it.velocity_m_s), "m/s")),
         ("peak contact force", known(run.peak_contact_force_n, "N")),
+        ("peak mount force", known(mount_force, "N")),
         ("greatest displacement", displacement),
         ("displacement so far", known(so_far.plate_displacement_m, "m")),
         ("stroke so far", known(stroke_so_far, "m")),

@@ -5,18 +5,16 @@ pub(crate) mod draw;
 use crate::model::contact_phase::Ending;
 use crate::model::scene::{ContactModel, RunSettings};
 use crate::model::units::engineering;
-use crate::numerics::{larger, smaller};
-use crate::report::accuracy::{TARGETS, advice, curve, gain, percent, printed_scheme, seconds};
+use crate::report::accuracy::{
+    TARGETS, advice, error_over_time, gain, percent, printed_scheme, seconds,
+};
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::{self, ComparisonOptions, Measured, MethodReport, RESULTS, Report};
-use crate::tui::chart::{Curve, Mapping};
+use crate::tui::chart::{Chart, Mapping};
 use crate::tui::pages::prelude::*;
 use crate::tui::update::act::along;
 use crate::tui::view::plot_columns;
 use crate::worker::clock;
-
-/// The uncertainty of the reference is shown if it is at least this part of the least error drawn.
-const FLOOR_NEAR: f64 = 1e-4;
 
 /// Measures error and run time of every method.
 #[derive(Debug)]
@@ -44,11 +42,8 @@ pub struct Accuracy {
     pub report: Kept<Report>,
     /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
     pub selected: Option<usize>,
-    pub hidden: Vec<Method>,
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
-    /// The run times in view, s; `None`: all.
-    pub times_s: Option<ViewRange>,
     /// Points of the study requested last, once known.
     pub points_in_all: usize,
 }
@@ -89,71 +84,24 @@ impl Accuracy {
         self.report.found.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    fn drawn(&self) -> impl Iterator<Item = &MethodReport> {
-        let methods = self.report.found.iter().flat_map(|report| &report.methods);
-        methods.filter(|one| !self.hidden.contains(&one.method))
+    /// The chart, and the run times in view.
+    pub(crate) fn chart(&self) -> Option<(Chart<'static>, ViewRange)> {
+        let chart = error_over_time(self.report.found.as_ref()?)?;
+        let times = chart.x.view;
+        Some((chart, times))
     }
 
-    pub fn curves(&self) -> Vec<(Method, Curve<'static>)> {
-        self.drawn().map(|one| (one.method, curve(one))).collect()
-    }
-
-    /// The least and greatest run time of all that is drawn, s.
-    fn ends_s(&self) -> Option<(f64, f64)> {
-        let curves = self.curves();
-        let times = curves.iter().flat_map(|one| one.1.points.iter()).map(|it| it.0);
-        let times = times.filter(|time| time.is_finite() && *time > 0.0);
-        times.fold(None, |ends: Option<(f64, f64)>, time| {
-            let (least, most) = ends.unwrap_or((time, time));
-            Some((smaller(least, time), larger(most, time)))
-        })
-    }
-
-    pub fn times(&self) -> Option<ViewRange> {
-        self.times_s.map(|times| times.on(Scale::Log10)).or_else(|| self.all_times())
-    }
-
-    /// The run times of all that is drawn, rounded.
-    pub fn all_times(&self) -> Option<ViewRange> {
-        let (least, most) = self.ends_s()?;
-        Some(ViewRange::new(least, most).rounded(Scale::Log10))
-    }
-
-    /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
-    pub fn errors(&self) -> Option<ViewRange> {
-        let (times, scale) = (self.times()?, Scale::Log10);
-        let curves = self.curves();
-        let seen = || {
-            let points = curves.iter().flat_map(|(_, curve)| curve.points.iter());
-            points.filter(|point| times.contains(point.0)).map(|point| point.1)
-        };
-        let least = seen().min_by(f64::total_cmp)?;
-        let floor = self.floor().filter(|floor| *floor > FLOOR_NEAR * least);
-        ViewRange::of(scale, seen().chain(floor)).map(|range| range.rounded(scale))
-    }
-
-    /// The uncertainty of the reference of the selected method.
-    pub fn floor(&self) -> Option<f64> {
-        let own = self.of(self.method()).and_then(|report| report.reference);
-        let first = || self.report.found.as_ref()?.references.first().copied();
-        own.or_else(first)?.uncertainty
-    }
-
-    /// Put the crosshair on a run time, s, or on the nearest there is.
+    /// Puts the crosshair on a run time, s, or on the nearest in view.
     pub fn place_cursor(&mut self, run_time_s: f64) {
-        if let Some((least, most)) = self.ends_s() {
-            self.cursor_s = Some(run_time_s.clamp(least, most));
-        }
+        self.cursor_s = self.chart().map(|(_, times)| run_time_s.clamp(times.lo(), times.hi()));
     }
 
-    /// Move the crosshair by columns of a plot so wide; it starts in the middle.
+    /// Moves the crosshair by columns of a plot so wide; it starts in the middle.
     pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let (Some((least, most)), Some(view)) = (self.ends_s(), self.times()) else {
-            return;
-        };
-        let view = Mapping::new(Scale::Log10, view, width);
+        let Some((_, times)) = self.chart() else { return };
+        let view = Mapping::new(Scale::Log10, times, width);
         let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
-        self.cursor_s = Some(view.stepped(here, columns).clamp(least, most));
+        self.place_cursor(view.stepped(here, columns));
     }
 
     pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Parameter, &Measured)> {
@@ -186,8 +134,7 @@ impl App {
     pub fn accuracy_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.accuracy;
         let time_s = tab.cursor_s?;
-        let shown = Method::ALL.into_iter().filter(|one| !tab.hidden.contains(one));
-        let values = shown.filter_map(|method| {
+        let values = Method::ALL.into_iter().filter_map(|method| {
             let (_, best) = tab.best_within(method, time_s)?;
             Some(format!("{}={:.0e}", method.letter(), best.error()))
         });
@@ -315,7 +262,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     match action {
         Action::Run => measure(app),
         Action::Enter => use_method(app),
-        Action::ShowHide | Action::Mark => show_or_hide(app),
         _ => match along(action, 10) {
             Some(by) => {
                 let columns = plot_columns(app);
@@ -365,17 +311,6 @@ fn use_method(app: &mut App) {
 
 fn measure(app: &mut App) {
     jobs::study(app, Tab::Numerics, Measurements(ComparisonOptions::FULL));
-}
-
-fn show_or_hide(app: &mut App) {
-    let tab = &mut app.pages.numerics.accuracy;
-    let method = tab.method();
-    match tab.hidden.iter().position(|hidden| *hidden == method) {
-        Some(at) => {
-            tab.hidden.remove(at);
-        }
-        None => tab.hidden.push(method),
-    }
 }
 
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {

@@ -1,10 +1,10 @@
 //! The Accuracy tab: error against run time as a chart with a letter for each method, their table, and what it means here.
 
-use crate::report::accuracy::{self, TARGETS, axes};
+use crate::report::accuracy;
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::layout::WIDE;
-use crate::tui::chart::{Chart, Emphasis, Legend, Mark};
+use crate::tui::chart::Emphasis;
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::Measurements;
 use crate::tui::pages::prelude::*;
@@ -47,42 +47,23 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
-    let curves = tab.curves();
-    let title = "Relative error";
-    let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
-        let inner = PaneFrame::new(title).draw(area, canvas);
-        let why = match &tab.report.found {
-            Some(_) if tab.times_s.is_some() => {
-                Some("nothing in view: <zoom-fit> shows everything")
-            }
-            Some(_) => Some("nothing to draw: no point, or all are hidden (<show-hide>)"),
-            None => app.needs_single_plate().then_some(NEEDS_SINGLE),
-        };
+    let Some((mut chart, _)) = tab.chart() else {
+        let inner = PaneFrame::new("Relative error").draw(area, canvas);
+        let why = app.needs_single_plate().then_some(NEEDS_SINGLE);
         let text = nothing::<Measurements>(app, "measuring the first points", why);
         return canvas.put_centred(inner, &text);
     };
-    let old = tab.report.is_old(&app.accuracy_scene());
-    let emphasis = |method: Method| {
-        if old {
-            Emphasis::Stale
-        } else if method == tab.method() {
-            Emphasis::Selected
-        } else {
-            Emphasis::Normal
-        }
-    };
-    let drawn = curves.into_iter().map(|(method, curve)| curve.emphasis(emphasis(method)));
-    let (x, y) = axes(times, errors);
-    let title = if old { "Relative error, of another scene" } else { title };
-    let targets = TARGETS.iter().map(|y| Mark::new(*y, ""));
-    let own = tab.report.found.iter().flat_map(|report| accuracy::levels(report, tab.floor()));
-    let chart = Chart {
-        legend: Legend::Hidden,
-        levels: targets.chain(own).collect(),
-        crosshair: tab.cursor_s,
-        focused: app.dialog.is_none(),
-        ..Chart::new(title, x, y, drawn.collect())
-    };
+    let is_old = tab.report.is_old(&app.accuracy_scene());
+    chart.title = if is_old { "Relative error, of another scene" } else { "Relative error" }.into();
+    for (method, curve) in Method::ALL.into_iter().zip(&mut chart.curves) {
+        curve.emphasis = match (is_old, method == tab.method()) {
+            (true, _) => Emphasis::Stale,
+            (false, true) => Emphasis::Selected,
+            (false, false) => Emphasis::Normal,
+        };
+    }
+    chart.crosshair = tab.cursor_s;
+    chart.focused = app.dialog.is_none();
     let layout = canvas.draw(&chart, area);
     canvas.plot_columns = Some(layout.plot.width);
     canvas.plot(&layout, |value, _| Some(Target::Value { pane: ACCURACY, chart: 0, value }));
@@ -94,8 +75,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let methods: &[MethodReport] = tab.report.found.as_ref().map_or(&[], |report| &report.methods);
     let cells = accuracy::methods(methods).cells(&KEYS);
     let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), 0);
-    let hint = app.keymap.shown("<show-hide> hides");
-    let inner = PaneFrame::new("Methods").right(hint).draw(area, canvas);
+    let inner = PaneFrame::new("Methods").draw(area, canvas);
     canvas.put(inner, (LETTER, 0), &grid.line(None), Role::Dim);
     let count = Method::ALL.len();
     let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
@@ -104,14 +84,10 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let target = |method| Some(Target::Row(ACCURACY, method));
     rows.render(canvas, list, target, |canvas, row, index| {
         let method = Method::ALL[index];
-        let hidden = tab.hidden.contains(&method);
-        let role = if hidden { Role::Dim } else { Role::Curve(index) };
-        let letter = if hidden { ' ' } else { method.letter() };
-        canvas.put(row, (0, 0), &letter.to_string(), role);
-        let role = if hidden { Role::Dim } else { Role::Text };
+        canvas.put(row, (0, 0), &method.letter().to_string(), Role::Curve(index));
         let at = methods.iter().position(|report| report.method == method);
         let text = at.map_or_else(|| method.name().to_owned(), |at| grid.line(Some(at)));
-        canvas.put(row, (LETTER, 0), &text, role);
+        canvas.put(row, (LETTER, 0), &text, Role::Text);
     });
     details(app, inner, canvas);
 }
