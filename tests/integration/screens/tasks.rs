@@ -39,7 +39,7 @@ impl Counted {
 fn comparing_two_designs_and_exporting_both_takes_13() {
     let mut task = Counted::start();
     task.key(":").text("gamma").key("<Enter>").text("2").key("<Enter>").key(" ");
-    task.key(":").text("k").key("<Enter>").text("2e5").key("<Enter>");
+    task.key(":").text("k").key("<Enter>").text("200").key("<Enter>");
     task.key("e").key("<Enter>");
     let request = task.bench.effects.iter().find_map(|effect| match effect {
         Effect::Files(FileTask::Export(_, Content::Runs(request))) => Some(request.clone()),
