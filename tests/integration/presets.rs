@@ -8,7 +8,7 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
-use cmra::model::scene::Scene;
+use cmra::model::scene::{ContactModel, Scene};
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables::{VARIABLES, validate};
 use cmra::study::quantities;
@@ -130,7 +130,10 @@ fn valid_every_preset_gives_the_expected_results() {
             simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap();
         assert!(run.end.is_complete(), "{name}: {}", run.end.words());
         assert_eq!(run.shot_outcome().word(), case.outcome, "{name}");
-        assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
+        // The scheme as the thesis prints it does not balance.
+        let is_printed = scene.contact.model == ContactModel::Appendix;
+        let most = if is_printed { 1e-2 } else { 1e-9 };
+        assert!(run.ledger.residual().abs() < most, "{name}: energy");
         let value = |key: &str| {
             let column = quantities::find(key).unwrap_or_else(|| panic!("{name}: {key}"));
             column.value(&run)
