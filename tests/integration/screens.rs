@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 mod cases;
 mod curve;
+mod doors;
 mod exports;
 mod faults;
 mod filters;

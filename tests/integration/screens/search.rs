@@ -58,7 +58,7 @@ fn made(scene: &Arc<Scene>, request: &Request) -> StudyResult {
             StudyResult::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
         }
         Request::MonteCarlo(task) => {
-            let task = monte_carlo::Task { samples: 500, ..task.clone() };
+            let task = monte_carlo::Request { samples: Some(500), ..task.clone() };
             StudyResult::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
         }
     }
