@@ -95,12 +95,12 @@ mod tests {
                 "limit ./a.toml --criterion passage",
             ),
             ("limit --csv=a.csv --set=h=1mm", "limit ./a.toml"),
-            // Names as they are today: another spelling, an old name.
+            // Names as they are today: another spelling.
             (
                 "optimize --minimize stroke_m,steps --maximize=v_i --csv a.csv",
                 "optimise ./a.toml --minimise stroke_m,steps --maximise v_i",
             ),
-            ("scatter --output steps --csv a.csv", "montecarlo ./a.toml --outputs steps"),
+            ("montecarlo --output steps --csv a.csv", "montecarlo ./a.toml --outputs steps"),
             // Nothing else goes to standard output.
             ("compare --map v_i,gamma --svg - --csv a.csv", "compare ./a.toml --map v_i,gamma"),
             ("run thin --dt 1us --csv a.csv", "run ./a.toml --dt 1us"),

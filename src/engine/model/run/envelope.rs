@@ -10,7 +10,9 @@ use crate::model::design::Rod;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
 use crate::model::run::{EventKind, Run, Warning};
-use crate::model::scene::{ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene};
+use crate::model::scene::{
+    ClosureInEffect, ContactModel, InterfaceLaw, Mount, Nose, OwnMass, Scene,
+};
 use crate::model::units::significant;
 use crate::model::variables;
 use crate::model::worded::worded;
