@@ -15,9 +15,9 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, TableDestination, choice};
 use crate::cli::text::{chart_size, fitted, labelled, width};
-use crate::cli::{CliError, Glyphs, again, draw, output};
+use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
-use crate::files::export::RunTable;
+use crate::files::export::{self, RunTable};
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -131,7 +131,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let preset = arguments.scene.load()?;
         let found = compare(&preset.scene, what, &mut clock::processor_s)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
-        let table = arguments.table.of(&arguments.scene, &preset.scene);
+        let table = arguments.table.of(
+            &arguments.scene,
+            &preset.scene,
+            format!("run --compare {}", what.word()),
+        );
         return table.deliver(&page, tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
     let computed = match arguments.dt {
@@ -148,9 +152,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         TableDestination::File(to) => {
             let (to, table) = (to.placed(!was_interrupted()), table());
             let mut scenes = table.scenes();
+            let dt = arguments.dt.map(|dt_s| format!(" --dt {dt_s}")).unwrap_or_default();
+            let command = format!("run{dt}");
             if let Some(first) = scenes.first_mut() {
                 let outcome = std::mem::replace(&mut first.notes, Box::new(|_| String::new()));
-                first.notes = Box::new(move |own| outcome(own) + &again::comment(own));
+                first.notes = Box::new(move |own| outcome(own) + &export::again(&command, own));
             }
             let written = to.write(table.text()?.as_bytes(), &scenes);
             output::note_written(&written?);

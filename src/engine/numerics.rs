@@ -1,7 +1,8 @@
 //! Numerical methods that know no plate, no projectile, no metre and no screen.
 //!
 //! Map of the folder, in reading order: `series` is arithmetic on truncated power series, from which a model builds the
-//! Taylor expansion of its solution; `taylor` chooses the step such an expansion is good for; `implicit` is an
+//! Taylor expansion of its solution; `collocation` is the one method of the new engine for smooth, stiff and steep alike, with its
+//! `step` as polynomials and `locate` for the first event on it; `taylor` chooses the step such an expansion is good for; `implicit` is an
 //! L-stable collocation method for what is too stiff for that; [`stepper`] are the Runge-Kutta methods everything is compared
 //! with; `graded` starts where non-integer powers are singular; `event` locates what happens on an accepted step of any of them but
 //! the Taylor steps; [`root`] finds zeros, `crossing` those of which there is one; [`quadrature`] integrates;
@@ -11,6 +12,7 @@
 //! A step of an integration works on fixed-size arrays and allocates nothing; quadrature, data and samples are vectors. Every loop
 //! is bounded.
 
+pub(crate) mod collocation;
 pub(crate) mod crossing;
 pub mod double_double;
 pub(crate) mod event;
@@ -18,6 +20,7 @@ pub(crate) mod exponential;
 pub(crate) mod graded;
 pub(crate) mod implicit;
 pub mod linear;
+pub(crate) mod locate;
 pub(crate) mod maximum;
 pub mod minimum;
 pub(crate) mod monotone;
@@ -27,6 +30,7 @@ pub mod root;
 pub(crate) mod series;
 pub mod sobol;
 pub mod statistics;
+pub(crate) mod step;
 pub mod stepper;
 pub(crate) mod taylor;
 

@@ -13,6 +13,8 @@ mod crush;
 #[cfg(test)]
 mod decided;
 #[cfg(test)]
+mod engines;
+#[cfg(test)]
 mod estimate;
 #[cfg(test)]
 mod extremes;

@@ -13,7 +13,7 @@ use crate::random::Random;
 use crate::support::scene;
 
 mod corrected;
-mod draw;
+pub(crate) mod draw;
 mod stack;
 
 /// The coarser step, s; the finer is half as long.

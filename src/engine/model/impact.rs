@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
+use crate::model::hybrid;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -39,6 +40,8 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// Tolerance of the other engine as the second computation, whatever that of the first: its order is so high that it costs little.
+const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
@@ -58,11 +61,11 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let floor = if problem.straightens() { larger(floor, STRAIGHTENED) } else { floor };
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
-        let second = second(&problem, &mut |t_s| {
+        let is_closed = run.cost.steps == 0;
+        let second = second(&problem, is_closed, &mut |t_s| {
             window.show(|| run.clone());
             observer(t_s)
         });
-        let is_closed = run.cost.steps == 0;
         let basis =
             if is_closed { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
         if let Some(second) = second {
@@ -90,8 +93,17 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
     if is_cancelled { EndReason::Cancelled } else { end }
 }
 
-/// The same of another order at a much tighter tolerance; `None` when it was cancelled.
-fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+/// The same at a much tighter tolerance, by the other engine where that serves the scene and comes to an end, else by this one with
+/// another order; `None` when it was cancelled.
+fn second(problem: &Problem, is_closed: bool, observer: Observer<'_>) -> Option<Run> {
+    if !is_closed && let Some(run) = by_collocation(problem, observer) {
+        if run.end == EndReason::Cancelled {
+            return None;
+        }
+        if run.end.is_complete() {
+            return Some(run);
+        }
+    }
     let own = problem.has_absorber().then(|| problem.anew());
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
@@ -101,6 +113,16 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     (end != EndReason::Cancelled).then(|| report::gather(problem, simulation, end))
 }
 
+/// One impact by the other engine.
+fn by_collocation(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+    let bounds = hybrid::Bounds {
+        horizon_s: problem.horizon_s,
+        to_horizon: problem.horizon_is_given,
+        tolerance: COLLOCATION,
+    };
+    hybrid::run(&problem.scene, bounds, observer)
+}
+
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forced {
@@ -108,23 +130,28 @@ pub enum Forced {
     Taylor,
     /// To the general path: whichever step is right where it is, but neither closed form nor bound in place of one.
     General,
+    /// By the other engine, that of the error estimate.
+    Collocation,
 }
 
 /// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
-/// the contact: on a stiff stretch.
+/// the contact, on a stiff stretch, or the other engine does not know the scene.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     let problem = Problem::of(scene);
+    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
+    if forced == Forced::Collocation {
+        return Ok(by_collocation(&problem, observer));
+    }
     let mut simulation = Simulation::new(&problem, scene.run.tolerance, false);
     simulation.control.unit_s = 0.1 * problem.time_scales().contact_s;
     simulation.start();
     if simulation.control.stiff && forced == Forced::Taylor {
         return Ok(None);
     }
-    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     let end = simulation.run::<TERMS>(observer);
     let gave_way = forced == Forced::Taylor && simulation.control.stiff_steps > 0;
     Ok((!gave_way).then(|| report::gather(&problem, simulation, end)))

@@ -235,7 +235,7 @@ fn levels(report: &Report) -> Vec<Mark<'static>> {
     TARGETS.map(|at| Mark::new(at, "")).into_iter().chain(floor).chain(printed).collect()
 }
 
-/// The chart; `None` where no result could be judged.
+/// The chart; `None` where no result could be compared.
 pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
     let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());

@@ -75,7 +75,7 @@ impl Page for LimitTab {
             (RESIDUAL, A::Run) => find(app),
             (_, A::Run) => compare(app),
             (RESIDUAL, A::View) => {
-                let v50 = Spread(monte_carlo::Task::v50(&app.scene));
+                let v50 = Spread(monte_carlo::Request::v50());
                 jobs::study(app, Tab::Limit, v50);
             }
             (RESIDUAL, A::Down | A::PageDown) => turn(app, 1),

@@ -48,7 +48,7 @@ fn found(scene: &Arc<Scene>) -> Report {
 pub(super) fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
     for study in bench.studies() {
         if let Some(Spread(task)) = study.asked.of() {
-            let few = monte_carlo::Task { samples: 20, ..task.clone() };
+            let few = monte_carlo::Request { samples: Some(20), ..task.clone() };
             let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
             let v50 = monte_carlo::sample(&study.scene, &few, &mut Context::new(1, watch)).unwrap();
             bench.reply(study.id, ended(Finding::new(v50)));
@@ -171,7 +171,7 @@ fn v_computes_v50_as_the_command_does() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
     let asked = bench.studies().remove(0).asked;
-    let task = monte_carlo::Task::v50(&bench.app.scene);
+    let task = monte_carlo::Request::v50();
     assert_eq!(asked.of(), Some(&Spread(task)));
 }
 

@@ -1,0 +1,338 @@
+//! The motion, once: constants of a scene, forces in a mode, accelerations and their derivatives.
+//!
+//! Travel q and slip u are those of the projectile along its axis against the plate, displacement x and velocity w those of the
+//! plate along its normal. With the contact force F, the mechanism's force G and the masses of both, `m_p v' = -F` and
+//! `m_2 w' = F cos - G`, where u = v - w cos.
+
+use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
+use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, moving_plate_kg};
+use crate::model::scene::{InterfaceLaw, Scene, Stop};
+use crate::numerics::larger;
+
+/// Part of the tip radius by which the slope of an oblique section's area is taken as a difference; it only steers the iteration.
+const SLOPE_WIDTH: f64 = 1e-6;
+
+/// Length of the first moments in which the contact's force is taken to grow with the time, in passages of a tip radius: they change the
+/// velocities by about the square of this.
+const FIRST_MOMENT: f64 = 1e-6;
+/// Part of the tip radius by which a steep spring may yield while it is taken to hold the plate: the travel is as far off at most.
+const HELD: f64 = 1e-13;
+/// How many times farther its inertia alone must let a plate move that is to follow the balance of its spring: the square of the
+/// oscillations about that, in radians, which leave a part of one over it.
+const FOLLOWS: f64 = 1e2;
+/// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
+const UNRESOLVED: f64 = 1e-18;
+/// Rounding, relative to what a zero is a difference of.
+const ROUNDING: f64 = f64::EPSILON;
+
+/// The constants of an impact.
+#[derive(Clone, Debug)]
+pub(super) struct Setup {
+    pub(super) geometry: Geometry,
+    pub(super) spring: PowerLaw,
+    pub(super) damper: PowerLaw,
+    pub(super) stop: Option<Stop>,
+    /// Infinite where there is none.
+    pub(super) stop_at_m: f64,
+    pub(super) projectile_kg: f64,
+    /// `m_2` and what its mechanism adds.
+    pub(super) plate_kg: f64,
+    /// What moves along the plate's normal when both move together.
+    pub(super) joined_kg: f64,
+    pub(super) cos: f64,
+    pub(super) strength_pa: f64,
+    pub(super) drag_kg_m3: f64,
+    /// Strength in tension over that in compression.
+    pub(super) grip: f64,
+    pub(super) velocity_m_s: f64,
+    pub(super) start_m: f64,
+    /// The interface yields after the first arrest.
+    pub(super) plastic: bool,
+    /// The mount is rigid.
+    pub(super) still: bool,
+}
+
+/// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub(super) struct State {
+    pub(super) t_s: f64,
+    pub(super) q_m: f64,
+    pub(super) u_m_s: f64,
+    pub(super) x_m: f64,
+    pub(super) w_m_s: f64,
+}
+
+/// The equations that hold in a mode.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Equations<'a> {
+    pub(super) setup: &'a Setup,
+    pub(super) mode: &'a Mode,
+}
+
+impl Setup {
+    /// Of a valid scene by the hydrodynamic model; `None` where its spring is no power law.
+    pub(super) fn of(scene: &Scene) -> Option<Self> {
+        let geometry = Geometry::of(scene);
+        let mechanism = Mechanism::of(scene);
+        let cos = geometry.nose.cos;
+        let projectile_kg = scene.projectile.mass_kg;
+        let plate_kg = moving_plate_kg(scene);
+        Some(Self {
+            geometry,
+            spring: mechanism.spring.power()?,
+            damper: mechanism.damper,
+            stop: mechanism.stop,
+            stop_at_m: mechanism.stop_at_m,
+            projectile_kg,
+            plate_kg,
+            joined_kg: plate_kg + projectile_kg * cos * cos,
+            cos,
+            strength_pa: scene.flow_strength_pa(),
+            drag_kg_m3: scene.drag_kg_m3(),
+            grip: scene.interface.grip,
+            velocity_m_s: scene.projectile.velocity_m_s,
+            start_m: scene.start_m(),
+            plastic: scene.interface.law == InterfaceLaw::Plastic,
+            still: scene.is_rigid(),
+        })
+    }
+
+    /// Part of the mechanism's force that the interface carries while the bodies move together.
+    pub(super) fn interface_fraction(&self) -> f64 {
+        self.projectile_kg * self.cos / self.joined_kg
+    }
+
+    /// The velocity of the projectile.
+    pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
+        state.u_m_s + state.w_m_s * self.cos
+    }
+}
+
+/// The force of a power law on the side of zero on which its mode has it: a law that is smooth on either side goes on
+/// smoothly a little beyond.
+fn force(law: PowerLaw, z: f64, side: f64) -> f64 {
+    match law.kind() {
+        PowerKind::Absent => 0.0,
+        PowerKind::Linear => law.coefficient * z,
+        PowerKind::Whole(2) => law.coefficient * z * z * side,
+        PowerKind::Whole(3) => law.coefficient * z * z * z,
+        PowerKind::Whole(_) | PowerKind::General => law.force(z),
+    }
+}
+
+impl Equations<'_> {
+    /// Displacement from the zero of the spring.
+    pub(super) fn displacement_m(&self, x_m: f64) -> f64 {
+        self.mode.origin_m + x_m
+    }
+
+    /// Displacement beyond the stop.
+    pub(super) fn beyond_stop_m(&self, x_m: f64) -> f64 {
+        x_m - (self.setup.stop_at_m - self.mode.origin_m)
+    }
+
+    /// Strength and drag that the contact opposes to the slip.
+    fn pressure(&self) -> (f64, f64) {
+        let Setup { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
+        match self.mode.contact {
+            Contact::Deepening => (strength_pa, drag_kg_m3),
+            Contact::Closing => (grip * strength_pa, 0.0),
+            Contact::PullingOut => (-grip * strength_pa, 0.0),
+            Contact::Apart | Contact::Gone | Contact::Joined => (0.0, 0.0),
+        }
+    }
+
+    /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
+    pub(super) fn contact_n(&self, q_m: f64, u_m_s: f64) -> f64 {
+        let (strength, drag) = self.pressure();
+        if strength == 0.0 && drag == 0.0 {
+            return 0.0;
+        }
+        let area = self.mode.piece.law.area_m2(&self.setup.geometry.nose, q_m);
+        area * (strength + drag * u_m_s * u_m_s)
+    }
+
+    /// Its derivatives by travel and slip.
+    pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
+        let (strength, drag) = self.pressure();
+        if strength == 0.0 && drag == 0.0 {
+            return (0.0, 0.0);
+        }
+        let (nose, law) = (&self.setup.geometry.nose, self.mode.piece.law);
+        let area = law.area_m2(nose, q_m);
+        let slope = match law {
+            AreaLaw::None => 0.0,
+            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q_m - origin_m),
+            AreaLaw::Partial { .. } => {
+                let width = SLOPE_WIDTH * nose.radius_m;
+                let rise = law.area_m2(nose, q_m + width) - law.area_m2(nose, q_m - width);
+                rise / (2.0 * width)
+            }
+        };
+        (slope * (strength + drag * u_m_s * u_m_s), 2.0 * area * drag * u_m_s)
+    }
+
+    /// Force of spring, damper and elastic stop against the plate's motion forwards, N.
+    pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        let Setup { spring, damper, .. } = *self.setup;
+        force(spring, self.displacement_m(x_m), self.mode.x_side)
+            + force(damper, w_m_s, self.mode.w_side)
+            + self.pressed_stop_n(x_m, w_m_s)
+    }
+
+    /// Force of the elastic stop while it is pressed.
+    fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        if self.mode.touch == Touch::Pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
+    }
+
+    /// The force that the elastic stop would have if it could pull as well.
+    pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+        self.setup.stop.map_or(0.0, |stop| {
+            stop.stiffness_n_m * self.beyond_stop_m(x_m) + stop.damping_n_s_m * w_m_s
+        })
+    }
+
+    /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
+    pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
+        let Setup { spring, damper, stop, .. } = self.setup;
+        let (k, b) = match (self.mode.touch, stop) {
+            (Touch::Pressed, Some(stop)) => (stop.stiffness_n_m, stop.damping_n_s_m),
+            _ => (0.0, 0.0),
+        };
+        let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
+        let [_, _, x_least_m, w_least_m_s] = self.sizes(&State::default());
+        let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
+        let x_m = larger(x_m.abs(), x_least_m);
+        let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
+        (spring.tangent(x_m) + k, damper.tangent(w_m_s) + b)
+    }
+
+    /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
+    pub(super) fn moving_kg(&self) -> f64 {
+        if self.mode.contact == Contact::Joined {
+            self.setup.joined_kg
+        } else {
+            self.setup.plate_kg
+        }
+    }
+
+    /// Whether the plate stays where it is.
+    pub(super) fn plate_rests(&self) -> bool {
+        self.mode.hold != Hold::Free
+    }
+
+    /// Accelerations of slip and plate.
+    pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
+        let setup = self.setup;
+        let contact = self.contact_n(state.q_m, state.u_m_s);
+        let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
+        let plate = match self.mode.contact {
+            _ if self.plate_rests() => 0.0,
+            Contact::Joined => -mechanism / setup.joined_kg,
+            _ => (contact * setup.cos - mechanism) / setup.plate_kg,
+        };
+        let slip = match self.mode.contact {
+            Contact::Joined => 0.0,
+            _ => -contact / setup.projectile_kg - plate * setup.cos,
+        };
+        (slip, plate)
+    }
+
+    /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
+    pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
+        let spring = self.setup.spring.force(self.displacement_m(state.x_m));
+        self.contact_n(state.q_m, state.u_m_s) * self.setup.cos - spring
+    }
+
+    /// The force that the joined interface carries, positive where it is pushed, N.
+    pub(super) fn carried_n(&self, state: &State) -> f64 {
+        if self.plate_rests() {
+            return 0.0;
+        }
+        self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)
+    }
+}
+
+impl Equations<'_> {
+    fn first_moment_s(&self) -> f64 {
+        FIRST_MOMENT * self.setup.geometry.nose.radius_m / self.setup.velocity_m_s
+    }
+
+    /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
+    /// plate yields to the contact's, which grows with the time, as far as its inertia, its spring or its damper lets it, whichever
+    /// holds it most.
+    pub(super) fn after_first_moment(&self) -> State {
+        let t_s = self.first_moment_s();
+        let setup = self.setup;
+        let v = setup.velocity_m_s;
+        let rate_n_s = self.contact_slopes(0.0, v).0 * v;
+        let push_n = rate_n_s * setup.cos * t_s;
+        let by_inertia = (push_n * t_s * t_s / (6.0 * setup.plate_kg), 3.0);
+        let by_spring = (setup.spring.at_force(push_n), 1.0 / setup.spring.exponent);
+        let power = 1.0 / setup.damper.exponent + 1.0;
+        let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
+        let (x_m, power) = [by_spring, by_damper]
+            .into_iter()
+            .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
+        let w_m_s = power * x_m / t_s;
+        State {
+            t_s,
+            q_m: v * t_s - setup.cos * x_m,
+            u_m_s: v - 0.5 * rate_n_s * t_s * t_s / setup.projectile_kg - setup.cos * w_m_s,
+            x_m,
+            w_m_s,
+        }
+    }
+
+    /// Whether a steep spring holds the plate at first: its inertia alone would have let it move much farther by the time the spring
+    /// yields noticeably, so that it follows the balance of contact and spring from then on.
+    pub(super) fn is_held_by_spring(&self) -> bool {
+        let setup = self.setup;
+        if !setup.spring.is_steep_at_zero() || setup.start_m != 0.0 || setup.still {
+            return false;
+        }
+        let rate_n_s =
+            self.contact_slopes(0.0, setup.velocity_m_s).0 * setup.velocity_m_s * setup.cos;
+        let t_s = self.holding_n() / rate_n_s;
+        let by_inertia_m = self.holding_n() * t_s * t_s / (6.0 * setup.plate_kg);
+        t_s > self.first_moment_s() && by_inertia_m > FOLLOWS * self.held_m()
+    }
+
+    fn held_m(&self) -> f64 {
+        HELD * self.setup.geometry.nose.radius_m
+    }
+
+    /// The force that a steep spring holds with a displacement that does not count, N.
+    pub(super) fn holding_n(&self) -> f64 {
+        self.setup.spring.force(self.held_m())
+    }
+
+    /// Displacement and velocity with which a plate that a steep spring has held begins to follow the force.
+    pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
+        let setup = self.setup;
+        let force_n = self.contact_n(state.q_m, state.u_m_s);
+        let slopes = self.contact_slopes(state.q_m, state.u_m_s);
+        let rate_n_s = slopes.0 * state.u_m_s - slopes.1 * force_n / setup.projectile_kg;
+        let x_m = setup.spring.at_force(force_n * setup.cos);
+        (x_m, x_m * rate_n_s / (force_n * setup.spring.exponent))
+    }
+
+    /// A velocity of the plate that is lost among errors, m/s.
+    pub(super) fn unresolved_m_s(&self) -> f64 {
+        UNRESOLVED * self.setup.velocity_m_s
+    }
+
+    /// The sizes by which errors of travel, slip, displacement and velocity count, at a state: never less than a thousandth of the
+    /// impact velocity for the slip and a millionth for the plate, a thousandth of the tip radius for the travel, and a
+    /// thousand-millionth of it for the plate: less does not move the projectile.
+    pub(super) fn sizes(&self, state: &State) -> [f64; 4] {
+        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
+        [
+            larger(state.q_m.abs(), 1e-3 * r),
+            larger(state.u_m_s.abs(), 1e-3 * v),
+            larger(state.x_m.abs(), 1e-9 * r),
+            larger(state.w_m_s.abs(), 1e-6 * v),
+        ]
+    }
+}

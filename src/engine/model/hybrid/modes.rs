@@ -1,0 +1,493 @@
+//! What holds between two events, and what follows an event: pure functions of mode, event and state.
+//!
+//! One rule serves the interface. u > 0 at the bottom of the hole: the hole deepens. u > 0 above it: the gap closes against
+//! friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as the force that the interface
+//! must carry stays within its limits; for good, once together, where the interface is fused.
+
+use crate::model::contact::AreaPiece;
+use crate::model::hybrid::equations::{Equations, Setup, State};
+use crate::model::mechanism::sign;
+use crate::model::scene::StopKind;
+use crate::numerics::larger;
+
+/// Part of the tip radius that all later bounces on a rigid stop may travel in all before the plate is taken to rest on it: depth and
+/// displacement change by less than that.
+const RATTLE: f64 = 1e-13;
+/// Part of the work of the whole hole below which a joined body that strikes a stop is stopped whole: its interface would yield by
+/// less than that part of the travel.
+const SOFT_BLOW: f64 = 1e-13;
+
+/// The contact of projectile and plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Contact {
+    /// The nose goes deeper than ever.
+    Deepening,
+    /// In a hole that is deeper, forwards.
+    Closing,
+    /// In the hole, backwards.
+    PullingOut,
+    /// Before the plate.
+    Apart,
+    /// Through the plate.
+    Gone,
+    /// No slip.
+    Joined,
+}
+
+/// What holds the plate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hold {
+    /// Nothing: it moves.
+    Free,
+    /// The rigid stop, on which it is pressed.
+    OnStop,
+    /// A spring that is infinitely steep where the plate stands, and lets it move by nothing that counts.
+    Spring,
+    /// The rigid mount.
+    Mount,
+}
+
+/// The plate and its elastic stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Touch {
+    /// Before it, or there is none.
+    Away,
+    Pressed,
+    /// Beyond its place, but returning faster than it follows.
+    Slack,
+}
+
+/// What holds between two events.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mode {
+    pub(super) contact: Contact,
+    pub(super) hold: Hold,
+    pub(super) touch: Touch,
+    /// The stretch of the area law in which the nose is.
+    pub(super) piece: AreaPiece,
+    /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
+    pub(super) deepest_m: f64,
+    /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits.
+    pub(super) origin_m: f64,
+    /// Side of the spring's zero on which the plate is or to which it goes, 1 or -1.
+    pub(super) x_side: f64,
+    /// The same of the velocity's zero.
+    pub(super) w_side: f64,
+}
+
+/// What ends a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Event {
+    /// The area law changes, going deeper; the last time the nose is through.
+    PieceEnd,
+    /// The area law changes, coming out; the last time the nose is out.
+    PieceStart,
+    /// The bottom of the hole is reached again.
+    Bottom,
+    /// Common velocity.
+    SlipZero,
+    /// A projectile that was out touches again.
+    Recontact,
+    /// The joined interface is pushed beyond its strength.
+    PushLimit,
+    /// It is pulled beyond its grip.
+    PullLimit,
+    /// The plate passes the zero of its spring.
+    PlaceZero,
+    /// The plate turns.
+    SpeedZero,
+    StopReached,
+    /// The elastic stop does not press any more.
+    StopSlack,
+    /// The plate is before its elastic stop again.
+    StopCleared,
+    /// The elastic stop presses again a plate that was not clear of it.
+    StopPressed,
+    /// Nothing presses the plate on its rigid stop any more.
+    StopRelease,
+    /// A steep spring lets the plate move noticeably.
+    Yields,
+}
+
+impl Event {
+    /// Whether another event is this one the other way.
+    pub(super) fn is_undone_by(self, other: Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::StopSlack, Self::StopPressed) | (Self::StopPressed, Self::StopSlack)
+        )
+    }
+}
+
+/// The mode and the state at first contact.
+pub(super) fn first(setup: &Setup) -> (Mode, State) {
+    let mut mode = Mode {
+        contact: Contact::Deepening,
+        hold: if setup.still { Hold::Mount } else { Hold::Free },
+        touch: Touch::Away,
+        piece: setup.geometry.piece(0.0),
+        deepest_m: 0.0,
+        origin_m: 0.0,
+        x_side: if setup.start_m < 0.0 { -1.0 } else { 1.0 },
+        w_side: 1.0,
+    };
+    let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
+    if (Equations { setup, mode: &mode }).is_held_by_spring() {
+        mode.hold = Hold::Spring;
+    }
+    if !setup.still && setup.start_m >= setup.stop_at_m {
+        reach_stop(setup, &mut mode, &mut state);
+        mode.w_side = 1.0;
+    }
+    (mode, state)
+}
+
+/// The mode that follows an event; the state is put exactly on the event, and jumps where the event makes it.
+pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State) -> Mode {
+    let mut next = *mode;
+    match event {
+        Event::PieceEnd => {
+            state.q_m = mode.piece.to_m;
+            next.piece = setup.geometry.piece(state.q_m);
+            if state.q_m >= setup.geometry.exit_m {
+                next.deepest_m = larger(mode.deepest_m, state.q_m);
+                next.contact = Contact::Gone;
+            }
+        }
+        Event::PieceStart => {
+            state.q_m = larger(mode.piece.from_m, 0.0);
+            pull_out(setup, &mut next, state);
+        }
+        Event::Bottom => {
+            state.q_m = mode.deepest_m;
+            push_in(setup, &mut next, state);
+        }
+        Event::Recontact => {
+            state.q_m = 0.0;
+            push_in(setup, &mut next, state);
+        }
+        Event::SlipZero => {
+            if mode.hold == Hold::Spring {
+                next.hold = Hold::Free;
+                (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            }
+            state.u_m_s = 0.0;
+            if mode.contact == Contact::Deepening {
+                next.deepest_m = state.q_m;
+            }
+            settle(setup, &mut next, state);
+        }
+        Event::PushLimit => push_in(setup, &mut next, state),
+        Event::PullLimit => pull_out(setup, &mut next, state),
+        Event::PlaceZero => {
+            state.x_m = -mode.origin_m;
+            next.x_side = -mode.x_side;
+        }
+        Event::SpeedZero => {
+            state.w_m_s = 0.0;
+            next.w_side = -mode.w_side;
+        }
+        Event::StopReached => {
+            state.x_m = setup.stop_at_m - mode.origin_m;
+            reach_stop(setup, &mut next, state);
+        }
+        Event::StopSlack => {
+            let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
+            next.touch = if beyond_m > 0.0 && damps(setup) { Touch::Slack } else { Touch::Away };
+            if next.touch == Touch::Away {
+                state.x_m = setup.stop_at_m - mode.origin_m;
+            }
+        }
+        Event::StopCleared => {
+            state.x_m = setup.stop_at_m - mode.origin_m;
+            next.touch = Touch::Away;
+        }
+        Event::StopPressed => next.touch = Touch::Pressed,
+        Event::StopRelease => release(setup, &mut next, state),
+        Event::Yields => {
+            next.hold = Hold::Free;
+            (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            state.u_m_s -= setup.cos * state.w_m_s;
+        }
+    }
+    if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
+        release(setup, &mut next, state);
+    }
+    next
+}
+
+/// The nose goes forward where it is.
+fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
+    let at_bottom = state.q_m >= mode.deepest_m;
+    mode.contact = if at_bottom { Contact::Deepening } else { Contact::Closing };
+    mode.piece = setup.geometry.piece(state.q_m);
+}
+
+/// The nose goes back where it is, or is out.
+fn pull_out(setup: &Setup, mode: &mut Mode, state: &State) {
+    let piece = setup.geometry.piece_behind(state.q_m);
+    mode.contact = if piece.is_some() { Contact::PullingOut } else { Contact::Apart };
+    mode.piece = piece.copied().unwrap_or_else(|| setup.geometry.piece(-1.0));
+}
+
+/// The force that the interface can carry forwards and backwards while joined, N.
+pub(super) fn limits_n(setup: &Setup, mode: &Mode, q_m: f64) -> (f64, f64) {
+    let strength = setup.geometry.area_m2(q_m) * setup.strength_pa;
+    let friction = setup.grip * strength;
+    (if q_m >= mode.deepest_m { strength } else { friction }, friction)
+}
+
+/// What follows where the slip is zero: together, unless the interface cannot carry what it must.
+fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
+    mode.contact = Contact::Joined;
+    if mode.hold == Hold::OnStop {
+        if (Equations { setup, mode }).push_on_stop_n(state) >= 0.0 {
+            return;
+        }
+        leave_stop(setup, mode, state);
+    }
+    if !setup.plastic {
+        return;
+    }
+    let carried_n = Equations { setup, mode }.carried_n(state);
+    let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+    if carried_n > push_n {
+        push_in(setup, mode, state);
+    } else if carried_n < -pull_n {
+        pull_out(setup, mode, state);
+    }
+}
+
+/// The plate meets its stop, of either kind.
+fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
+    let Some(stop) = setup.stop else { return };
+    (mode.origin_m, state.x_m) = (setup.stop_at_m, 0.0);
+    if stop.kind == StopKind::Elastic {
+        mode.touch = Touch::Pressed;
+        // Its damper pushes at once.
+        if mode.contact == Contact::Joined {
+            settle(setup, mode, state);
+        }
+        return;
+    }
+    let joined = mode.contact == Contact::Joined;
+    let before = state.w_m_s;
+    mode.w_side = -1.0;
+    let blow_j = 0.5 * setup.joined_kg * before * before;
+    let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
+    let is_soft = joined && setup.plastic && blow_j < SOFT_BLOW * hole_j;
+    state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, stop.restitution, state) };
+    if !(joined && (is_soft || !setup.plastic)) {
+        state.u_m_s += (before - state.w_m_s) * setup.cos;
+        match mode.contact {
+            Contact::Joined | Contact::PullingOut if state.u_m_s > 0.0 => {
+                push_in(setup, mode, state);
+            }
+            _ => {}
+        }
+    }
+    if state.w_m_s == 0.0 {
+        mode.hold = Hold::OnStop;
+        let in_contact = matches!(mode.contact, Contact::Joined | Contact::PullingOut);
+        if in_contact && state.u_m_s == 0.0 {
+            settle(setup, mode, state);
+        }
+    }
+}
+
+/// The velocity after a blow on a rigid stop. The flights of a plate that is pressed on it are parabolas, each shorter by the
+/// restitution: where all of them together are too short to matter it stays.
+fn rebound(setup: &Setup, mode: &Mode, restitution: f64, state: &State) -> f64 {
+    let speed = restitution * state.w_m_s;
+    let left = State { w_m_s: 0.0, ..*state };
+    let pressed = Equations { setup, mode }.accelerations(&left).1;
+    let way_m = 2.0 * speed * speed / (pressed * (1.0 - restitution));
+    if pressed > 0.0 && way_m < RATTLE * setup.geometry.nose.radius_m { 0.0 } else { -speed }
+}
+
+/// The plate leaves a rigid stop on which it rested.
+fn release(setup: &Setup, mode: &mut Mode, state: &State) {
+    leave_stop(setup, mode, state);
+    if mode.contact == Contact::Joined {
+        settle(setup, mode, state);
+    }
+}
+
+fn leave_stop(setup: &Setup, mode: &mut Mode, state: &State) {
+    mode.hold = Hold::Free;
+    mode.w_side = -1.0;
+    let x_m = mode.origin_m + state.x_m;
+    mode.x_side = if x_m > 0.0 { 1.0 } else { -1.0 };
+    debug_assert!(setup.stop.is_some(), "only a stop lets go");
+}
+
+fn damps(setup: &Setup) -> bool {
+    setup.stop.is_some_and(|stop| stop.damping_n_s_m > 0.0)
+}
+
+/// The side of zero on which a plate at rest, or at the zero of its spring, goes on.
+pub(super) fn face(setup: &Setup, mode: &mut Mode, state: &State) {
+    if mode.hold != Hold::Free || state.w_m_s != 0.0 {
+        return;
+    }
+    let way = sign(Equations { setup, mode }.accelerations(state).1);
+    if way != 0.0 {
+        mode.w_side = way;
+        if mode.origin_m + state.x_m == 0.0 {
+            mode.x_side = way;
+        }
+    }
+}
+
+/// Takes all slips to come at once: the hole is deeper by so much travel, and the energy for it is gone.
+pub(super) fn take_slips(setup: &Setup, mode: &mut Mode, state: &mut State, travel_m: f64) {
+    let from_m = state.q_m;
+    state.q_m += travel_m;
+    let swept_m3 = setup.geometry.swept_m3(state.q_m) - setup.geometry.swept_m3(from_m);
+    let left = state.w_m_s * state.w_m_s - 2.0 * setup.strength_pa * swept_m3 / setup.joined_kg;
+    state.w_m_s = larger(left, 0.0).sqrt().copysign(state.w_m_s);
+    mode.deepest_m = state.q_m;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::variables::scene_with;
+
+    const PLASTIC: &str = "k=1e7 interface=plastic";
+
+    /// The mode and the state after an event in a hole of 5 mm of travel, from a state (q, u, x, w).
+    fn after_event(
+        pairs: &str,
+        contact: Contact,
+        event: Event,
+        [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
+    ) -> (Mode, State) {
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let (first, state) = first(&setup);
+        let mut mode = Mode { contact, deepest_m: 5e-3, ..first };
+        if contact == Contact::PullingOut {
+            mode.piece = *setup.geometry.piece_behind(q_m).unwrap();
+        }
+        let mut state = State { q_m, u_m_s, x_m, w_m_s, ..state };
+        (after(&setup, &mode, event, &mut state), state)
+    }
+
+    /// Both bodies weigh 29.5 g: joined, the interface carries half of the spring's 50 kN at 5 mm, of 15 kN that it can push and
+    /// 1.5 kN that it can pull.
+    #[rustfmt::skip]
+    const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 13] = [
+        ("k=1e5", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Joined),
+        ("k=1e7", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Joined),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Joined),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
+        (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
+        (PLASTIC, Contact::Closing, Event::SlipZero, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Contact::Deepening),
+        (PLASTIC, Contact::Joined, Event::PushLimit, [4e-3, 0.0, 5e-3, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::PullLimit, [5e-3, 0.0, -5e-3, 1.0], Contact::PullingOut),
+        ("k=1e5", Contact::Closing, Event::Bottom, [5e-3, 9.0, 0.0, 1.0], Contact::Deepening),
+        ("k=1e5", Contact::PullingOut, Event::PieceStart, [1e-4, -9.0, 0.0, 1.0], Contact::Apart),
+        ("k=1e5", Contact::Apart, Event::Recontact, [0.0, 9.0, 0.0, 1.0], Contact::Closing),
+        (PLASTIC, Contact::Joined, Event::SpeedZero, [5e-3, 0.0, 1e-4, 1e-17], Contact::Joined),
+    ];
+
+    #[test]
+    fn each_event_leads_to_its_contact() {
+        for (pairs, contact, event, state, expected) in TRANSITIONS {
+            let (found, _) = after_event(pairs, contact, event, state);
+            assert_eq!(found.contact, expected, "{pairs} {contact:?} {event:?} {state:?}");
+        }
+    }
+
+    #[test]
+    fn the_last_piece_leads_through_the_plate_and_the_others_to_the_next() {
+        let (mode, state) =
+            after_event("k=1e5", Contact::Deepening, Event::PieceEnd, [6e-3, 9.0, 0.0, 1.0]);
+        assert_eq!(mode.contact, Contact::Deepening);
+        assert_eq!(mode.piece.from_m.to_bits(), state.q_m.to_bits());
+        let setup = Setup::of(&scene_with("k=1e5")).unwrap();
+        let mut last = first(&setup).0;
+        last.piece = *setup.geometry.pieces().last().unwrap();
+        let mut state = State { u_m_s: 9.0, ..State::default() };
+        let gone = after(&setup, &last, Event::PieceEnd, &mut state);
+        assert_eq!(gone.contact, Contact::Gone);
+        assert_eq!(state.q_m.to_bits(), setup.geometry.exit_m.to_bits());
+    }
+
+    /// Alone the plate comes back with e times its speed, and the projectile keeps its own: the slip grows by what the plate loses.
+    #[test]
+    fn valid_a_rigid_stop_reverses_the_plate_and_leaves_the_projectile_its_velocity() {
+        let hit = |pairs: &str, contact| {
+            after_event(pairs, contact, Event::StopReached, [4e-3, 7.0, 1e-3, 2.0])
+        };
+        let (mode, state) = hit("k=1e5 x_stop=0.001 e=0.5", Contact::Deepening);
+        assert_eq!((mode.hold, mode.w_side.to_bits()), (Hold::Free, (-1.0f64).to_bits()));
+        assert!((state.w_m_s + 1.0).abs() < 1e-15 && (state.u_m_s - 10.0).abs() < 1e-15);
+        assert_eq!((mode.origin_m.to_bits(), state.x_m.to_bits()), (1e-3f64.to_bits(), 0));
+        // Without restitution the contact's 15 kN hold it there against the spring's 100 N; gone, nothing does.
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Deepening).0.hold, Hold::OnStop);
+        assert_eq!(hit("k=1e5 x_stop=0.001 e=0", Contact::Gone).0.hold, Hold::Free);
+    }
+
+    #[test]
+    fn a_joined_body_is_stopped_whole_where_it_is_fused_and_slips_where_it_is_plastic() {
+        for (law, contact, slip) in
+            [("fused", Contact::Joined, 0.0), ("plastic", Contact::Deepening, 2.0)]
+        {
+            let pairs = format!("k=1e5 x_stop=0.001 e=0 interface={law}");
+            let state = [5e-3, 0.0, 1e-3, 2.0];
+            let (mode, state) = after_event(&pairs, Contact::Joined, Event::StopReached, state);
+            assert_eq!(mode.contact, contact, "{law}");
+            assert!((state.u_m_s - slip).abs() < 1e-15, "{law}: {state:?}");
+        }
+    }
+
+    /// Flights of t = 2 w/a, each e times the one before, add up to a way of 2 w² /(a (1 - e)): with the contact's 15 kN on 29.5 g
+    /// that of 1 mm/s is 8e-12 m, that of 1 um/s 8e-18 m.
+    #[test]
+    fn valid_a_plate_that_is_pressed_bounces_until_its_flights_are_too_short() {
+        let pairs = "k=1e5 x_stop=0.001 e=0.5";
+        for (speed, hold) in [(1e-3, Hold::Free), (1e-6, Hold::OnStop)] {
+            let state = [5e-3, 0.0, 1e-3, speed];
+            let (mode, _) = after_event(pairs, Contact::Deepening, Event::StopReached, state);
+            assert_eq!(mode.hold, hold, "{speed}");
+        }
+    }
+
+    #[test]
+    fn an_elastic_stop_presses_lets_go_and_is_left() {
+        let pairs = "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e6 b_stop=1e3";
+        let touch = |event, x_m, w_m_s| {
+            after_event(pairs, Contact::Deepening, event, [5e-3, 7.0, x_m, w_m_s]).0.touch
+        };
+        assert_eq!(touch(Event::StopReached, 1e-3, 2.0), Touch::Pressed);
+        assert_eq!(touch(Event::StopSlack, 2e-3, -1.0), Touch::Slack);
+        assert_eq!(touch(Event::StopSlack, 1e-3, -1.0), Touch::Away);
+        assert_eq!(touch(Event::StopCleared, 1e-3, -1.0), Touch::Away);
+        assert_eq!(touch(Event::StopPressed, 2e-3, -1.0), Touch::Pressed);
+    }
+
+    #[test]
+    fn sides_follow_the_plate_through_the_zeros_of_its_laws() {
+        let pairs = "k=1e5 n=1.5";
+        let state = [5e-3, 7.0, 1e-20, -2.0];
+        let (mode, state) = after_event(pairs, Contact::Deepening, Event::PlaceZero, state);
+        assert_eq!((mode.x_side.to_bits(), state.x_m.abs().to_bits()), ((-1.0f64).to_bits(), 0));
+        let state = [5e-3, 7.0, 1e-3, 1e-20];
+        let (mode, state) = after_event(pairs, Contact::Deepening, Event::SpeedZero, state);
+        assert_eq!((mode.w_side.to_bits(), state.w_m_s.to_bits()), ((-1.0f64).to_bits(), 0));
+    }
+
+    /// 19 kN against k x^n: a spring of 1 MN/m^0.1 yields by 7e-18 m, one of 100 kN/m by 0.19 m.
+    #[test]
+    fn a_steep_spring_holds_the_plate_at_first_and_a_soft_one_does_not() {
+        let hold = |pairs: &str| first(&Setup::of(&scene_with(pairs)).unwrap()).0.hold;
+        assert_eq!(hold("k=1e6 n=0.1"), Hold::Spring);
+        assert_eq!(hold("k=1e6 n=0.2"), Hold::Spring);
+        for pairs in ["k=1e5", "k=1e6 n=0.5", "k=1e6 n=0.1 d=0.001"] {
+            assert_eq!(hold(pairs), Hold::Free, "{pairs}");
+        }
+        assert_eq!(hold("mount=rigid"), Hold::Mount);
+    }
+}

@@ -1,0 +1,165 @@
+//! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile in a
+//! plate that rests.
+
+use crate::model::hybrid::equations::{Equations, State};
+use crate::model::hybrid::modes::Contact;
+use crate::model::mechanism::PowerLaw;
+use crate::numerics::collocation::{Acceleration, Point, Slopes};
+use crate::numerics::smaller;
+
+/// Part of the way to the zero of a steep law that an iteration may go at once.
+const OF_THE_WAY: f64 = 0.8;
+/// The places that move in a mode.
+pub(super) trait Moving<const D: usize>: Acceleration<D> {
+    fn equations(&self) -> &Equations<'_>;
+    fn point(&self, state: &State) -> Point<D>;
+    /// The state at a time and a point, from that at the start of the step.
+    fn state(&self, start: &State, t_s: f64, point: &Point<D>) -> State;
+    /// The sizes of places and speeds among those of travel, slip, displacement and velocity.
+    fn sizes(&self, sizes: [f64; 4]) -> Point<D>;
+}
+
+impl Moving<2> for Both<'_> {
+    fn equations(&self) -> &Equations<'_> {
+        &self.0
+    }
+
+    fn point(&self, state: &State) -> Point<2> {
+        ([state.q_m, state.x_m], [state.u_m_s, state.w_m_s])
+    }
+
+    fn state(&self, _: &State, t_s: f64, ([q_m, x_m], [u_m_s, w_m_s]): &Point<2>) -> State {
+        State { t_s, q_m: *q_m, u_m_s: *u_m_s, x_m: *x_m, w_m_s: *w_m_s }
+    }
+
+    fn sizes(&self, [q, u, x, w]: [f64; 4]) -> Point<2> {
+        ([q, x], [u, w])
+    }
+}
+
+impl Moving<1> for Plate<'_> {
+    fn equations(&self) -> &Equations<'_> {
+        &self.0
+    }
+
+    fn point(&self, state: &State) -> Point<1> {
+        ([state.x_m], [state.w_m_s])
+    }
+
+    /// A projectile that is through keeps its velocity.
+    fn state(&self, start: &State, t_s: f64, ([x_m], [w_m_s]): &Point<1>) -> State {
+        let cos = self.0.setup.cos;
+        let (mut q_m, mut u_m_s) = (start.q_m, 0.0);
+        if self.0.mode.contact != Contact::Joined {
+            let v = self.0.setup.projectile_m_s(start);
+            q_m += v * (t_s - start.t_s) - cos * (x_m - start.x_m);
+            u_m_s = v - cos * w_m_s;
+        }
+        State { t_s, q_m, u_m_s, x_m: *x_m, w_m_s: *w_m_s }
+    }
+
+    fn sizes(&self, [_, _, x, w]: [f64; 4]) -> Point<1> {
+        ([x], [w])
+    }
+}
+
+impl Moving<1> for Projectile<'_> {
+    fn equations(&self) -> &Equations<'_> {
+        &self.0
+    }
+
+    fn point(&self, state: &State) -> Point<1> {
+        ([state.q_m], [state.u_m_s])
+    }
+
+    fn state(&self, start: &State, t_s: f64, ([q_m], [u_m_s]): &Point<1>) -> State {
+        State { t_s, q_m: *q_m, u_m_s: *u_m_s, ..*start }
+    }
+
+    fn sizes(&self, [q, u, _, _]: [f64; 4]) -> Point<1> {
+        ([q], [u])
+    }
+}
+
+/// The part of a change of a law's argument that does not pass its zero, where it is infinitely steep there.
+fn passed(law: PowerLaw, from: f64, to: f64) -> f64 {
+    let is_steep = !law.is_absent() && law.exponent < 1.0;
+    if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
+}
+
+/// Both bodies, apart or in contact: travel and displacement.
+pub(super) struct Both<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<2> for Both<'_> {
+    fn at(&self, place: &[f64; 2], speed: &[f64; 2]) -> [f64; 2] {
+        let setup = self.0.setup;
+        let contact = self.0.contact_n(place[0], speed[0]);
+        let mechanism = self.0.mechanism_n(place[1], speed[1]);
+        let plate = (contact * setup.cos - mechanism) / setup.plate_kg;
+        [-contact / setup.projectile_kg - plate * setup.cos, plate]
+    }
+
+    fn slopes(&self, place: &[f64; 2], speed: &[f64; 2]) -> Slopes<2> {
+        let setup = self.0.setup;
+        let contact = self.0.contact_slopes(place[0], speed[0]);
+        let mechanism = self.0.mechanism_slopes(place[1], speed[1]);
+        let plate = 1.0 / setup.plate_kg;
+        let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
+        let rows = |contact: f64, mechanism: f64| {
+            [
+                [-contact * slip, mechanism * setup.cos * plate],
+                [contact * setup.cos * plate, -mechanism * plate],
+            ]
+        };
+        Slopes { place: rows(contact.0, mechanism.0), speed: rows(contact.1, mechanism.1) }
+    }
+
+    fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
+        self.0.without_passing((from.0[1], from.1[1]), (to.0[1], to.1[1]))
+    }
+}
+
+/// The plate, with the projectile or without it: displacement.
+pub(super) struct Plate<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<1> for Plate<'_> {
+    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+        [-self.0.mechanism_n(place[0], speed[0]) / self.0.moving_kg()]
+    }
+
+    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+        let (by_place, by_speed) = self.0.mechanism_slopes(place[0], speed[0]);
+        let kg = self.0.moving_kg();
+        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
+    }
+
+    fn without_passing(&self, from: Point<1>, to: Point<1>) -> f64 {
+        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+    }
+}
+
+/// The projectile in a plate that rests: travel.
+pub(super) struct Projectile<'a>(pub(super) Equations<'a>);
+
+impl Acceleration<1> for Projectile<'_> {
+    fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+        [-self.0.contact_n(place[0], speed[0]) / self.0.setup.projectile_kg]
+    }
+
+    fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+        let (by_place, by_speed) = self.0.contact_slopes(place[0], speed[0]);
+        let kg = self.0.setup.projectile_kg;
+        Slopes { place: [[-by_place / kg]], speed: [[-by_speed / kg]] }
+    }
+
+    fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
+        1.0
+    }
+}
+
+impl Equations<'_> {
+    fn without_passing(&self, from: (f64, f64), to: (f64, f64)) -> f64 {
+        let [from_x, to_x] = [from.0, to.0].map(|x_m| self.displacement_m(x_m));
+        smaller(passed(self.setup.spring, from_x, to_x), passed(self.setup.damper, from.1, to.1))
+    }
+}

@@ -1,0 +1,383 @@
+//! Whether a run is decided: bounds by the energy that is left, as pure functions of mode and state.
+
+use crate::model::hybrid::equations::{Equations, State};
+use crate::model::hybrid::modes::{Contact, Hold, Touch, limits_n};
+use crate::model::mechanism::PowerLaw;
+use crate::model::run::Outcome;
+use crate::model::scene::StopKind;
+use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
+
+/// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
+const NO_ENERGY: f64 = 1e-24;
+/// Part of depth or displacement by which no later change counts.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
+/// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
+const LAST_SLIPS: f64 = 1e-2;
+
+/// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
+const SLIP_RESERVE: f64 = 2.0;
+
+/// The greatest displacement of the plate, as far as it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Farthest {
+    Known(f64),
+    /// Nothing stops the plate.
+    Unbounded,
+    Pending,
+}
+
+impl Equations<'_> {
+    /// Energy of the plate, with the projectile where joined, in spring and elastic stop, J.
+    pub(super) fn energy_j(&self, state: &State) -> f64 {
+        0.5 * self.moving_kg() * state.w_m_s * state.w_m_s + self.potential_j(state.x_m)
+    }
+
+    /// Energy of all that moves, in spring and elastic stop, J.
+    pub(super) fn energy_left_j(&self, state: &State) -> f64 {
+        let v = self.setup.projectile_m_s(state);
+        let apart_j = match self.mode.contact {
+            Contact::Joined | Contact::Gone => 0.0,
+            _ => 0.5 * self.setup.projectile_kg * v * v,
+        };
+        self.energy_j(state) + apart_j
+    }
+
+    fn potential_j(&self, x_m: f64) -> f64 {
+        let beyond_m = larger(self.beyond_stop_m(x_m), 0.0);
+        let elastic = self.elastic_stop_n_m().unwrap_or(0.0);
+        self.setup.spring.integral(self.displacement_m(x_m)) + 0.5 * elastic * beyond_m * beyond_m
+    }
+
+    fn elastic_stop_n_m(&self) -> Option<f64> {
+        let stop = self.setup.stop.filter(|stop| stop.kind == StopKind::Elastic)?;
+        Some(stop.stiffness_n_m)
+    }
+
+    fn stops_rigidly(&self) -> bool {
+        self.setup.stop.is_some_and(|stop| stop.kind == StopKind::Rigid)
+    }
+
+    /// Whether nothing takes energy from the plate.
+    pub(super) fn is_undamped(&self) -> bool {
+        let stop_n_s_m = self.setup.stop.map_or(0.0, |stop| match stop.kind {
+            StopKind::Elastic => stop.damping_n_s_m,
+            StopKind::Rigid => 0.0,
+        });
+        self.setup.damper.is_absent() && stop_n_s_m == 0.0
+    }
+
+    /// How far an elastic stop is pressed at most with this energy, m.
+    fn pressed_m(&self, energy_j: f64) -> f64 {
+        let Some(stiffness) = self.elastic_stop_n_m() else { return 0.0 };
+        let (spring, at) = (self.setup.spring, self.setup.stop_at_m);
+        let over_j = |pressed: f64| {
+            spring.integral(at + pressed) + 0.5 * stiffness * pressed * pressed - energy_j
+        };
+        let far = (2.0 * energy_j / stiffness).sqrt();
+        // A spring that drives the plate forwards, behind its zero, presses the stop where it has its least energy or farther.
+        let least = |pressed: f64| spring.force(at + pressed) + stiffness * pressed;
+        let near = if at < 0.0 { in_bracket(0.0, larger(far, -at), least) } else { 0.0 };
+        if over_j(near) >= 0.0 { 0.0 } else { in_bracket(near, larger(far, near), over_j) }
+    }
+
+    /// How far forward the plate goes at most with this energy, m from the spring's zero.
+    pub(super) fn reach_m(&self, energy_j: f64) -> f64 {
+        let by_spring = self.setup.spring.at_integral(energy_j);
+        if by_spring <= self.setup.stop_at_m {
+            return by_spring;
+        }
+        smaller(by_spring, self.setup.stop_at_m + self.pressed_m(energy_j))
+    }
+
+    /// Whether the plate goes back with nothing to stop it.
+    fn leaves(&self, state: &State) -> bool {
+        self.setup.spring.is_absent() && state.w_m_s <= 0.0 && self.mode.touch == Touch::Away
+    }
+
+    /// Most force forwards on the joined interface with this energy, N.
+    pub(super) fn push_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+        if self.leaves(state) {
+            return 0.0;
+        }
+        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let reach_m = self.reach_m(energy_j);
+        let spring = if reach_m.is_finite() { self.setup.spring.force(reach_m) } else { 0.0 };
+        let stop = self.setup.stop.filter(|stop| stop.kind == StopKind::Elastic);
+        let stop_n = stop.filter(|_| reach_m > self.setup.stop_at_m).map_or(0.0, |stop| {
+            stop.stiffness_n_m * (reach_m - self.setup.stop_at_m) + stop.damping_n_s_m * speed
+        });
+        let mechanism = spring + stop_n + self.setup.damper.force(speed);
+        self.setup.interface_fraction() * mechanism
+    }
+
+    /// Most force backwards on it, N.
+    fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+        let Equations { setup, .. } = self;
+        if setup.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
+            return 0.0;
+        }
+        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let back_m = setup.spring.at_integral(energy_j);
+        let spring = if back_m.is_finite() { setup.spring.force(back_m) } else { 0.0 };
+        setup.interface_fraction() * (spring + setup.damper.force(speed))
+    }
+
+    fn initial_j(&self) -> f64 {
+        0.5 * self.setup.projectile_kg * self.setup.velocity_m_s * self.setup.velocity_m_s
+    }
+
+    /// Whether what still moves has no energy to speak of.
+    fn is_at_rest(&self, state: &State) -> bool {
+        self.energy_j(state) <= NO_ENERGY * self.initial_j()
+            || self.plate_rests() && self.mode.contact == Contact::Joined
+    }
+
+    /// The outcome, if nothing can change it any more.
+    pub(super) fn outcome(&self, state: &State) -> Option<Outcome> {
+        match self.mode.contact {
+            Contact::Gone => Some(Outcome::Perforated),
+            Contact::Joined if !self.setup.plastic || self.holds_for_good(state) => {
+                Some(Outcome::Arrested)
+            }
+            Contact::Apart if self.is_separated(state) => Some(Outcome::Separated),
+            _ => None,
+        }
+    }
+
+    /// Whether a plastic interface holds whatever comes.
+    fn holds_for_good(&self, state: &State) -> bool {
+        if self.is_at_rest(state) {
+            return true;
+        }
+        let Equations { setup, mode } = self;
+        let energy_j = self.energy_j(state);
+        let strength_n = self.strength_n(state);
+        let friction_j = setup.grip * setup.strength_pa * setup.geometry.swept_m3(state.q_m);
+        // What is left can neither deepen the hole noticeably nor pull the projectile out of it.
+        let is_nothing = |energy_j: f64| {
+            energy_j < NEGLIGIBLE * mode.deepest_m * strength_n && energy_j < friction_j
+        };
+        if is_nothing(energy_j) {
+            return true;
+        }
+        let returns = !setup.spring.is_absent() || state.w_m_s > 0.0;
+        if self.stops_rigidly() && returns && self.reach_m(energy_j) >= setup.stop_at_m {
+            let on_arrival_j = energy_j - setup.spring.integral(setup.stop_at_m);
+            if !is_nothing(on_arrival_j) {
+                return false;
+            }
+        }
+        let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+        let carries = |energy_j: f64, push_n: f64, pull_n: f64| {
+            self.push_at_most_n(state, energy_j) <= push_n
+                && self.pull_at_most_n(state, energy_j) <= pull_n
+        };
+        if carries(energy_j, push_n, pull_n) {
+            return true;
+        }
+        // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
+        // the paths of all but the last add up to what the friction takes above that at most.
+        let (q_m, geometry) = (state.q_m, &setup.geometry);
+        let way_m = smaller(q_m, mode.deepest_m - q_m);
+        let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
+        let friction_n = setup.grip * setup.strength_pa * area;
+        let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
+        way_m > 0.0 && !self.stops_rigidly() && carries(larger(left_j, 0.0), friction_n, friction_n)
+    }
+
+    /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the
+    /// energy above that of the oscillation whose peak just equals the strength of the deeper hole. Their travel in all, m.
+    pub(super) fn last_slips_m(&self, state: &State) -> Option<f64> {
+        let Equations { setup, mode } = self;
+        let is_joined = mode.contact == Contact::Joined && state.q_m >= mode.deepest_m;
+        if !setup.plastic || !is_joined || !self.is_undamped() || self.stops_rigidly() {
+            return None;
+        }
+        let energy_j = self.energy_j(state);
+        let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
+        let excess = self.push_at_most_n(state, energy_j) / push_n - 1.0;
+        if !(excess > 0.0 && excess < LAST_SLIPS) || self.pull_at_most_n(state, energy_j) > pull_n {
+            return None;
+        }
+        let (geometry, strength) = (&setup.geometry, setup.strength_pa);
+        let swept_m3 = geometry.swept_m3(state.q_m);
+        let overload_n = |travel_m: f64| {
+            let q_m = state.q_m + travel_m;
+            let left_j = energy_j - strength * (geometry.swept_m3(q_m) - swept_m3);
+            self.push_at_most_n(state, larger(left_j, 0.0)) - geometry.area_m2(q_m) * strength
+        };
+        // The energy of a power law's oscillation grows with at most twice the excess and a little.
+        let most_m = 4.0 * excess * energy_j / push_n;
+        let travel_m = in_bracket(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
+        let kinetic_j = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s;
+        (push_n * travel_m < kinetic_j).then_some(travel_m)
+    }
+
+    /// The force that the interface carries forwards at the bottom of the hole, N.
+    pub(super) fn strength_n(&self, state: &State) -> f64 {
+        self.setup.geometry.area_m2(state.q_m) * self.setup.strength_pa
+    }
+
+    /// Whether a projectile that is out of the plate never meets it again.
+    fn is_separated(&self, state: &State) -> bool {
+        let Equations { setup, .. } = self;
+        let apart_m = -state.q_m;
+        if state.u_m_s > 0.0 || (apart_m <= 0.0 && state.u_m_s == 0.0) {
+            return false;
+        }
+        let v = setup.projectile_m_s(state);
+        let energy_j = self.energy_j(state);
+        let speed = (2.0 * energy_j / setup.plate_kg).sqrt();
+        if v < -speed * setup.cos {
+            return true;
+        }
+        if setup.spring.is_absent() && setup.stop.is_none() {
+            let keeps_going = setup.damper.is_absent();
+            return state.u_m_s < 0.0 && (v <= 0.0 || state.w_m_s < 0.0 || keeps_going);
+        }
+        // The projectile flies away, and is beyond the plate's farthest place backwards.
+        let back_m = setup.spring.at_integral(energy_j);
+        let x_m = self.displacement_m(state.x_m);
+        v < 0.0 && (x_m + back_m) * setup.cos < apart_m
+    }
+
+    /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
+    pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
+        let Equations { setup, mode } = self;
+        if mode.hold == Hold::Mount || self.is_at_rest(state) {
+            return Farthest::Known(so_far_m);
+        }
+        let reach_m = self.reach_m(self.energy_j(state));
+        if reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs() {
+            return Farthest::Known(so_far_m);
+        }
+        if setup.spring.is_absent() {
+            if mode.touch != Touch::Away {
+                return Farthest::Pending;
+            }
+            if state.w_m_s <= 0.0 {
+                return Farthest::Known(so_far_m);
+            }
+            let x_m = self.displacement_m(state.x_m);
+            let far_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
+            return match (far_m < setup.stop_at_m, far_m.is_finite()) {
+                (true, true) => Farthest::Known(larger(far_m, so_far_m)),
+                (_, false) if setup.stop.is_none() => Farthest::Unbounded,
+                _ => Farthest::Pending,
+            };
+        }
+        // Without damper and stop the plate comes to where all its energy is in the spring.
+        if setup.damper.is_absent() && setup.stop.is_none() {
+            return Farthest::Known(larger(reach_m, so_far_m));
+        }
+        Farthest::Pending
+    }
+}
+
+/// The way on which a damper alone stops a mass, m: M w^(2-m)/(b (2-m)) for m below 2, else none does.
+fn coasting_m(damper: PowerLaw, kg: f64, w_m_s: f64) -> f64 {
+    let power = 2.0 - damper.exponent;
+    if damper.is_absent() || power <= 0.0 {
+        return f64::INFINITY;
+    }
+    kg * w_m_s.powf(power) / (damper.coefficient * power)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::hybrid::equations::Setup;
+    use crate::model::hybrid::modes::{Mode, first};
+    use crate::model::variables::scene_with;
+
+    /// Looks at a state (q, u, x, w) in a hole of 5 mm of travel.
+    fn look<T>(
+        pairs: &str,
+        contact: Contact,
+        [q_m, u_m_s, x_m, w_m_s]: [f64; 4],
+        look: impl Fn(&Equations<'_>, &State) -> T,
+    ) -> T {
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let mode = Mode { contact, deepest_m: 5e-3, ..first(&setup).0 };
+        let state = State { t_s: 0.0, q_m, u_m_s, x_m, w_m_s };
+        look(&Equations { setup: &setup, mode: &mode }, &state)
+    }
+
+    /// Both bodies weigh 29.5 g, the interface carries half of the spring's force, 15 kN forwards and 1.5 kN backwards.
+    #[rustfmt::skip]
+    const OUTCOMES: [(&str, Contact, [f64; 4], Option<Outcome>); 11] = [
+        ("k=1e5", Contact::Gone, [0.1, 50.0, 0.0, 10.0], Some(Outcome::Perforated)),
+        ("k=1e5", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e5", Contact::Deepening, [5e-3, 9.0, 0.0, 50.0], None),
+        // At 50 m/s the interface carries 1.4 kN of a spring of 5e4 N/m at most, 19 kN of one of 1e7.
+        ("k=5e4 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], Some(Outcome::Arrested)),
+        ("k=1e7 interface=plastic", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e7 interface=plastic g=2", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        ("k=1e5 interface=plastic x_stop=1mm", Contact::Joined, [5e-3, 0.0, 0.0, 50.0], None),
+        // The projectile flies back at 60 m/s, the plate can at most at 50; at 40 they may meet again.
+        ("k=1e5", Contact::Apart, [-1e-3, -10.0, 0.0, -50.0], Some(Outcome::Separated)),
+        ("k=1e5", Contact::Apart, [-1e-3, -90.0, 0.0, 50.0], None),
+        ("k=0", Contact::Apart, [-1e-3, -1.0, 0.0, 50.0], Some(Outcome::Separated)),
+        ("k=0", Contact::Apart, [-1e-3, 1.0, 0.0, 50.0], None),
+    ];
+
+    #[test]
+    fn an_outcome_is_decided_where_no_energy_is_left_to_change_it() {
+        for (pairs, contact, state, expected) in OUTCOMES {
+            let found = look(pairs, contact, state, |equations, state| equations.outcome(state));
+            assert_eq!(found, expected, "{pairs} {contact:?} {state:?}");
+        }
+    }
+
+    /// 59 g at 50 m/s: x = w (M/k)^(1/2) on a spring, M w/b on a damper, less on both.
+    #[test]
+    fn valid_the_greatest_displacement_is_where_the_energy_is_spent() {
+        let state = [5e-3, 0.0, 0.0, 50.0];
+        let far = |pairs: &str| {
+            look(pairs, Contact::Joined, state, |equations, state| equations.farthest(state, 0.0))
+        };
+        let is_near = |found, exact: f64| matches!(found, Farthest::Known(x_m) if (x_m / exact - 1.0).abs() < 1e-14);
+        assert!(is_near(far("k=1e5 gamma=1"), 50.0 * (0.059f64 / 1e5).sqrt()));
+        assert!(is_near(far("k=0 b=100 gamma=1"), 0.059 * 50.0 / 100.0));
+        assert_eq!(far("k=1e5 b=100"), Farthest::Pending);
+        assert_eq!(far("k=1e5 x_stop=1mm"), Farthest::Pending);
+        assert_eq!(far("k=0"), Farthest::Unbounded);
+        assert_eq!(far("k=0 b=100 m=2"), Farthest::Unbounded);
+        assert_eq!(far("k=0 b=100 x_stop=1mm"), Farthest::Pending);
+    }
+
+    /// k x²/2 + k_stop (x - x_stop)²/2 = E.
+    #[test]
+    fn valid_an_elastic_stop_takes_what_the_spring_does_not() {
+        let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";
+        let reach_m = |energy_j: f64| {
+            look(pairs, Contact::Joined, [5e-3, 0.0, 0.0, 0.0], |it, _| it.reach_m(energy_j))
+        };
+        let (x, stop) = (3e-3, 2e-3);
+        let energy_j = 0.5 * (1e5 * x * x + 1e6 * stop * stop);
+        assert!((reach_m(energy_j) / x - 1.0).abs() < 1e-14);
+        assert!((reach_m(0.5 * 1e5 * 1e-8) / 1e-4 - 1.0).abs() < 1e-14);
+        // A rigid stop gives way to nothing.
+        let rigid = look("k=1e5 x_stop=1mm", Contact::Joined, [0.0; 4], |it, _| it.reach_m(10.0));
+        assert!((rigid - 1e-3).abs() < 1e-18);
+    }
+
+    /// Along the cylinder behind the nose A S stays what it is: the slips take all energy above 2 (A S)²/k, over the path E/(A S).
+    #[test]
+    fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
+        let pairs = "k=1e7 gamma=1 interface=plastic g=2";
+        let setup = Setup::of(&scene_with(pairs)).unwrap();
+        let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
+        let holding_j = 2.0 * strength_n * strength_n / 1e7;
+        let energy_j = 1.005 * 1.005 * holding_j;
+        let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
+        let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
+        let state = State { q_m: 0.012, w_m_s, ..State::default() };
+        let travel_m = Equations { setup: &setup, mode: &mode }.last_slips_m(&state).unwrap();
+        let expected_m = (energy_j - holding_j) / strength_n;
+        assert!((travel_m / expected_m - 1.0).abs() < 1e-10, "{travel_m} {expected_m}");
+    }
+}

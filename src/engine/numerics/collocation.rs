@@ -1,0 +1,523 @@
+//! One method for smooth, stiff and steep alike: Radau IIA collocation of y'' = f(y, y').
+//!
+//! With s stages the acceleration is a polynomial of degree s - 1 that equals f at the s nodes of a step; the order is 2 s - 1, and
+//! the method is L-stable (E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II* (1996), IV.5 and IV.8). The unknowns
+//! are the stage accelerations; speeds follow by the matrix A of the method, places by A squared. A failed or inaccurate step is for
+//! the caller to take again, shorter.
+
+use std::sync::LazyLock;
+
+use crate::numerics::quadrature::legendre;
+use crate::numerics::step::Step;
+use crate::numerics::{larger, smaller};
+
+/// Greatest number of unknowns of a step: two bodies, nine stages.
+const UNKNOWNS_MAX: usize = 18;
+/// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
+const ITERATIONS_MAX: usize = 20;
+/// Contraction of the iteration that is worse than the price of new derivatives.
+const SLOW: f64 = 0.1;
+/// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
+const SOLVED: f64 = 1e-2;
+/// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Real eigenvalue of A of the nine stages is near 0.1: the filter of the error estimate damps like the method.
+const FILTER: f64 = 0.1;
+
+/// A square matrix.
+pub(crate) type Square<const D: usize> = [[f64; D]; D];
+
+/// Derivatives of the acceleration by places and by speeds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes<const D: usize> {
+    pub(crate) place: Square<D>,
+    pub(crate) speed: Square<D>,
+}
+
+/// The law of motion of `D` places.
+pub(crate) trait Acceleration<const D: usize> {
+    fn at(&self, place: &[f64; D], speed: &[f64; D]) -> [f64; D];
+
+    fn slopes(&self, place: &[f64; D], speed: &[f64; D]) -> Slopes<D>;
+
+    /// The part of a change of place and speed after which no steep law has passed its zero, where its derivative misleads.
+    fn without_passing(&self, from: Point<D>, to: Point<D>) -> f64;
+}
+
+/// Places and speeds.
+pub(crate) type Point<const D: usize> = ([f64; D], [f64; D]);
+
+/// What errors are measured by: the size of places and of speeds times the tolerance.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tolerances<const D: usize> {
+    pub(crate) place: [f64; D],
+    pub(crate) speed: [f64; D],
+    /// The tolerance, relative.
+    pub(crate) relative: f64,
+}
+
+impl<const D: usize> Tolerances<D> {
+    /// Of each size the larger.
+    pub(crate) fn or_larger(self, other: &Self) -> Self {
+        let both = |a: [f64; D], b: [f64; D]| std::array::from_fn(|d| larger(a[d], b[d]));
+        Self {
+            place: both(self.place, other.place),
+            speed: both(self.speed, other.speed),
+            relative: self.relative,
+        }
+    }
+
+    /// The greatest of these errors over the tolerance.
+    fn norm(&self, place: &[f64; D], speed: &[f64; D]) -> f64 {
+        (0..D).fold(0.0, |norm, d| {
+            let (place, speed) = (place[d].abs() / self.place[d], speed[d].abs() / self.speed[d]);
+            larger(larger(place, speed), norm)
+        })
+    }
+}
+
+/// A member of the family.
+#[derive(Debug)]
+pub(crate) struct Member<const S: usize> {
+    /// The nodes, of which the last is 1.
+    nodes: [f64; S],
+    /// A and its square.
+    a: Square<S>,
+    square: Square<S>,
+    /// From values at the nodes to Legendre coefficients.
+    modes: Square<S>,
+    /// Nodes and weights of Gauss's rule with as many points.
+    gauss: [(f64, f64); S],
+}
+
+pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
+#[cfg(test)]
+pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
+
+/// The root of `f`, which has one there, from a value close by: Newton's method to rounding, with the slope by `f` itself.
+fn polished(start: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut x = start;
+    for _ in 0..20 {
+        let (value, slope) = f(x);
+        x -= value / slope;
+    }
+    x
+}
+
+/// The Legendre polynomial of degree n on (-1, 1), and its derivative.
+fn legendre_and_slope(n: usize, x: f64) -> (f64, f64) {
+    let p = legendre::<9>(x);
+    (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
+}
+
+/// The integral from 0 to theta of the Legendre polynomials of degree below S, shifted to (0, 1).
+pub(crate) fn integrals<const S: usize>(theta: f64) -> [f64; S] {
+    let x = 2.0 * theta - 1.0;
+    let (mut before, mut now) = (1.0, x);
+    std::array::from_fn(|k| {
+        if k == 0 {
+            return theta;
+        }
+        let k = k as f64;
+        let next = ((2.0 * k + 1.0) * x * now - k * before) / (k + 1.0);
+        let integral = (next - before) / (2.0 * (2.0 * k + 1.0));
+        (before, now) = (now, next);
+        integral
+    })
+}
+
+impl<const S: usize> Member<S> {
+    fn new() -> Self {
+        let order = S as f64;
+        // The nodes are the roots of P_S - P_(S-1), which lie near the maxima of a cosine; the last is 1.
+        let mut nodes = [1.0; S];
+        for (i, node) in nodes.iter_mut().enumerate().take(S - 1) {
+            let guess = -((2 * i + 1) as f64 / (2.0 * order - 1.0) * std::f64::consts::PI).cos();
+            let x = polished(guess, |x| {
+                let (high, low) = (legendre_and_slope(S, x), legendre_and_slope(S - 1, x));
+                (high.0 - low.0, high.1 - low.1)
+            });
+            *node = 0.5 * (1.0 + x);
+        }
+        // Radau's weights make the Legendre polynomials orthogonal on the nodes.
+        let mut modes = [[0.0; S]; S];
+        for (j, node) in nodes.iter().enumerate() {
+            let x = 2.0 * node - 1.0;
+            let p = legendre::<9>(x);
+            let weight = (1.0 + x) / (2.0 * order * order * p[S - 1] * p[S - 1]);
+            for (k, row) in modes.iter_mut().enumerate() {
+                row[j] = (2 * k + 1) as f64 * weight * p[k];
+            }
+        }
+        let mut a = [[0.0; S]; S];
+        for (row, node) in a.iter_mut().zip(&nodes) {
+            let integrals = integrals::<S>(*node);
+            *row = std::array::from_fn(|j| (0..S).map(|k| integrals[k] * modes[k][j]).sum());
+        }
+        let square = std::array::from_fn(|i| {
+            std::array::from_fn(|j| (0..S).map(|k| a[i][k] * a[k][j]).sum())
+        });
+        let gauss = std::array::from_fn(|i| {
+            let guess = ((i as f64 + 0.75) / (order + 0.5) * std::f64::consts::PI).cos();
+            let x = polished(guess, |x| legendre_and_slope(S, x));
+            let slope = legendre_and_slope(S, x).1;
+            (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+        });
+        Self { nodes, a, square, modes, gauss }
+    }
+
+    /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
+    pub(crate) const ERROR_ORDER: f64 = (2 * S - 3) as f64;
+
+    /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations. `guarded` iterations pass no
+    /// zero of a steep law.
+    pub(crate) fn step<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        goal: &Tolerances<D>,
+        guarded: bool,
+    ) -> (Option<Step<D, S>>, usize) {
+        let mut stages = [guess(law, start, h); S];
+        let mut factored: Option<Factored> = None;
+        let mut before = f64::INFINITY;
+        let enough = SOLVED + ROUNDING / goal.relative;
+        for round in 1..=ITERATIONS_MAX {
+            let points = self.points(start, h, &stages);
+            let matrix = factored.get_or_insert_with(|| self.matrix(law, &points, h));
+            let mut change = [0.0; UNKNOWNS_MAX];
+            for (i, (place, speed)) in points.iter().enumerate() {
+                let wanted = law.at(place, speed);
+                for d in 0..D {
+                    change[i * D + d] = wanted[d] - stages[i][d];
+                }
+            }
+            if !matrix.solve(&mut change) {
+                return (None, round * S);
+            }
+            let mut changed = stages;
+            for (stage, change) in changed.iter_mut().zip(change.chunks(D)) {
+                for d in 0..D {
+                    stage[d] += change[d];
+                }
+            }
+            let part = if guarded { self.allowed(law, start, h, [&stages, &changed]) } else { 1.0 };
+            let is_whole = part >= 1.0;
+            let norm = change[..S * D].chunks(D).fold(0.0, |norm, change| {
+                let speed: [f64; D] = std::array::from_fn(|d| h * change[d]);
+                larger(goal.norm(&speed.map(|speed| h * speed), &speed), norm)
+            });
+            for (stage, changed) in stages.iter_mut().zip(&changed) {
+                for d in 0..D {
+                    stage[d] += part * (changed[d] - stage[d]);
+                }
+            }
+            if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
+                return (None, round * S);
+            }
+            // Of the first change nothing is known.
+            let contraction = if before.is_finite() { norm / before } else { 1.0 };
+            let ahead = if contraction < 1.0 { norm * contraction } else { norm };
+            // What no longer shrinks, far below the tolerance, is rounding.
+            let stalls = contraction > 0.5 && norm < 10.0 * enough;
+            if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
+                return (Some(self.polynomial(start, h, &stages)), round * S);
+            }
+            if contraction > SLOW {
+                factored = None;
+            }
+            before = norm;
+        }
+        (None, ITERATIONS_MAX * S)
+    }
+
+    fn points<const D: usize>(
+        &self,
+        (place, speed): Point<D>,
+        h: f64,
+        stages: &[[f64; D]; S],
+    ) -> [Point<D>; S] {
+        std::array::from_fn(|i| {
+            let (mut at, mut going) = (place, speed);
+            for d in 0..D {
+                let (mut one, mut two) = (0.0, 0.0);
+                for (j, stage) in stages.iter().enumerate() {
+                    one += self.a[i][j] * stage[d];
+                    two += self.square[i][j] * stage[d];
+                }
+                going[d] += h * one;
+                at[d] += h * (self.nodes[i] * speed[d] + h * two);
+            }
+            (at, going)
+        })
+    }
+
+    /// The part of a change of the stages that passes no zero of a steep law.
+    fn allowed<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        start: Point<D>,
+        h: f64,
+        [from, to]: [&[[f64; D]; S]; 2],
+    ) -> f64 {
+        let (from, to) = (self.points(start, h, from), self.points(start, h, to));
+        let parts = from.iter().zip(&to).map(|(from, to)| law.without_passing(*from, *to));
+        parts.fold(1.0, smaller)
+    }
+
+    fn matrix<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        points: &[Point<D>; S],
+        h: f64,
+    ) -> Factored {
+        let mut matrix = Factored::zero(S * D);
+        for (i, (place, speed)) in points.iter().enumerate() {
+            let slopes = law.slopes(place, speed);
+            for j in 0..S {
+                let (one, two) = (h * self.a[i][j], h * h * self.square[i][j]);
+                for d in 0..D {
+                    for e in 0..D {
+                        let unit = if i == j && d == e { 1.0 } else { 0.0 };
+                        matrix.rows[i * D + d][j * D + e] =
+                            unit - one * slopes.speed[d][e] - two * slopes.place[d][e];
+                    }
+                }
+            }
+        }
+        matrix.factor();
+        matrix
+    }
+
+    fn polynomial<const D: usize>(
+        &self,
+        start: Point<D>,
+        h: f64,
+        stages: &[[f64; D]; S],
+    ) -> Step<D, S> {
+        let points = self.points(start, h, stages);
+        let coefficients = |value: &dyn Fn(usize) -> f64| {
+            std::array::from_fn(|k| (0..S).map(|j| self.modes[k][j] * value(j)).sum())
+        };
+        Step {
+            h,
+            start,
+            acceleration: std::array::from_fn(|d| coefficients(&|j| stages[j][d])),
+            speed: std::array::from_fn(|d| coefficients(&|j| points[j].1[d])),
+            end: points[S - 1],
+        }
+    }
+
+    /// The error of a step over the tolerance: the greater of two estimates, of which each sees what the other does not.
+    ///
+    /// The tail: as the acceleration's Legendre coefficients fall from degree 3 and 4 to the last, so they go on; the error of the
+    /// end is theirs of about twice the degree. It misses a corner that begins softly within the step. The defect: what the
+    /// polynomial misses of the equations at Gauss's nodes, summed; it misses what is over before the first of them.
+    pub(crate) fn error<const D: usize>(
+        &self,
+        law: &impl Acceleration<D>,
+        step: &Step<D, S>,
+        goal: &Tolerances<D>,
+    ) -> f64 {
+        let h = step.h;
+        let mut tail = ([0.0; D], [0.0; D]);
+        for d in 0..D {
+            let modes = &step.acceleration[d];
+            let high = larger(modes[S - 1].abs(), modes[S - 2].abs());
+            let low = larger(modes[3].abs(), modes[4].abs());
+            let falling = if high < low { (high / low).powf(1.5) } else { 1.0 };
+            tail.1[d] = h * high * falling;
+            tail.0[d] = h * tail.1[d];
+        }
+        let mut defect = ([0.0; D], [0.0; D]);
+        for (theta, weight) in self.gauss {
+            let (place, speed) = step.at(theta);
+            let (wanted, given) = (law.at(&place, &speed), step.acceleration_at(theta));
+            for d in 0..D {
+                let missed = h * weight * (wanted[d] - given[d]);
+                defect.1[d] += missed;
+                defect.0[d] += h * (1.0 - theta) * missed;
+            }
+        }
+        let slopes = law.slopes(&step.end.0, &step.end.1);
+        let mut filter = Factored::zero(D);
+        for d in 0..D {
+            for e in 0..D {
+                let unit = if d == e { 1.0 } else { 0.0 };
+                let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
+                filter.rows[d][e] = unit - FILTER * h * stiff;
+            }
+        }
+        filter.factor();
+        [tail, defect].iter().fold(0.0, |worst, (place, speed)| {
+            let filtered = |error: &[f64; D]| {
+                let mut all = [0.0; UNKNOWNS_MAX];
+                all[..D].copy_from_slice(error);
+                // An infinite slope at the end damps without bound: nothing is known of the error then.
+                if filter.solve(&mut all) { std::array::from_fn(|d| all[d]) } else { *error }
+            };
+            larger(goal.norm(&filtered(place), &filtered(speed)), worst)
+        })
+    }
+}
+
+/// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
+fn guess<const D: usize>(law: &impl Acceleration<D>, (place, speed): Point<D>, h: f64) -> [f64; D] {
+    let first = law.at(&place, &speed);
+    std::array::from_fn(|d| {
+        let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
+        if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
+    })
+}
+
+/// A matrix, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
+struct Factored {
+    size: usize,
+    rows: [[f64; UNKNOWNS_MAX]; UNKNOWNS_MAX],
+    pivots: [usize; UNKNOWNS_MAX],
+}
+
+impl Factored {
+    fn zero(size: usize) -> Self {
+        Self { size, rows: [[0.0; UNKNOWNS_MAX]; UNKNOWNS_MAX], pivots: [0; UNKNOWNS_MAX] }
+    }
+
+    fn factor(&mut self) {
+        for column in 0..self.size {
+            let mut pivot = column;
+            for row in column + 1..self.size {
+                if self.rows[row][column].abs() > self.rows[pivot][column].abs() {
+                    pivot = row;
+                }
+            }
+            self.rows.swap(pivot, column);
+            self.pivots[column] = pivot;
+            let above = self.rows[column];
+            let inverse = 1.0 / above[column];
+            for row in &mut self.rows[column + 1..self.size] {
+                let factor = row[column] * inverse;
+                for (value, above) in row[column + 1..].iter_mut().zip(&above[column + 1..]) {
+                    *value -= factor * above;
+                }
+                row[column] = factor;
+            }
+        }
+    }
+
+    /// The solution replaces the right-hand side; `false` where it is not finite.
+    fn solve(&self, right: &mut [f64; UNKNOWNS_MAX]) -> bool {
+        // The whole rows were exchanged, those of the factors too: first all exchanges, then the elimination.
+        for column in 0..self.size {
+            right.swap(column, self.pivots[column]);
+        }
+        for row in 1..self.size {
+            let sum: f64 = (0..row).map(|k| self.rows[row][k] * right[k]).sum();
+            right[row] -= sum;
+        }
+        for row in (0..self.size).rev() {
+            let sum: f64 = (row + 1..self.size).map(|k| self.rows[row][k] * right[k]).sum();
+            right[row] = (right[row] - sum) / self.rows[row][row];
+        }
+        right[..self.size].iter().all(|value| value.is_finite())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y'' = -y, or -k y for a stiff one.
+    struct Spring(f64);
+
+    impl Acceleration<1> for Spring {
+        fn at(&self, place: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
+            [-self.0 * place[0]]
+        }
+
+        fn slopes(&self, _: &[f64; 1], _: &[f64; 1]) -> Slopes<1> {
+            Slopes { place: [[-self.0]], speed: [[0.0]] }
+        }
+
+        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
+            1.0
+        }
+    }
+
+    /// y'' = -y'², which slows like 1/t: not linear in the speed.
+    struct Drag;
+
+    impl Acceleration<1> for Drag {
+        fn at(&self, _: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
+            [-speed[0] * speed[0]]
+        }
+
+        fn slopes(&self, _: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
+            Slopes { place: [[0.0]], speed: [[-2.0 * speed[0]]] }
+        }
+
+        fn without_passing(&self, _: Point<1>, _: Point<1>) -> f64 {
+            1.0
+        }
+    }
+
+    const GOAL: Tolerances<1> = Tolerances { place: [1e-15], speed: [1e-15], relative: 1e-15 };
+
+    /// Greatest error of place and speed after a step of a whole.
+    fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
+        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, false).0.unwrap();
+        let (place, speed) = step.end;
+        larger((place[0] - h.ln_1p()).abs(), (speed[0] - 1.0 / (1.0 + h)).abs())
+    }
+
+    #[test]
+    fn valid_the_nodes_are_those_of_radau() {
+        // Two stages: 1/3 and 1.
+        let two = Member::<2>::new();
+        let [third, whole] = two.nodes;
+        assert!((third - 1.0 / 3.0).abs() < 1e-15 && (whole - 1.0).abs() < 1e-15, "{two:?}");
+        for (row, node) in NINE.a.iter().zip(NINE.nodes) {
+            // Constants and the highest power are integrated exactly.
+            let constant: f64 = row.iter().sum();
+            let eighth: f64 = row.iter().zip(NINE.nodes).map(|(a, c)| a * c.powi(8)).sum();
+            assert!((constant - node).abs() < 1e-14, "{constant} {node}");
+            assert!((eighth - node.powi(9) / 9.0).abs() < 1e-14);
+        }
+        // The last row integrates up to degree 16.
+        let last: f64 = NINE.a[8].iter().zip(NINE.nodes).map(|(a, c)| a * c.powi(16)).sum();
+        assert!((last - 1.0 / 17.0).abs() < 1e-14);
+        let gauss: f64 = NINE.gauss.iter().map(|(at, weight)| weight * at.powi(17)).sum();
+        assert!((gauss - 1.0 / 18.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn valid_half_the_step_leaves_two_to_the_order_of_the_error() {
+        // The pole at -1 keeps the error from its order 13 until the step is short.
+        for (h, least) in [(2.0, 9.0), (1.0, 10.5), (0.7, 11.0)] {
+            let rate = (error(&SEVEN, h) / error(&SEVEN, 0.5 * h)).log2();
+            assert!(rate > least, "{h}: {rate}");
+        }
+        let [seven, nine] = [error(&SEVEN, 2.0), error(&NINE, 2.0)];
+        assert!(nine < 0.01 * seven, "{nine:e} {seven:e}");
+    }
+
+    #[test]
+    fn valid_a_stiff_oscillation_is_damped_and_a_slow_one_is_followed() {
+        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, false).0.unwrap();
+        assert!((slow.end.0[0] - 1f64.cos()).abs() < 1e-15);
+        let stiff = NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, false).0.unwrap();
+        assert!(stiff.end.0[0].abs() < 1e-3, "{:?}", stiff.end);
+    }
+
+    #[test]
+    fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
+        let mut before = f64::INFINITY;
+        for h in [4.0, 2.0, 1.0, 0.5] {
+            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, false).0.unwrap();
+            let estimate = SEVEN.error(&Drag, &step, &GOAL) * GOAL.relative;
+            assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
+            assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");
+            before = estimate;
+        }
+    }
+}

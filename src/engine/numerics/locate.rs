@@ -1,0 +1,119 @@
+//! The first event on a step: a gap that is above zero and falls through it.
+
+use crate::numerics::root::in_bracket;
+
+/// Parts of a step at whose ends the gaps are looked at.
+const CELLS: usize = 16;
+/// A dip between two of them whose parabola comes below this part of its ends is looked into: a step's gap has few wiggles as
+/// narrow as a cell, and a parabola through three points misses the bottom by less than that.
+const DEEP: f64 = 0.25;
+/// The most gaps that are watched at once.
+pub(crate) const GAPS_MAX: usize = 8;
+
+/// What the gaps do on a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Found {
+    /// None falls through zero.
+    Nothing,
+    /// The one with this index does, first of all, at this part of the step.
+    Fall(usize, f64),
+    /// One that begins at zero is below at once: it may have risen and fallen before the first look.
+    Unresolved(usize),
+}
+
+/// Looks for the first fall of gaps that `values` writes for a part of the step, of which the first `count` are watched.
+///
+/// A gap that begins at zero has to rise first.
+pub(crate) fn first_fall(count: usize, values: impl Fn(f64, &mut [f64; GAPS_MAX])) -> Found {
+    let at = |theta: f64| {
+        let mut gaps = [0.0; GAPS_MAX];
+        values(theta, &mut gaps);
+        gaps
+    };
+    let one = |theta: f64, which: usize| at(theta)[which];
+    let fall = |from: f64, to: f64, which: usize| in_bracket(from, to, |theta| one(theta, which));
+    let (mut older, mut before) = ([f64::NAN; GAPS_MAX], at(0.0));
+    for cell in 1..=CELLS {
+        let (from, to) = ((cell - 1) as f64 / CELLS as f64, cell as f64 / CELLS as f64);
+        let now = at(to);
+        let mut first: Option<(usize, f64)> = None;
+        for which in 0..count {
+            let [a, b, c] = [older[which], before[which], now[which]];
+            let place = if b > 0.0 && c <= 0.0 {
+                fall(from, to, which)
+            } else if cell == 1 && b <= 0.0 && c < 0.0 {
+                return Found::Unresolved(which);
+            } else if let Some(bottom) = bottom(from, [a, b, c])
+                && one(bottom, which) < 0.0
+            {
+                let start = if bottom < from { from - 1.0 / CELLS as f64 } else { from };
+                fall(start, bottom, which)
+            } else {
+                continue;
+            };
+            if first.is_none_or(|(_, earlier)| place < earlier) {
+                first = Some((which, place));
+            }
+        }
+        if let Some((which, place)) = first {
+            return Found::Fall(which, place);
+        }
+        (older, before) = (before, now);
+    }
+    Found::Nothing
+}
+
+/// Where the parabola through three gaps above zero, the middle one at `middle`, has its bottom, if that is deep.
+fn bottom(middle: f64, [a, b, c]: [f64; 3]) -> Option<f64> {
+    let (bend, slope) = (a - 2.0 * b + c, 0.5 * (c - a));
+    // A gap that begins at zero has risen by the first look.
+    if !(a > b && b > 0.0 && c > b) {
+        return None;
+    }
+    let lowest = b - 0.5 * slope * slope / bend;
+    (lowest < DEEP * b || b < DEEP * a.min(c)).then(|| middle - slope / bend / CELLS as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(gap: impl Fn(f64) -> f64) -> Found {
+        first_fall(1, |theta, gaps| gaps[0] = gap(theta))
+    }
+
+    fn is_at(found: Found, exact: f64) -> bool {
+        matches!(found, Found::Fall(0, at) if (at - exact).abs() < 1e-14)
+    }
+
+    #[test]
+    fn a_fall_is_found_to_rounding_and_a_rise_is_none() {
+        assert!(is_at(of(|t| 0.3 - t), 0.3));
+        assert!(is_at(of(|t| 1.0 - t), 1.0));
+        assert!(is_at(of(|t| 0.01 - t), 0.01));
+        assert_eq!(of(|t| t), Found::Nothing);
+        assert_eq!(of(|t| 1.1 - t), Found::Nothing);
+    }
+
+    #[test]
+    fn a_gap_that_begins_at_zero_has_to_rise_before_it_falls() {
+        assert!(is_at(of(|t| t * (0.5 - t)), 0.5));
+        assert_eq!(of(|t| -t), Found::Unresolved(0));
+        assert_eq!(of(|t| t * (0.01 - t)), Found::Unresolved(0));
+    }
+
+    #[test]
+    fn a_dip_between_two_looks_is_found() {
+        // 0.53 is between 8/16 and 9/16.
+        assert!(is_at(of(|t| (t - 0.53).powi(2) - 1e-6), 0.529));
+        assert_eq!(of(|t| (t - 0.53).powi(2) + 1e-6), Found::Nothing);
+    }
+
+    #[test]
+    fn of_several_gaps_the_first_to_fall_counts() {
+        let found = first_fall(3, |t, gaps| {
+            (gaps[0], gaps[1], gaps[2]) = (0.52 - t, 0.51 - t, 0.9 - t);
+        });
+        assert!(matches!(found, Found::Fall(1, at) if (at - 0.51).abs() < 1e-14), "{found:?}");
+    }
+}

@@ -1,0 +1,77 @@
+//! One step of a collocation method as polynomials: the state at any moment of it.
+
+use crate::numerics::collocation::{Point, integrals};
+
+/// A step of length h, in Legendre polynomials of the part theta of it, 0 to 1.
+#[derive(Clone, Debug)]
+pub(crate) struct Step<const D: usize, const S: usize> {
+    /// Its length.
+    pub(crate) h: f64,
+    /// Places and speeds at its start.
+    pub(crate) start: Point<D>,
+    /// Coefficients of the acceleration.
+    pub(crate) acceleration: [[f64; S]; D],
+    /// Coefficients of the speed as far as the places follow from it.
+    pub(crate) speed: [[f64; S]; D],
+    /// Places and speeds at its end.
+    pub(crate) end: Point<D>,
+}
+
+impl<const D: usize, const S: usize> Step<D, S> {
+    /// Places and speeds at a part of it; a little beyond its end, too.
+    pub(crate) fn at(&self, theta: f64) -> Point<D> {
+        let integrals = integrals::<S>(theta);
+        let after = |start: f64, coefficients: &[f64; S]| {
+            let sum: f64 = integrals.iter().zip(coefficients).map(|(a, b)| a * b).sum();
+            start + self.h * sum
+        };
+        let (place, speed) = &self.start;
+        (
+            std::array::from_fn(|d| after(place[d], &self.speed[d])),
+            std::array::from_fn(|d| after(speed[d], &self.acceleration[d])),
+        )
+    }
+
+    /// Accelerations of the polynomial at a part of it.
+    pub(crate) fn acceleration_at(&self, theta: f64) -> [f64; D] {
+        let x = 2.0 * theta - 1.0;
+        let mut sums = [0.0; D];
+        let (mut before, mut now) = (0.0, 1.0);
+        for k in 0..S {
+            for (sum, coefficients) in sums.iter_mut().zip(&self.acceleration) {
+                *sum += coefficients[k] * now;
+            }
+            let degree = k as f64;
+            let next = ((2.0 * degree + 1.0) * x * now - degree * before) / (degree + 1.0);
+            (before, now) = (now, next);
+        }
+        sums
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With the coefficient 2 of degree 1, y'' = 2 (2 theta - 1) on a step of 3, so that y' = 1 + 6 (theta² - theta). That of degree 2 is
+    /// 6 (theta² - theta) + 1: it is the whole of y'.
+    #[test]
+    fn valid_places_are_the_integrals_of_the_speeds_and_these_of_the_accelerations() {
+        let step: Step<1, 3> = Step {
+            h: 3.0,
+            start: ([5.0], [1.0]),
+            acceleration: [[0.0, 2.0, 0.0]],
+            speed: [[0.0, 0.0, 1.0]],
+            end: ([5.0], [1.0]),
+        };
+        for theta in [0.0, 0.25, 0.5, 1.0] {
+            let (place, speed) = step.at(theta);
+            let exact = 1.0 + 6.0 * (theta * theta - theta);
+            assert!((speed[0] - exact).abs() < 1e-14, "{theta}: {speed:?}");
+            let way = 3.0 * (theta + 2.0 * theta.powi(3) - 3.0 * theta * theta);
+            assert!((place[0] - 5.0 - way).abs() < 1e-14, "{theta}: {place:?}");
+            let acceleration = step.acceleration_at(theta)[0];
+            assert!((acceleration - 2.0 * (2.0 * theta - 1.0)).abs() < 1e-14);
+        }
+    }
+}
