@@ -28,7 +28,7 @@ pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
         key(A::Right, "shot", "move the cursor to the next faster shot"),
-        key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo --outputs limit_velocity_m_s`"),
+        key(A::View, "V50", "compute V50 and its spread, as `cmra montecarlo` does"),
         key(A::Enter, "load", "load the impact velocity under the cursor (<undo> undoes)"),
         key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
         key(A::Find, "", "find a shot by velocity or outcome"),
