@@ -298,7 +298,7 @@ fn a_name_that_ends_as_a_report_writes_the_report() {
 #[test]
 fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     let mut scene = Scene::default();
-    (scene.target.thickness_m, scene.projectile.velocity_m_s) = (0.003, 300.0);
+    (scene.target.thickness_m, scene.projectile.velocity_m_s) = (0.004, 400.0);
     scene.stack.base_thickness_m = Some(0.0254);
     let scene = Arc::new(scene);
     let mut bench = Bench::ascii(120, 40);
@@ -308,7 +308,7 @@ fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
     let is_marked = |bench: &Bench| {
         let screen = bench.screen();
         let row = screen.lines().find(|line| line.contains(" thickness ")).expect("the row of h");
-        row.contains("! 3 mm")
+        row.contains("! 4 mm")
     };
     assert!(!is_marked(&bench), "{}", bench.screen());
     let job = bench.jobs().remove(0);
