@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn an_outcome_is_decided_where_no_energy_is_left_to_change_it() {
         for (pairs, contact, state, expected) in OUTCOMES {
-            let found = look(pairs, contact, state, Equations::outcome);
+            let found = look(pairs, contact, state, |it, state| (it.outcome(state), ())).0;
             assert_eq!(found, expected, "{pairs} {contact:?} {state:?}");
         }
     }
