@@ -13,7 +13,6 @@ use crate::tui::plain as draw;
 use crate::worker::clock::Clock;
 
 mod accuracy;
-mod again;
 mod amount;
 mod commands;
 mod compare;
@@ -104,7 +103,6 @@ pub fn run_by(
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     progress::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
-    again::note(&written);
     let matches = match help::command().try_get_matches_from(&written) {
         Ok(matches) => matches,
         Err(error) => {

@@ -1,5 +1,5 @@
 //! The contact phase as the peers get it: lengths by R, velocities by `v_i`, times by `R/v_i`, forces by `m_p v_i²/R`.
-//! State (q, u, x, w); model page, section 2. Normal impact.
+//! State: travel q and speed u of the projectile into the plate, displacement x and velocity w of the plate. Normal impact.
 
 use std::f64::consts::PI;
 

@@ -9,7 +9,6 @@ use clap::Args;
 use crate::cli::amount::{above_zero, mass};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::study::{StudyArguments, StudyOutput};
-use crate::cli::sweep::axes::range;
 use crate::cli::text::{chart_size, hanging, width};
 use crate::cli::{CliError, draw, progress};
 use crate::files::preset::Preset;
@@ -62,7 +61,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     let request = arguments.request(&preset.scene)?;
     if let Some(axes) = &request.map {
-        return arguments.draw_map(&preset, axes, request.hardware);
+        return arguments.draw_map(&preset, axes, &request);
     }
     if arguments.pictures.is_wanted() {
         let text = "--svg draws a map: add --map v_i,gamma, or any two variables";
@@ -72,6 +71,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let report = arguments.study.run("candidates", |it| compare(&scene, request.hardware, it))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
+        command: request.to_string(),
         warnings: validity::of_scene(&scene),
         page: page(name, &report),
         object: tables::json(name, &report),
@@ -93,15 +93,15 @@ impl CompareArguments {
         &self,
         preset: &Preset,
         axes: &[Axis; 2],
-        hardware: Hardware,
+        request: &Request,
     ) -> Result<ExitCode, CliError> {
-        let map = self
-            .study
-            .run("points", |context| Map::compute(&preset.scene, axes, hardware, context))?;
+        let map = self.study.run("points", |context| {
+            Map::compute(&preset.scene, axes, request.hardware, context)
+        })?;
         let name = preset.name.as_str();
         let warnings = validity::of_points(map.scene(), axes);
         let page = map_page(name, &map) + &self.study.table.warnings(&warnings);
-        let table = self.study.table.of(&self.study.scene, &preset.scene);
+        let table = self.study.table.of(&self.study.scene, &preset.scene, request);
         if !self.pictures.is_stdout() {
             table.deliver(&page, tables::map_table(name, &map))?;
         }
@@ -120,9 +120,9 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     };
     let axis = |part: &str| {
         if part.contains('=') {
-            range(part, Some(COUNT_USUAL), &COUNTS)
+            Axis::read_range(part, Some(COUNT_USUAL), &COUNTS)
         } else {
-            Ok(usual_axis(scene, part, COUNT_USUAL)?)
+            usual_axis(scene, part, COUNT_USUAL)
         }
     };
     let (x, y) = (axis(x)?, axis(y)?);
@@ -242,7 +242,7 @@ mod tests {
     fn a_map_has_two_different_variables() {
         let scene = Scene::default();
         let [x, y] = axes(&scene, "v_i=10..90:5,gamma").unwrap();
-        assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 101));
+        assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 41));
         for (text, word) in
             [("v_i", "two variables"), ("v_i,v_i", "both variables"), ("v_i,gama", "gama")]
         {

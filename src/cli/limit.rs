@@ -40,7 +40,9 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let warnings = limit::warnings(&report);
     if !pictures.is_stdout() {
         let (page, object) = (page(name, &report), limit::json(name, &report));
-        let answer = StudyOutput { warnings, page, object, rows: limit::shots(name, &report) };
+        let command = request.to_string();
+        let answer =
+            StudyOutput { command, warnings, page, object, rows: limit::shots(name, &report) };
         study.deliver(&report.scene, answer)?;
     }
     let chart = || {

@@ -11,12 +11,8 @@ use crate::cli::text::width;
 use crate::cli::{CliError, output, progress};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo::{self, perforation, table};
-use crate::study::monte_carlo::{
-    LIMIT, Report, Task, Tolerance, USUAL_DEVIATION, model_error, sample, usual_samples,
-    usual_tolerances,
-};
-use crate::study::quantities;
-use crate::study::validation::ModelError;
+use crate::study::monte_carlo::{LIMIT, Report, Request, Tolerance, sample};
+use crate::study::quantities::{Quantity, named};
 
 #[derive(Debug, Args)]
 #[command(
@@ -55,31 +51,24 @@ pub(super) struct MonteCarloArguments {
 }
 
 impl MonteCarloArguments {
-    fn task(&self, scene: &Scene) -> Result<Task, CliError> {
-        let tolerances = if self.vary.is_empty() {
-            usual_tolerances(scene, USUAL_DEVIATION)
-        } else {
-            self.vary.iter().map(|text| vary(text, scene)).collect::<Result<_, _>>()?
-        };
-        let named = self.outputs.iter().map(|name| name.trim().to_owned());
-        let measures: Vec<String> = if self.outputs.is_empty() {
-            quantities::usual().map(|it| it.name.to_owned()).collect()
-        } else {
-            named.collect()
-        };
-        let is_corrected = measures.iter().any(|it| it == LIMIT);
+    fn request(&self, scene: &Scene) -> Result<Request, CliError> {
+        let vary = self.vary.iter().map(|text| vary(text, scene));
+        let outputs = self.outputs.iter().map(|name| named(name.trim()));
+        let outputs: Vec<&'static Quantity> = outputs.collect::<Result<_, _>>()?;
+        let is_corrected = outputs.iter().any(|it| it.name == LIMIT);
         if !is_corrected && (self.model_bias.is_some() || self.model_spread.is_some()) {
             return Err(CliError::Option(format!(
                 "--model-bias and --model-spread correct {LIMIT}: add --outputs {LIMIT}, or omit them"
             )));
         }
-        let known = model_error(scene);
-        let model = ModelError {
-            bias: self.model_bias.unwrap_or(known.bias),
-            spread: self.model_spread.unwrap_or(known.spread),
-        };
-        let samples = self.samples.unwrap_or_else(|| usual_samples(&measures));
-        Ok(Task { tolerances, measures, samples, seed: self.random.seed, model })
+        Ok(Request {
+            vary: vary.collect::<Result<_, _>>()?,
+            outputs,
+            samples: self.samples,
+            seed: self.random.seed,
+            model_bias: self.model_bias,
+            model_spread: self.model_spread,
+        })
     }
 }
 
@@ -100,11 +89,12 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 /// Draws the samples; exit status 1 when a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
-    let task = arguments.task(&preset.scene)?;
-    let report = arguments.study.run("runs", |context| sample(&preset.scene, &task, context))?;
+    let request = arguments.request(&preset.scene)?;
+    let report = arguments.study.run("runs", |context| sample(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
-        warnings: monte_carlo::warnings(&preset.scene, &report, task.samples),
+        command: request.to_string(),
+        warnings: monte_carlo::warnings(&preset.scene, &report),
         page: page(name, &report),
         object: monte_carlo::json(name, &report),
         rows: table(name, &report),

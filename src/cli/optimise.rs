@@ -92,7 +92,8 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let (page, object) = (page(name, &front), front::json(name, &front));
     let warnings = front::warnings(&front);
-    let answer = StudyOutput { warnings, page, object, rows: front::table(name, &front) };
+    let command = request.to_string();
+    let answer = StudyOutput { command, warnings, page, object, rows: front::table(name, &front) };
     arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(!front.designs.is_empty()))
 }

@@ -6,12 +6,11 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::study::{StudyArguments, StudyOutput};
-use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, progress};
 use crate::model::units::shortest;
 use crate::report::seek::{self, remarks, solution};
 use crate::study::search::seek::{Goal, Report, Request, SCAN, SCAN_USUAL, seek as solve};
-use crate::study::sweep::Spacing;
+use crate::study::sweep::{Axis, Spacing};
 
 #[derive(Debug, Args)]
 #[command(
@@ -40,13 +39,15 @@ pub(super) struct SeekArguments {
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let refuse = |why| CliError::Option(format!("--goal {}: {why}", arguments.goal));
     let goal: Goal = arguments.goal.parse().map_err(refuse)?;
-    let request = Request { over: range(&arguments.over, Some(SCAN_USUAL), &SCAN)?, goal };
+    let request =
+        Request { over: Axis::read_range(&arguments.over, Some(SCAN_USUAL), &SCAN)?, goal };
     let preset = arguments.study.load()?;
     let report = arguments.study.run("runs", |context| solve(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let warnings = seek::warnings(&preset.scene, &report);
     let (page, object) = (page(name, &report), seek::json(name, &report));
-    let answer = StudyOutput { warnings, page, object, rows: seek::table(name, &report) };
+    let command = request.to_string();
+    let answer = StudyOutput { command, warnings, page, object, rows: seek::table(name, &report) };
     arguments.study.deliver(&preset.scene, answer)?;
     Ok(progress::exit_code(report.solutions().next().is_some()))
 }

@@ -61,6 +61,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let report = arguments.study.run("runs", |context| study(&preset.scene, &request, context))?;
     let name = preset.name.as_str();
     let answer = StudyOutput {
+        command: request.to_string(),
         warnings: validity::of_axes(&preset.scene, &report.axes),
         page: page(name, &report, arguments.over.is_empty()),
         object: sensitivity::json(name, &report),

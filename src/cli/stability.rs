@@ -80,7 +80,10 @@ fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliE
     let wanted = Wanted { method: arguments.method, axis, size, ends: None };
     let map = arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
     let name = preset.name.as_str();
+    let quick = if arguments.quick { " --quick" } else { "" };
+    let (symbol, method) = (axis.symbol(), arguments.method.word());
     let answer = StudyOutput {
+        command: format!("stability --map {symbol} --method {method}{quick}"),
         warnings: library::warnings(&preset.scene).map(str::to_owned).collect(),
         page: map_page(&map, name),
         object: tables::map_json(name, &map),

@@ -4,7 +4,6 @@ use clap::Args;
 use serde_json::Value;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, progress};
 use crate::files::preset::Preset;
@@ -27,6 +26,8 @@ pub(super) struct StudyArguments {
 
 /// What a study found.
 pub(super) struct StudyOutput<'a, R> {
+    /// The command that makes it of the scene: its name and options.
+    pub(super) command: String,
     /// They head the page, and are in the object and in every row.
     pub(super) warnings: Vec<String>,
     pub(super) page: String,
@@ -56,11 +57,11 @@ impl StudyArguments {
         scene: &Scene,
         answer: StudyOutput<'_, R>,
     ) -> Result<(), CliError> {
-        let StudyOutput { warnings, page, mut object, rows } = answer;
+        let StudyOutput { command, warnings, page, mut object, rows } = answer;
         object["warnings"] = warnings.as_slice().into();
         let page = page + &self.table.warnings(&warnings);
         let rows = rows.with_warnings(&warnings);
-        self.table.of(&self.scene, scene).deliver_report(&page, object, rows)
+        self.table.of(&self.scene, scene, command).deliver_report(&page, object, rows)
     }
 }
 
@@ -89,5 +90,6 @@ pub(super) struct Random {
 
 /// Variables and their bounds.
 pub(super) fn axes(texts: &[String]) -> Result<Vec<Axis>, CliError> {
-    texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect()
+    let read = |text: &String| Ok(Axis::read_range(text, Some(*COUNTS.start()), &COUNTS)?);
+    texts.iter().map(read).collect()
 }

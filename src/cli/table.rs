@@ -1,6 +1,7 @@
 //! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
 //! `--json`, `--csv` and `--force`.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,10 +10,10 @@ use serde_json::Value;
 
 use crate::cli::progress::not_complete;
 use crate::cli::scene::{Changes, SceneArguments};
-use crate::cli::{CliError, again, output, text};
+use crate::cli::{CliError, output, text};
 use crate::files::atomic::Existing;
 use crate::files::error::FileError;
-use crate::files::export::{Beside, Destination};
+use crate::files::export::{self, Beside, Destination};
 use crate::model::run::envelope::OUTSIDE;
 use crate::model::scene::Scene;
 use crate::report::table::{Table, pretty};
@@ -122,8 +123,14 @@ impl TableArguments {
     }
 
     /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
-    pub(super) fn of<'a>(&'a self, typed: &'a SceneArguments, scene: &'a Scene) -> Delivery<'a> {
-        self.of_scene(&typed.changes, Some(scene))
+    /// `command` is what makes it of that scene: its name and options.
+    pub(super) fn of<'a>(
+        &'a self,
+        typed: &'a SceneArguments,
+        scene: &'a Scene,
+        command: impl fmt::Display,
+    ) -> Delivery<'a> {
+        self.of_scene(&typed.changes, Some(scene), command)
     }
 
     /// The same of a scene by its changes; of several scenes there is none to go beside the file.
@@ -131,8 +138,10 @@ impl TableArguments {
         &'a self,
         changes: &'a Changes,
         scene: Option<&'a Scene>,
+        command: impl fmt::Display,
     ) -> Delivery<'a> {
-        Delivery { table: self, source: Some(Source { changes, scene }) }
+        let command = command.to_string();
+        Delivery { table: self, source: Some(Source { changes, scene, command }) }
     }
 
     /// The same without a scene.
@@ -146,11 +155,11 @@ pub(super) struct Delivery<'a> {
     source: Option<Source<'a>>,
 }
 
-/// The scene, and the arguments that made it.
-#[derive(Clone, Copy)]
+/// The scene, the arguments that made it, and the command that makes the table of it.
 struct Source<'a> {
     changes: &'a Changes,
     scene: Option<&'a Scene>,
+    command: String,
 }
 
 impl Delivery<'_> {
@@ -188,7 +197,8 @@ impl Delivery<'_> {
             TableDestination::File(to) => self.write(to, &csv()),
         };
         // A file that cannot be written must not cost what was computed.
-        let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
+        let changed =
+            || self.source.as_ref().map_or_else(String::new, |source| source.changes.changed());
         let missing = || not_complete().map_or_else(String::new, |missing| missing + "\n\n");
         let whole = || text::fitted(&(missing() + &changed() + page));
         output::print(&if table.json { object() } else { whole() })?;
@@ -198,11 +208,11 @@ impl Delivery<'_> {
     /// The name of an incomplete table after an interrupt.
     fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
         let missing = missing_line();
-        let scene = self.source.and_then(|source| source.scene);
-        let beside = scene.map(|scene| Beside {
+        let source = self.source.as_ref().and_then(|it| Some((it.scene?, &it.command)));
+        let beside = source.map(|(scene, command)| Beside {
             run: None,
             scene,
-            notes: Box::new(|own| missing.clone() + &again::comment(own)),
+            notes: Box::new(|own| missing.clone() + &export::again(command, own)),
         });
         let to = to.placed(missing.is_empty());
         output::note_written(&to.write(text.as_bytes(), beside.as_slice())?);
@@ -254,7 +264,7 @@ mod tests {
             ),
             (
                 "the horizon of 1 ms was not reached: the run stopped",
-                "the horizon of 1 ms was not reached",
+                "the horizon of 1 ms was not reached: the run stopped",
             ),
         ] {
             assert_eq!(brief(warning), line);

@@ -164,9 +164,11 @@ impl Beside<'_> {
     }
 }
 
-/// The comment line with the command that makes a table again.
-pub fn again(command: &str) -> String {
-    format!("# again: {}\n", clean::line(command))
+/// The comment line with the command that makes a table again: its name and options, between them the scene beside the table.
+pub fn again(command: &str, own: &str) -> String {
+    let (name, options) = command.split_once(' ').unwrap_or((command, ""));
+    let words = format!("cmra {name} {} {options}", clean::shell_word(own));
+    format!("# again: {} --csv -\n", clean::line(words.trim_end()))
 }
 
 impl RunTable {
@@ -330,7 +332,7 @@ mod tests {
         fs::write(&own, "format = 1").unwrap();
         let to = Destination { path, existing: Existing::Replace, has_scene: true };
         let scene = Scene::default();
-        let beside = Beside { run: None, scene: &scene, notes: Box::new(again) };
+        let beside = Beside { run: None, scene: &scene, notes: Box::new(|own| again("run", own)) };
         assert!(to.write(b"1\n", &[beside]).is_err() && !to.path.exists());
         assert_eq!(to.write(b"1\n", &[]).unwrap(), [to.path]);
         assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");

@@ -11,16 +11,15 @@ use crate::study::validity;
 
 /// The comment lines above a scene with its `[sweep]`, whose file is called `own`; `missing`: that the table is not complete.
 pub fn notes(own: &str, scene: &Scene, shard: Shard, missing: Option<&str>) -> String {
-    let mut again = format!("cmra sweep {}", clean::shell_word(own));
+    let mut command = "sweep".to_owned();
     if shard != Shard::WHOLE {
-        let _ = write!(again, " --shard {shard}");
+        let _ = write!(command, " --shard {shard}");
     }
-    again += " --csv -";
     let mut text = String::new();
     for note in missing.map(str::to_owned).into_iter().chain(warnings(scene)) {
         let _ = writeln!(text, "# {note}");
     }
-    text + &export::again(&again)
+    text + &export::again(&command, own)
 }
 
 /// Warnings about the rows, as lines of a sidecar.

@@ -121,6 +121,7 @@ impl App {
             scene: Arc::clone(&base.scene),
             base,
             current_visible: true,
+            editor: Editor::new(),
             auto_run: true,
             directory,
             ..Self::default()
@@ -143,7 +144,9 @@ impl App {
     }
 
     pub fn layout(&self) -> Layout {
-        layout::layout(self.size, self.tab.about().pages.len() > 1)
+        // A pinned run takes the row that says how to pin one.
+        let has_hint = self.tab != Tab::Run || self.pins.is_empty();
+        layout::layout(self.size, self.tab.about().pages.len() > 1, has_hint)
     }
 
     /// Rows of a list that fills the body.

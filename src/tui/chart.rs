@@ -1,5 +1,5 @@
 //! Charts for scientific use in a terminal: linear and logarithmic axes with ticks under their labels, gaps where a value is
-//! missing, spikes kept whatever the width, event lines, a crosshair, a second vertical axis.
+//! missing, spikes kept whatever the width, event lines, a crosshair.
 //!
 //! ```text
 //! +- Penetration p [mm] ---------- * now  o A rigid   t [us] +    title; legend; horizontal axis
@@ -31,8 +31,7 @@ use crate::tui::theme::{GlyphSet, PaneFrame, Role, Theme, ascii_pass};
 
 pub use crate::report::chart::levels::Levels;
 pub use crate::report::chart::{
-    Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, Mapping, Mark, Scale, Side, Unit,
-    ViewRange,
+    Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Mark, Scale, Unit, ViewRange,
 };
 pub use layout::Layout;
 
@@ -69,7 +68,10 @@ impl Draw for Chart<'_> {
 
 fn frame_of(chart: &Chart<'_>) -> PaneFrame<'static> {
     let frame = PaneFrame::default().focused(chart.focused);
-    if chart.frame == Frame::OpenBelow { frame.open_below() } else { frame }
+    match chart.frame {
+        Frame::Boxed => frame,
+        Frame::Stacked { begins, below } => frame.stacked(begins, below),
+    }
 }
 
 /// Where everything of a chart would lie in an area, without drawing.
@@ -116,7 +118,7 @@ pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
 /// The role that colours it.
 pub(super) fn role(curve: &Curve<'_>) -> Role {
     match curve.emphasis {
-        Emphasis::Stale => Role::Dim,
+        Emphasis::Faint | Emphasis::Stale => Role::Dim,
         Emphasis::Normal | Emphasis::Selected => Role::Curve(curve.colour),
     }
 }

@@ -96,6 +96,8 @@ pub struct Picker {
     pub typing: bool,
     /// The selected row of those that pass the filter.
     pub selected: usize,
+    /// A row was chosen by moving to it, not only by what was typed.
+    pub moved: bool,
 }
 
 /// A dialog for a text, a preset's name or a path, and for what is chosen beside it.
@@ -181,9 +183,7 @@ pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
 
 /// The presets that match, best first; all of them in their order when nothing is typed.
 pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
-    ranked(presets.iter(), |entry| {
-        rank(typed, &[&entry.name], &format!("{} {}", entry.origin, entry.scene.title))
-    })
+    ranked(presets.iter(), |entry| rank(typed, &[&entry.name, entry.origin], &entry.scene.title))
 }
 
 pub(crate) fn render(app: &App, screen: Rect, canvas: &mut Canvas<'_>) {

@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::export::{self, Beside, Destination, RunTable};
 use crate::model::library::Entry;
@@ -229,13 +228,10 @@ impl PageTable {
 
     /// The same as a table of a scene, which a command makes again: `limit --criterion protrusion`.
     pub(crate) fn of(self, app: &App, scene: &Arc<Scene>, command: &str) -> Self {
-        let (name, options) = command.split_once(' ').unwrap_or((command, ""));
-        let (name, options) = (format!("cmra {name} "), format!(" {options}"));
-        let missing = if self.is_complete { "" } else { "# not complete\n" };
+        let (command, is_complete) = (command.to_owned(), self.is_complete);
         let again = move |own: &str| {
-            let own = clean::shell_word(own);
-            missing.to_owned()
-                + &export::again(&[&name, &own, options.trim_end(), " --csv -"].concat())
+            let missing = if is_complete { "" } else { "# not complete\n" };
+            missing.to_owned() + &export::again(&command, own)
         };
         self.noted(app, scene, again)
     }

@@ -14,15 +14,14 @@ use crate::files::{atomic, config};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
-use crate::tui::pages::run::charts::Window;
 use crate::tui::pages::run::runs::{LETTERS, Pin};
+use crate::tui::pages::thesis;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 
 /// The words of the session's view table.
 const GLYPHS: &str = "glyphs";
 const COLOURS: &str = "colours";
-const WINDOW: &str = "window";
 const AUTO_RUN: &str = "auto_run";
 const THREADS: &str = "threads";
 
@@ -52,7 +51,11 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
         _ => None,
     });
     let mut app = match (options.scene, loaded.session) {
-        (Some(preset), _) => App::new(base_of(preset), theme, directory),
+        (Some(preset), _) => {
+            let mut app = App::new(base_of(preset), theme, directory);
+            thesis::begin(&mut app);
+            app
+        }
         (None, Some(last)) => {
             let base = base_of_session(&last, paths);
             let mut app = App::new(base, theme, directory);
@@ -150,9 +153,6 @@ pub(super) fn session(app: &App) -> Session {
     if app.theme.depth != detected.depth {
         keep(COLOURS, app.theme.depth.word());
     }
-    if app.charts.window == Window::Whole {
-        keep(WINDOW, "whole");
-    }
     if !app.auto_run {
         keep(AUTO_RUN, "off");
     }
@@ -238,9 +238,6 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     if let Some(depth) = word(COLOURS).and_then(ColourDepth::named) {
         app.theme.depth = depth;
     }
-    if word(WINDOW) == Some("whole") {
-        app.charts.window = Window::Whole;
-    }
     app.auto_run = word(AUTO_RUN) != Some("off");
     app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
     app.restore_setups(&last.setup);
@@ -251,7 +248,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
 fn greeting(app: &App) -> String {
     let modified = if app.is_modified() { ", modified" } else { "" };
     let pins = counted_pins(app.pins.len());
-    format!("last session restored: {}{modified}{pins} (cmra --fresh starts anew)", app.base.name)
+    format!("session restored: {}{modified}{pins} (or: cmra --fresh)", app.base.name)
 }
 
 /// `, 2 pinned runs`; empty where there is none.
@@ -270,7 +267,9 @@ mod tests {
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
-    use crate::tui::message::Message;
+    use crate::tui::message::{Effect, Message};
+    use crate::tui::pages::Tab;
+    use crate::tui::pages::explore::plan::PictureSweep;
     use crate::tui::update;
 
     fn state() -> App {
@@ -327,6 +326,25 @@ mod tests {
         assert_eq!(again.pages.limit.absorber, app.pages.limit.absorber);
     }
 
+    /// A figure is its sweep, whichever door it comes through.
+    #[test]
+    fn a_figure_of_the_command_line_opens_on_explore() {
+        for (name, tab) in [
+            ("figure-9.4", Tab::Explore),
+            ("figure-9.8", Tab::Explore),
+            ("thesis-baseline", Tab::Run),
+        ] {
+            let scene = preset::resolve(name, None).unwrap();
+            let options = Options { scene: Some(scene), fresh: false, glyphs: None };
+            let (mut state, _) = app(options, None);
+            assert_eq!(state.tab, tab, "{name}");
+            assert!(state.history.edits.is_empty(), "nothing to undo yet");
+            let effects = update::start(&mut state);
+            let is_sweep = |effect: &Effect| matches!(effect, Effect::Submit(task) if task.study.of::<PictureSweep>().is_some());
+            assert_eq!(effects.iter().any(is_sweep), tab == Tab::Explore, "{name}");
+        }
+    }
+
     #[test]
     fn a_session_comes_back() {
         let mut app = state();
@@ -341,7 +359,6 @@ mod tests {
         });
         app.auto_run = false;
         app.threads = Some(1);
-        app.charts.window = Window::Whole;
         app.theme.glyphs = app.theme.glyphs.next();
         app.recent = vec![PathBuf::from("a.toml")];
         app.size = (80, 24);

@@ -7,6 +7,7 @@ use ratatui::widgets::{Clear, Widget};
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::status::{clip, fitting};
 use crate::tui::dialogs::{self, Dialog, List, Purpose};
+use crate::tui::pages::run::VARIABLES;
 use crate::tui::pages::{self, PageSpec, StatusPart};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
@@ -183,13 +184,12 @@ fn in_list(list: List, typing: bool) -> Keys {
             &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")]
         }
         (List::Palette, _) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
-        (List::Presets, true) => &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")],
-        (List::Presets, false) => &[
+        (List::Presets, _) => &[
+            ("type", "a name or a path"),
             ("Enter", "load"),
-            ("Space", "pin only"),
-            ("j/k", "move"),
-            ("/", "search, or a file's path"),
-            ("q", "close"),
+            ("Tab", "pin only"),
+            ("Up/Down", "move"),
+            ("Esc", "close"),
         ],
         (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
         (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
@@ -241,6 +241,9 @@ fn pair(app: &App, action: Action) -> String {
         _ => None,
     };
     let own = app.keymap.label(action);
+    if action == Action::Window && app.pane() == VARIABLES && !own.is_empty() {
+        return format!("{own}/{}", app.keymap.label(Action::FullPane));
+    }
     let other = opposite.map(|(other, _)| app.keymap.label(other)).filter(|it| !it.is_empty());
     match (other, opposite) {
         (Some(other), _) if own.is_empty() => other,

@@ -25,6 +25,9 @@ const PART_SHARE: u32 = 20;
 /// Steps between two looks at the clock (a look costs about as much as a tenth of a step).
 const STEPS_PER_LOOK: u32 = 8;
 
+/// Steps after which the plastic interface beside a fused one is given up: nobody waits for it.
+const PLASTIC_STEPS: u32 = 200_000;
+
 /// A run of the scene, for the screen or for a pin.
 #[derive(Debug)]
 pub struct SceneRun(pub Slot);
@@ -78,9 +81,20 @@ pub(super) fn run(
         }
         ControlFlow::Continue(())
     };
-    let run = Arc::new(compute(&Settings::default(), &mut observer, &window)?);
+    let mut run = compute(&Settings::default(), &mut observer, &window)?;
+    // The time is that of the run by itself.
     let took = reporter.elapsed();
     reporter.took.set(Some(took));
+    run.cost.took_s = Some(took.as_secs_f64());
+    if run.end.is_complete() {
+        let mut left = PLASTIC_STEPS;
+        let mut observer = |t_s| {
+            left = left.saturating_sub(1);
+            if left == 0 { ControlFlow::Break(()) } else { observer(t_s) }
+        };
+        run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
+    }
+    let run = Arc::new(run);
     // One that was stopped while its error was estimated is not worth keeping.
     if run.end != EndReason::Cancelled && reporter.goes_on().is_continue() {
         runs().keep(Arc::clone(&run), took);

@@ -1,6 +1,6 @@
 //! Whole charts as pictures, in every glyph set.
 
-use cmra::tui::chart::{Axis, Chart, Curve, Draw, Emphasis, Mark, Scale, Side, Unit, ViewRange};
+use cmra::tui::chart::{Axis, Chart, Curve, Draw, Emphasis, Mark, Scale, Unit, ViewRange};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 const SETS: [GlyphSet; 3] = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
@@ -72,29 +72,5 @@ fn an_error_against_time_chart_on_logarithmic_axes() {
     chart.levels = vec![Mark::new(1e-9, "wanted")];
     for glyphs in SETS {
         insta::assert_snapshot!(format!("log_log_{glyphs}"), text(&chart, 78, 15, glyphs));
-    }
-}
-
-#[test]
-fn a_second_axis_and_old_curves() {
-    let points = |phase: f64, size: f64| -> Vec<(f64, f64)> {
-        let times = (0..500).map(|index| f64::from(index) * 1e-4);
-        times.map(|t| (t, size * (t * 250.0 + phase).sin())).collect()
-    };
-    let (travel, force) = (points(0.0, 9e-3), points(1.0, 15e3));
-    let time = ViewRange::new(0.0, 0.05);
-    let (left, right) = (ViewRange::new(-0.01, 0.01), ViewRange::new(-2e4, 2e4));
-    let mut chart = Chart::new(
-        "Plate displacement x",
-        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")),
-        Axis::new("x", left).unit(Unit::with_prefix(left.size(), "m")),
-        vec![
-            Curve::new('*', "x", &travel),
-            Curve::new('o', "F", &force).colour(1).side(Side::Right).emphasis(Emphasis::Stale),
-        ],
-    );
-    chart.right = Some(Axis::new("F", right).unit(Unit::with_prefix(right.size(), "N")));
-    for glyphs in SETS {
-        insta::assert_snapshot!(format!("second_axis_{glyphs}"), text(&chart, 80, 14, glyphs));
     }
 }

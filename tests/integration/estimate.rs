@@ -229,7 +229,7 @@ fn each_estimate_covers_the_difference_to_a_tight_run() {
 const EXIT_TIME_S: f64 = 0.000_571_271_081_253_093;
 
 /// Times of closed forms: 232.7 m/s is just above the limit of 232.295 m/s. The time is the integral of dq/u, by
-/// tanh-sinh quadrature of the same closed form (model page, section 2) with 30 digits.
+/// tanh-sinh quadrature of the same closed form with 30 digits.
 #[test]
 fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
     let mut own = Scene::default();

@@ -61,7 +61,7 @@ fn valid_the_peak_on_an_oblique_foil_is_that_of_the_engaged_area() {
     let exact = pressure * areas.fold(0.0, f64::max);
     let peak = run(own).peak_contact_force_n.unwrap();
     assert_near(peak, exact, 3e-3);
-    // The issue's own figure, from an independent 80-bit computation.
+    // By an independent 80-bit computation.
     assert_near(peak, 23.974, 1e-4);
 }
 
@@ -153,7 +153,7 @@ fn the_peak_force_of_oblique_shots_follows_the_tolerance() {
 }
 
 /// The plate has turned before the first arrest, and oscillates forward again, undamped: what the interface then carries is
-/// `m_p/(m_p + m_2 ...) k x` over `A S_y` at the x at which its energy is all in the spring. The issue's own run gave 0.790.
+/// `m_p/(m_p + m_2 ...) k x` over `A S_y` at the x at which its energy is all in the spring. An independent run gave 0.790.
 #[test]
 fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
     let own = scene("m=0.39 gamma=0.43 theta=59deg S_y=2.04e7");

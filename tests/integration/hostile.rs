@@ -1,5 +1,5 @@
 //! Files that are not scenes, devices that never end, places that cannot be written: reported in one short line, with the exit
-//! status of the contract.
+//! status that stands for it.
 
 use std::fs;
 

@@ -8,7 +8,7 @@ fn out(arguments: &[&str], code: i32) -> (String, String) {
     says("montecarlo", arguments, code)
 }
 
-/// Velocities uniform about the rigid limit of 232.295378 m/s (model page): half perforate.
+/// Velocities uniform about the rigid limit of 232.295378 m/s in closed form: half perforate.
 #[test]
 fn the_probability_of_perforation_is_that_of_the_velocity() {
     let asked = ["rigid-mount", "--set", "v_i=232.295378", "--vary", "v_i=uniform:40", "--json"];

@@ -1,5 +1,5 @@
 //! The simulation against answers from elsewhere: the stored digits of independent high-precision computations, closed forms
-//! in 30-digit arithmetic, and the numbers the model page recomputed.
+//! in 30-digit arithmetic, and the results of two independent integrators.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -145,13 +145,13 @@ fn valid_cocked_fused_warns_and_plastic_resumes() {
     assert!(plastic.warnings.iter().any(|w| matches!(w, Warning::PenetrationResumed { .. })));
     assert_eq!(plastic.outcome, Outcome::Perforated);
 
-    // With a grip that never slips the model page has the plate perforated with 86 m/s left.
+    // With a grip that never slips an independent integration has the plate perforated with 86 m/s left.
     let gripped = run("d=0.5 k=1e5 interface=plastic g=1000");
     assert_eq!(gripped.outcome, Outcome::Perforated);
     assert!((gripped.residual_velocity_m_s.unwrap() - 86.0).abs() < 0.5);
 }
 
-/// Model page, end of section 3: two integrators agreeing to 11 digits.
+/// Two independent integrators agree to 11 digits.
 #[test]
 fn valid_interface_laws_at_gamma_0_8_and_k_7_5e6() {
     let fused = run("gamma=0.8 k=7.5e6");

@@ -1,4 +1,4 @@
-//! A person at a terminal sees how far a long command is, and an interrupt keeps what is finished.
+//! Progress of long commands on a terminal: a person sees how far one is, and an interrupt keeps what is finished.
 
 use std::process::ExitCode;
 use std::sync::Arc;

@@ -13,7 +13,7 @@ fn warnings(found: &Value) -> String {
     found["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect()
 }
 
-/// Model page, section 2: rigid, Table 9.1: 232.295378 m/s at h = 25.4 mm.
+/// In closed form, rigid, Table 9.1: 232.295378 m/s at h = 25.4 mm.
 #[test]
 fn a_limit_velocity_is_a_goal_like_any_other() {
     let goal = ["--goal", "limit_velocity_m_s=232.295378"];

@@ -1,4 +1,4 @@
-//! The house rules that a compiler does not check: who may import whom, what a layer must not know, how a file begins and
+//! The rules of the source that a compiler does not check: who may import whom, what a layer must not know, how a file begins and
 //! how long it may be.
 
 use std::fs;

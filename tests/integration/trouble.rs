@@ -22,9 +22,9 @@ fn close(terminal: &mut Terminal, text: &str) {
     terminal.wait_until("the dialog is closed", |screen| !screen.contents().contains(text));
 }
 
-/// Give the impact velocity, the third of the variables, another value.
+/// Give the impact velocity, the first of the analysis variables, another value.
 fn shoot_at(terminal: &mut Terminal, speed: &str) {
-    terminal.send(&format!("gjj\r{speed}\r"));
+    terminal.send(&format!("gjjjjjjj\r{speed}\r"));
     let there = format!(" {speed} m/s");
     terminal.wait_until("the new velocity", |screen| {
         screen.hide_cursor() && screen.contents().contains(&there)
@@ -124,7 +124,7 @@ fn an_export_to_the_terminal_device_is_refused() {
     terminal.wait_for("is a device or a pipe");
     // Nor a scene to be read, which would take the keys.
     close(&mut terminal, "is a device or a pipe");
-    terminal.send("p/");
+    terminal.send("p");
     terminal.sync();
     terminal.send("/dev/tty\r");
     // Enter has closed the list by now; an escape sent right before the next key would be read as Alt and that key.
@@ -186,7 +186,7 @@ fn leaving_waits_for_nothing_that_is_being_computed() {
 #[test]
 fn very_long_input_fills_a_field_only() {
     let mut terminal = started(Start::default());
-    terminal.send("jj\r");
+    terminal.send("\r");
     for _ in 0..20 {
         terminal.send(&"1".repeat(1000));
     }

@@ -82,7 +82,7 @@ fn valid_strength_and_bulge() {
     assert_eq!(row("borvik-bulge").other, None);
 }
 
-/// decisions.md 5: what an independent computation of the same law gives for both ladders, in percent; and the closed form
+/// What an independent computation of the same law gives for both ladders, in percent; and the closed form
 /// v^2 = S/c (exp(2 c pi R^2 h/m) - 1) for two of them.
 #[test]
 fn valid_the_ladders_of_thickness() {
@@ -110,7 +110,7 @@ fn valid_the_ladders_of_thickness() {
     assert!(row("rha-6mm").case.caution.contains("UNCONSERVATIVE"));
 }
 
-/// decisions.md 5: twelve pairs at 30 deg have a mean ratio of 1.117 +- 0.032, the model 1.077, 1/cos(30 deg) is 1.155.
+/// Twelve measured pairs at 30 deg have a mean ratio of 1.117 +- 0.032, the model 1.077, 1/cos(30 deg) is 1.155.
 #[test]
 fn valid_the_pairs_at_30_degrees() {
     let pairs: Vec<Row> = validation::report(&mut Context::new(2, &mut to_its_end))

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::support::{files_below, in_repository};
 
-/// Words and phrases of a private dialect, in small letters, each with what to write instead.
+/// Words and phrases that a reader would have to translate, in small letters, each with what to write instead.
 const BANNED: &[(&str, &str)] = &[
     ("left out", "omitted, ignored or neglected"),
     ("leaves out", "omits"),

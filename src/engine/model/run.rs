@@ -90,6 +90,8 @@ pub struct Run {
     pub mechanism: MechanismLoad,
     /// The outcome of the shot behind this plate, where the scene is a stack.
     pub stack: Option<Arc<StackRun>>,
+    /// The same shot with a plastic interface, where this one has a fused one and whoever ran it asked for both.
+    pub plastic: Option<Arc<Self>>,
     /// The cost of the computation.
     pub cost: Cost,
     /// The terms that this scene did not need.
@@ -377,7 +379,7 @@ pub struct MechanismLoad {
 }
 
 /// The cost of the computation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Cost {
     /// Accepted steps.
     pub steps: usize,
@@ -389,6 +391,8 @@ pub struct Cost {
     pub events: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub rhs_evaluations: usize,
+    /// The wall-clock time it took with its error estimate, as whoever ran it measured, s; `None` where nobody did.
+    pub took_s: Option<f64>,
     /// The method that did it, or the methods.
     pub method: &'static str,
     /// Why that method.

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use crate::model::appendix::listing;
 use crate::model::impact::{self, window::Window};
-use crate::model::run::Run;
+use crate::model::run::{EndReason, Run};
 pub use crate::model::run::{Observer, Settings};
-use crate::model::scene::{ContactModel, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 
@@ -44,6 +44,21 @@ pub fn simulate_openly(
     let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, observer);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
+}
+
+/// The same shot on a plastic interface, without series and estimate: what to hold against a fused one, which carries whatever it is
+/// asked. `None` where the scene has no interface, is a stack, or is on the plastic law itself, and where the observer ends it.
+pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
+    let is_fused = scene.interface.law == InterfaceLaw::Fused
+        && scene.contact.model == ContactModel::Hydrodynamic
+        && scene.plate.mount == Mount::Sprung;
+    if !is_fused || scene.is_stack() {
+        return None;
+    }
+    let mut plastic = scene.clone();
+    plastic.interface.law = InterfaceLaw::Plastic;
+    let run = simulate(&Arc::new(plastic), &Settings::BARE, observer).ok()?;
+    (run.end != EndReason::Cancelled).then_some(run)
 }
 
 /// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run that keeps oscillating

@@ -75,6 +75,20 @@ impl Dimension {
         self.row().0
     }
 
+    /// The unit in which people read values of this kind on a screen.
+    pub fn shown_unit(self) -> &'static str {
+        match self {
+            Self::Mass => "g",
+            Self::Length => "mm",
+            Self::Pressure => "MPa",
+            Self::Force => "kN",
+            Self::Time => "ms",
+            Self::Stiffness => "kN/m",
+            Self::SpringCoefficient => "kN/m^n",
+            _ => self.unit(),
+        }
+    }
+
     fn example(self) -> &'static str {
         self.row().2
     }
@@ -226,6 +240,22 @@ pub fn parse_relative(
         return parse(text, quantity, bare);
     };
     if new.is_finite() { Ok(new) } else { Err(QuantityError::not_finite(trimmed, quantity)) }
+}
+
+/// A value in the stored unit as a number of another one; `None` where that is none of this kind.
+pub fn in_unit(value: f64, unit: &str, quantity: Dimension) -> Option<f64> {
+    let unit = if unit.is_empty() { table::STORED } else { find_unit(unit, quantity)? };
+    Some(value * unit.over / unit.times)
+}
+
+/// A unit by its usual name; `None` where it is none of this kind, or has an unusual prefix.
+pub fn unit_named(name: &str, quantity: Dimension) -> Option<&'static str> {
+    find_unit(name, quantity).map(|unit| unit.name).filter(|name| !name.is_empty())
+}
+
+/// The unit written behind a number, empty where there is none; `None` where the text is no number.
+pub fn written_unit(text: &str) -> Option<&str> {
+    expression(text.trim()).map(|(_, rest)| rest.trim())
 }
 
 fn find_unit(unit: &str, quantity: Dimension) -> Option<Unit> {

@@ -23,8 +23,6 @@ pub struct Axis<'a> {
     pub scale: Scale,
     /// Which values are shown, in the unit of the data.
     pub view: ViewRange,
-    /// Whether numbers stand at the ticks.
-    pub labels: Labels,
 }
 
 impl<'a> Axis<'a> {
@@ -111,16 +109,6 @@ pub fn spaced(a: &str, b: &str) -> String {
     format!("{a}{gap}{b}")
 }
 
-/// Whether the numbers of the horizontal axis are written: of charts stacked on one time axis only the lowest needs them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Labels {
-    /// Written.
-    #[default]
-    Shown,
-    /// Ticks only.
-    Hidden,
-}
-
 /// A dotted line across the chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark<'a> {
@@ -149,6 +137,8 @@ impl<'a> Mark<'a> {
 /// How a curve stands among the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Emphasis {
+    /// What the others are held against: faint, at the bottom.
+    Faint,
     /// Of results that a newer computation is about to replace: faint, at the bottom, `(old)` in the legend.
     Stale,
     /// One of many, in the order given.
@@ -156,16 +146,6 @@ pub enum Emphasis {
     Normal,
     /// Drawn last, over the others.
     Selected,
-}
-
-/// Which vertical axis a curve belongs to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// The main one.
-    #[default]
-    Left,
-    /// The second one; the legend says `(right)`.
-    Right,
 }
 
 /// A curve.
@@ -182,8 +162,6 @@ pub struct Curve<'a> {
     pub colour: usize,
     /// How it stands among the others.
     pub emphasis: Emphasis,
-    /// Which vertical axis it belongs to.
-    pub side: Side,
 }
 
 impl<'a> Curve<'a> {
@@ -206,11 +184,6 @@ impl<'a> Curve<'a> {
         Self { emphasis, ..self }
     }
 
-    /// On this axis.
-    pub fn side(self, side: Side) -> Self {
-        Self { side, ..self }
-    }
-
     /// Whether it has no line: each point has gaps beside it.
     pub fn is_dotted(&self) -> bool {
         let is_point = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
@@ -221,11 +194,27 @@ impl<'a> Curve<'a> {
 /// The frame and title of a chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Frame {
-    /// A box with the title in its top line.
+    /// A box with the title in its top line, the axis and its numbers inside.
     #[default]
     Boxed,
-    /// A box without its lower line, for charts stacked on each other.
-    OpenBelow,
+    /// One of several charts in one box: whether the box begins with it, and what is below it.
+    Stacked {
+        /// It has the top line of the box, not a line across it.
+        begins: bool,
+        /// Its lower line.
+        below: Below,
+    },
+}
+
+/// The lower line of a chart in a box of several. A line has the axis and its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Below {
+    /// None: the next chart has the same axis.
+    Nothing,
+    /// A line across the box: another chart follows.
+    Across,
+    /// The line that closes the box.
+    End,
 }
 
 /// Whether the curves are named.
@@ -247,8 +236,6 @@ pub struct Chart<'a> {
     pub x: Axis<'a>,
     /// The left axis.
     pub y: Axis<'a>,
-    /// A second vertical axis, for the curves of [`Side::Right`].
-    pub right: Option<Axis<'a>>,
     /// The curves, later ones over earlier ones.
     pub curves: Vec<Curve<'a>>,
     /// Vertical lines under the curves.
@@ -261,6 +248,8 @@ pub struct Chart<'a> {
     pub frame: Frame,
     /// Whether the curves are named.
     pub legend: Legend,
+    /// Something short at the right of the title line of a stacked chart; left out where it has no room.
+    pub note: Cow<'a, str>,
     /// Least columns for the labels of the left axis.
     pub gutter: u16,
     /// Whether it has the keys.

@@ -6,11 +6,12 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value, json};
 
-use crate::model::run::envelope::warnings;
+use crate::model::run::envelope::{fused_stop_hits, warnings};
 use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
 use crate::model::scene::{Scene, Stack};
+use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
-use crate::report::table::{NoColumn, Object, Table, pretty};
+use crate::report::table::{NoColumn, Table, pretty};
 use crate::study::quantities::{Quantity, find, of_runs};
 
 pub mod page;
@@ -150,7 +151,8 @@ fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
         .with("scene", "scene", "", |it| it.1.scene.title.as_str())
         .with("outcome", "outcome", "", |it| it.1.shot_outcome().word())
         .with("end", "end", "", |it| it.1.end.words())
-        .with("method", "method", "", |it| it.1.cost.method);
+        .with("method", "method", "", |it| it.1.cost.method)
+        .with("run_time_s", "run time", "s", |it| it.1.cost.took_s);
     of_runs().fold(table, |table, quantity| {
         table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
     })
@@ -164,36 +166,58 @@ pub struct Compared<'c> {
     pub run: Option<&'c Run>,
 }
 
-/// Runs beside each other.
+/// Runs beside each other, each number in the unit of its heading.
 pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
-    let table = Table::of(runs).with("name", "name", "", |it| it.name.clone());
-    // Those at the end go first when there is little room.
-    let columns = [
-        ("first_arrest_penetration_m", "p_1st"),
-        ("final_penetration_m", "p_end"),
-        ("max_plate_displacement_m", "x_max"),
-        ("percent_of_baseline", "rigid"),
-        ("peak_contact_force_n", "F_max"),
-        ("residual_velocity_m_s", "v_out"),
-    ];
-    let found = columns.into_iter().filter_map(|(name, label)| Some((find(name)?, label)));
-    found.fold(table, |table, (quantity, label)| {
-        let value = |it: &Compared<'_>| quantity.value(it.run?);
-        let is = |name| quantity.name == name;
-        table.with(quantity.name, label, quantity.unit(), value).shown(move |it, _| match it.run {
-            None => is("first_arrest_penetration_m").then(|| "running".to_owned()),
-            Some(run) => no_depth(run).filter(|_| is("final_penetration_m")).map(str::to_owned),
-        })
+    let outcome = |it: &Compared<'_>| it.run.map_or("running", |run| run.shot_outcome().word());
+    let table = Table::of(runs).with("name", "run", "", |it| it.name.clone());
+    let table = table.with("outcome", "outcome", "", outcome);
+    let table =
+        column(table, "final_penetration_m", "depth mm", 1e3, |run| is_through(run).then(through));
+    let table = column(table, "percent_of_baseline", "%", 1.0, |run| {
+        Some(format!("{:.0}", run.percent_of_baseline()?))
+    });
+    let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
+        it.run?.plastic.as_ref()?.final_penetration_m
+    });
+    let table = table.shown(|it, _| Some(plastic(it.run?.plastic.as_ref()?)));
+    let table = column(table, "max_plate_displacement_m", "travel mm", 1e3, |_| None);
+    let table = column(table, "peak_contact_force_n", "peak kN", 1e-3, |run| {
+        fused_stop_hits(run).filter(|hits| *hits > 0).map(|_| "unbounded".to_owned())
+    });
+    column(table, "peak_mount_force_n", "mount kN", 1e-3, |_| None)
+}
+
+/// With a quantity, shown times a factor, or as a text where it has one.
+fn column<'c>(
+    table: Table<'c, Compared<'c>>,
+    name: &'static str,
+    label: &'static str,
+    factor: f64,
+    text: impl Fn(&Run) -> Option<String> + 'c,
+) -> Table<'c, Compared<'c>> {
+    let value = move |it: &Compared<'_>| find(name)?.value(it.run?);
+    table.with(name, label, "", value).shown(move |it, value| {
+        let own = it.run.and_then(&text);
+        own.or_else(|| Some(fixed_significant(factor * value.as_f64()?, 4)))
     })
 }
 
-/// The text in place of a depth that does not exist.
-pub fn no_depth(run: &Run) -> Option<&'static str> {
-    match run.shot_outcome() {
-        Outcome::Perforated => Some("perforated!"),
-        Outcome::Separated => Some("separated!"),
-        Outcome::Arrested | Outcome::Moving => None,
-    }
+fn is_through(run: &Run) -> bool {
+    run.shot_outcome() == Outcome::Perforated
+}
+
+fn through() -> String {
+    "through".to_owned()
+}
+
+/// The depth by the plastic law and its part of that on a rigid mount.
+fn plastic(run: &Arc<Run>) -> String {
+    let depth = run.final_penetration_m.filter(|_| !is_through(run));
+    let Some(depth_m) = depth else {
+        return if is_through(run) { through() } else { "-".to_owned() };
+    };
+    let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
+    format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
 
 fn events(runs: &[NamedRun], several: bool) -> Table<'_, (&str, Event)> {
@@ -291,7 +315,8 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
     if let Some(stack) = &run.stack {
         entries.push(("stack", stack_of(run, stack)));
     }
-    pretty(&Object(entries))
+    let entries = entries.into_iter().map(|(key, value)| (key.to_owned(), value));
+    pretty(&entries.collect::<Map<_, _>>())
 }
 
 /// The whole stack, and the results of every plate that was struck.

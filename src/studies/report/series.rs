@@ -1,7 +1,7 @@
 //! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Run, Sample};
+use crate::model::run::{Mode, Run, Sample};
 use crate::model::scene::Scene;
 use crate::report::law::Law;
 
@@ -66,16 +66,14 @@ impl Channel {
         matches!(self.source(), Source::Time(_))
     }
 
-    /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate and has no depth in it. The
+    /// What to draw of samples of a run, SI. There is a gap while the projectile is out of the plate. The
     /// law of the mechanism is drawn over all displacements.
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
             Source::Time(get) if self == Self::ContactForce => with_jumps(samples, get),
             Source::Time(get) => {
-                let is_shown = |value: f64| self != Self::Penetration || value >= 0.0;
-                let value = |sample| Some(get(sample)).filter(|value| is_shown(*value));
-                let samples = samples.iter();
-                samples.map(|sample| (sample.t_s, value(sample).unwrap_or(f64::NAN))).collect()
+                let value = |it| if self.exists_in(it) { get(it) } else { f64::NAN };
+                samples.iter().map(|sample| (sample.t_s, value(sample))).collect()
             }
             Source::Displacement(get) => {
                 let point = |sample: &Sample| (sample.plate_displacement_m, get(sample));
@@ -83,6 +81,12 @@ impl Channel {
             }
             Source::Law(get) => Law::of(run).map_or_else(Vec::new, |law| law.points(get)),
         }
+    }
+
+    /// Whether a sample has it: no depth is one of a projectile that has left the plate through either face.
+    fn exists_in(self, sample: &Sample) -> bool {
+        let is_out = sample.penetration_m < 0.0 || sample.mode == Mode::Perforated;
+        self != Self::Penetration || !is_out
     }
 
     /// The value in a sample, SI; NaN of a quantity that samples do not have.
@@ -93,14 +97,14 @@ impl Channel {
         }
     }
 
-    /// The value in a run at a time, linear between samples; `None` outside the series. At a jump the value after it.
+    /// The value in a run at a time, linear between samples; `None` outside the series, and of a depth out of the plate. At a jump the value after it.
     pub fn at(self, run: &Run, t_s: f64) -> Option<f64> {
         if let Source::Law(get) = self.source() {
             let x_m = Self::PlateDisplacement.at(run, t_s)?;
             return Some(get(&Law::of(run)?, x_m)).filter(|value| value.is_finite());
         }
         let after = run.series.partition_point(|sample| sample.t_s <= t_s);
-        let before = run.series.get(after.checked_sub(1)?)?;
+        let before = run.series.get(after.checked_sub(1)?).filter(|it| self.exists_in(it))?;
         let Some(next) = run.series.get(after) else {
             return (t_s <= before.t_s).then(|| self.of(before));
         };

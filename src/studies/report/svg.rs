@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::numerics::statistics::sorted_by;
 use crate::report::chart::ticks::Along;
-use crate::report::chart::{Axis, Chart, Curve, Mark, Side};
+use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
 
 mod bands;
@@ -17,8 +17,7 @@ const LEFT: f64 = 72.0;
 const RIGHT: f64 = 24.0;
 const BOTTOM: f64 = 52.0;
 const TOP: f64 = 34.0;
-/// Room for the labels of a second vertical axis, and beyond a plot for the width of a line along its edge.
-const SECOND_AXIS: f64 = 48.0;
+/// Room beyond a plot for the width of a line along its edge.
 const EDGE: f64 = 2.0;
 /// Height of a line of the legend, and about how wide a letter is.
 const LEGEND_LINE: f64 = 18.0;
@@ -210,17 +209,6 @@ fn draw_upright(out: &mut String, plot: Plot<'_>, x: f64, title: &str) {
     text(out, &Text { x, y, anchor: "middle", rest: &turned }, title);
 }
 
-/// The numbers and the title of an axis at the right of a plot.
-fn draw_second_axis(out: &mut String, plot: Plot<'_>) {
-    let rows = format!("{:.0}", (plot.bottom - plot.top) / CELL.1).parse().unwrap_or(0);
-    let ticks = plot.y.ticks(rows, Along::Column(HALF_ROWS));
-    for tick in &ticks.labelled {
-        let y = plot.up(tick.value / plot.y.unit.factor) + 4.5;
-        text(out, &Text { x: plot.right + 6.0, y, anchor: "start", rest: "" }, &tick.label);
-    }
-    draw_upright(out, plot, plot.right + SECOND_AXIS, &plot.y.text(ticks.exponent));
-}
-
 fn frame(out: &mut String, plot: Plot<'_>) {
     let _ = writeln!(
         out,
@@ -259,17 +247,13 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
     let top = TOP + LEGEND_LINE * rows.len() as f64;
     let plot = Plot {
         left: LEFT,
-        right: WIDTH - RIGHT - if chart.right.is_some() { SECOND_AXIS } else { 0.0 },
+        right: WIDTH - RIGHT,
         top,
         bottom: HEIGHT - BOTTOM,
         x: &chart.x,
         y: &chart.y,
     };
-    let second = chart.right.as_ref().map(|axis| Plot { y: axis, ..plot });
     draw_frame(out, plot, &chart.title);
-    if let Some(second) = second {
-        draw_second_axis(out, second);
-    }
     for (row, numbers) in rows.iter().enumerate() {
         let y = TOP + LEGEND_LINE * row as f64 + 4.0;
         let mut x = LEFT;
@@ -297,7 +281,6 @@ fn draw_chart(out: &mut String, chart: &Chart<'_>) {
         "<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" viewBox=\"{x} {y} {width} {height}\">"
     );
     for curve in &chart.curves {
-        let plot = second.filter(|_| curve.side == Side::Right).unwrap_or(plot);
         draw_curve(out, plot, curve, colour(curve.colour));
     }
     out.push_str("</svg>\n");
@@ -413,25 +396,5 @@ mod tests {
         let count = |name: &str| read.descendants().filter(|node| node.has_tag_name(name)).count();
         assert_eq!((count("circle"), count("polyline")), (1, 1));
         assert!(!text.contains("NaN") && !text.contains("inf"));
-    }
-
-    /// The same shape on either axis is the same line, whatever the units of the axes are.
-    #[test]
-    fn a_curve_of_the_second_axis_is_drawn_by_that_axis() {
-        let curve = |scale: f64| Curve::new('*', "", vec![(0.0, 0.0), (1.0, scale)]);
-        let chart = Chart {
-            right: Some(axis(0.0, 1000.0, Scale::Linear)),
-            ..Chart::new(
-                "two",
-                axis(0.0, 1.0, Scale::Linear),
-                axis(0.0, 1.0, Scale::Linear),
-                vec![curve(1.0), curve(1000.0).side(Side::Right)],
-            )
-        };
-        let text = file(&[chart.svg()]);
-        let read = roxmltree::Document::parse(&text).unwrap();
-        let lines = read.descendants().filter(|node| node.has_tag_name("polyline"));
-        let points: Vec<&str> = lines.filter_map(|node| node.attribute("points")).collect();
-        assert!(points.len() == 2 && points[0] == points[1], "{points:?}");
     }
 }

@@ -84,7 +84,7 @@ pub struct Point {
     pub result: Result<Measured, Refusal>,
 }
 
-/// A judged and timed result.
+/// A compared and timed result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// The computed results.
@@ -226,8 +226,8 @@ pub fn compare(
                 Some(_) if is_slow => Err(Refusal::TooSlow),
                 Some(reference) => {
                     let start = clock();
-                    let judge = Judge { reference, whole };
-                    let result = judged(&job, &judge, effort.patience, clock);
+                    let comparison = Comparison { reference, whole };
+                    let result = measure(&job, &comparison, effort.patience, clock);
                     is_slow = match &result {
                         Ok(measured) => measured.timing.mad_s.is_none(),
                         Err(_) => clock() - start > effort.patience.slow_s,
@@ -286,12 +286,12 @@ fn steps_max(parameter: Parameter, end_s: f64) -> usize {
 }
 
 /// What a result is compared with.
-struct Judge {
+struct Comparison {
     reference: Reference,
     whole: Option<WholeRun>,
 }
 
-impl Judge {
+impl Comparison {
     fn errors(&self, scene: &Scene, answer: &Answer) -> [Option<f64>; RESULTS.len()] {
         let (depth, time) = self.reference.errors(&answer.contact);
         // The printed scheme ends on a whole step: no step makes that error smaller.
@@ -311,22 +311,22 @@ impl Judge {
     }
 }
 
-fn judged(
+fn measure(
     job: &Job,
-    judge: &Judge,
+    comparison: &Comparison,
     patience: Patience,
     clock: Clock<'_>,
 ) -> Result<Measured, Refusal> {
     let answer = job.run()?;
-    if answer.contact.ending != judge.reference.answer.ending {
+    if answer.contact.ending != comparison.reference.answer.ending {
         return Err(Refusal::OtherEnding);
     }
-    let errors = judge.errors(job.scene(), &answer);
+    let errors = comparison.errors(job.scene(), &answer);
     if errors.iter().flatten().any(|error| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
     let timing = time(clock, patience, || job.run());
-    let floor = judge.reference.uncertainty.unwrap_or(f64::EPSILON);
+    let floor = comparison.reference.uncertainty.unwrap_or(f64::EPSILON);
     Ok(Measured { answer, errors, floor, timing })
 }
 

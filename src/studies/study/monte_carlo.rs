@@ -5,13 +5,15 @@
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
+use std::fmt;
+
 use crate::model::run::Outcome;
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::variables::{self, Number, VARIABLES, Variable};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
-use crate::study::quantities::{Needs, Quantity, find};
+use crate::study::quantities::{self, Needs, Quantity, find};
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
 use crate::study::validation::{KnownError, ModelError};
@@ -30,44 +32,99 @@ pub const LIMIT: &str = "limit_velocity_m_s";
 /// Relative deviation if none is given.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
-/// The request.
+/// What is to be sampled.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Task {
-    /// The inputs that scatter.
-    pub tolerances: Vec<Tolerance>,
-    /// Names of the measures.
-    pub measures: Vec<String>,
-    /// Number of samples, >= 2.
-    pub samples: usize,
+pub struct Request {
+    /// The inputs that scatter; empty: [`usual_tolerances`] by [`USUAL_DEVIATION`].
+    pub vary: Vec<Tolerance>,
+    /// The measures; empty: all but those of the computation.
+    pub outputs: Vec<&'static Quantity>,
+    /// Number of samples, >= 2; `None`: fewer where each takes a limit search.
+    pub samples: Option<usize>,
     /// Seed.
     pub seed: u64,
-    /// The error of the model, in every limit velocity.
-    pub model: ModelError,
+    /// Bias of the model in every limit velocity; `None`: the one known.
+    pub model_bias: Option<f64>,
+    /// Spread of the model there; `None`: the one known.
+    pub model_spread: Option<f64>,
 }
 
-impl Task {
-    /// V50: a scene's limit velocity under the usual tolerances and the known error of the model.
-    pub fn v50(scene: &Scene) -> Self {
-        let measures = vec![LIMIT.to_owned()];
+impl Default for Request {
+    fn default() -> Self {
+        let (model_bias, model_spread) = (None, None);
         Self {
-            tolerances: usual_tolerances(scene, USUAL_DEVIATION),
-            samples: usual_samples(&measures),
-            measures,
+            vary: Vec::new(),
+            outputs: Vec::new(),
+            samples: None,
             seed: 1,
-            model: model_error(scene),
+            model_bias,
+            model_spread,
         }
     }
 }
 
-/// The known error of the model for the class of shots that a scene belongs to; none without one.
-pub fn model_error(scene: &Scene) -> ModelError {
-    KnownError::of(scene).map(|known| known.error).unwrap_or_default()
+/// The command's name and options.
+impl fmt::Display for Request {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("montecarlo")?;
+        for tolerance in &self.vary {
+            write!(f, " --vary {tolerance}")?;
+        }
+        if !self.outputs.is_empty() {
+            let names: Vec<&str> = self.outputs.iter().map(|it| it.name).collect();
+            write!(f, " --outputs {}", names.join(","))?;
+        }
+        if let Some(samples) = self.samples {
+            write!(f, " --samples {samples}")?;
+        }
+        for (option, value) in [("bias", self.model_bias), ("spread", self.model_spread)] {
+            if let Some(value) = value {
+                write!(f, " --model-{option} {value}")?;
+            }
+        }
+        if self.seed != Self::default().seed {
+            write!(f, " --seed {}", self.seed)?;
+        }
+        Ok(())
+    }
 }
 
-/// Samples where none are given: fewer where each takes a limit search.
-pub fn usual_samples(measures: &[String]) -> usize {
-    let is_searched = |name: &String| find(name).is_some_and(|it| it.needs() == Needs::Limit);
-    if measures.iter().any(is_searched) { 200 } else { 10_000 }
+impl Request {
+    /// V50: the limit velocity under the usual tolerances and the known error of the model.
+    pub fn v50() -> Self {
+        Self { outputs: find(LIMIT).into_iter().collect(), ..Self::default() }
+    }
+
+    /// The inputs that scatter.
+    fn tolerances(&self, scene: &Scene) -> Vec<Tolerance> {
+        if self.vary.is_empty() {
+            return usual_tolerances(scene, USUAL_DEVIATION);
+        }
+        self.vary.clone()
+    }
+
+    /// Names of the measures.
+    fn measures(&self) -> Vec<&'static str> {
+        if self.outputs.is_empty() {
+            return quantities::usual().map(|it| it.name).collect();
+        }
+        self.outputs.iter().map(|it| it.name).collect()
+    }
+
+    /// Number of samples.
+    fn count(&self) -> usize {
+        let is_searched = self.outputs.iter().any(|it| it.needs() == Needs::Limit);
+        self.samples.unwrap_or(if is_searched { 200 } else { 10_000 })
+    }
+
+    /// The error of the model.
+    fn model(&self, scene: &Scene) -> ModelError {
+        let known = KnownError::of(scene).map(|known| known.error).unwrap_or_default();
+        ModelError {
+            bias: self.model_bias.unwrap_or(known.bias),
+            spread: self.model_spread.unwrap_or(known.spread),
+        }
+    }
 }
 
 /// An estimate and its 95 % confidence interval.
@@ -107,6 +164,8 @@ pub struct Report {
     pub redrawn: Vec<usize>,
     /// Seed.
     pub seed: u64,
+    /// Samples wanted.
+    pub wanted: usize,
     /// Samples done.
     pub samples: usize,
     /// How they ended.
@@ -187,19 +246,25 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 ///
 /// # Errors
 /// A [`SweepError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<Report, SweepError> {
-    let space = space(scene, task)?;
-    let mut draw = Draw::new(scene, &task.tolerances, task.seed);
-    let (tolerances, seed, model) = (task.tolerances.clone(), task.seed, task.model);
-    let mut report = Report { tolerances, seed, model, ..Report::default() };
+pub fn sample(
+    scene: &Scene,
+    request: &Request,
+    context: &mut Context<'_>,
+) -> Result<Report, SweepError> {
+    let (tolerances, model) = (request.tolerances(scene), request.model(scene));
+    let (wanted, seed) = (request.count(), request.seed);
+    let space = space(scene, request, &tolerances)?;
+    let mut draw = Draw::new(scene, &tolerances, seed);
+    let mut report =
+        Report { tolerances: tolerances.clone(), wanted, seed, model, ..Report::default() };
     let limit = space.outputs().iter().position(|it| it.name == LIMIT);
     let limit = limit.filter(|_| model != ModelError::default());
     let (mut errors, mut corrected) = (Random::new(!seed), Vec::new());
     let own = space.design_of(scene);
-    context.expect(task.samples);
+    context.expect(wanted);
     let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
-    draw.each_batch(task.samples, context, |designs, context| {
+    draw.each_batch(wanted, context, |designs, context| {
         let found = space.evaluate(designs, context);
         report.samples += found.len();
         for found in found {
@@ -230,27 +295,27 @@ pub fn sample(scene: &Scene, task: &Task, context: &mut Context<'_>) -> Result<R
 }
 
 /// Where the samples are evaluated.
-fn space(scene: &Scene, task: &Task) -> Result<Plan, SweepError> {
-    if task.tolerances.is_empty() {
+fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<Plan, SweepError> {
+    if tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";
         return Err(SweepError(text.to_owned()));
     }
-    if !(2..=SAMPLES_MAX).contains(&task.samples) {
+    let samples = request.count();
+    if !(2..=SAMPLES_MAX).contains(&samples) {
         return Err(SweepError(format!(
-            "samples = {} is outside 2 to {SAMPLES_MAX}: 10000 is usual",
-            task.samples
+            "samples = {samples} is outside 2 to {SAMPLES_MAX}: 10000 is usual"
         )));
     }
-    for (at, tolerance) in task.tolerances.iter().enumerate() {
-        if task.tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
+    for (at, tolerance) in tolerances.iter().enumerate() {
+        if tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
             let symbol = tolerance.symbol();
             let text = format!("{symbol} scatters twice: give each input one distribution");
             return Err(SweepError(text));
         }
     }
-    let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
+    let axes = tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
-    Plan::for_designs(scene, axes, &task.measures)
+    Plan::for_designs(scene, axes, &request.measures())
 }
 
 /// The stream of samples: the one random source of every Monte Carlo study.

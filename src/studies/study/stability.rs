@@ -167,11 +167,11 @@ pub fn examine(case: &'static Case, clock: TimeBudget<'_>) -> Option<Row> {
         }
         // Those that the reference may come from are compared with the engine, which shares no code with them.
         let by_engine = answer_of(&run).ok().filter(|_| basis != Basis::Stored);
-        let judge = match other {
+        let reference = match other {
             Other::Explicit | Other::Implicit => by_engine.or(contact),
             Other::ThesisCoarse | Other::ThesisFine => contact,
         };
-        others::judge(other, &scene, judge)
+        others::verdict(other, &scene, reference)
     });
     let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);

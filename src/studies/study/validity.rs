@@ -250,13 +250,11 @@ pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> 
     found.map(|warning| format!("{lead}: {warning}")).collect()
 }
 
-/// How often each check is among those that designs fail.
-pub fn counts_of<'c>(fails: impl Iterator<Item = &'c [Check]>) -> Vec<(Check, usize)> {
-    let mut counts = Check::ALL.map(|check| (check, 0));
-    for check in fails.flatten() {
-        counts[*check as usize].1 += 1;
-    }
-    counts.into_iter().filter(|(_, count)| *count > 0).collect()
+/// How many designs fail each check, by the checks that each fails.
+pub fn counts_of(fails: &[Vec<Check>]) -> Vec<(Check, usize)> {
+    let count = |check: &Check| fails.iter().filter(|fails| fails.contains(check)).count();
+    let counts = Check::ALL.map(|check| (check, count(&check))).into_iter();
+    counts.filter(|(_, count)| *count > 0).collect()
 }
 
 /// These counts in words: `h/D 100, interface 88`.
@@ -376,7 +374,7 @@ mod tests {
             let of =
                 |scene| Checked::of(&scene, named("stroke_m").unwrap(), &[], &mut || is_run).fails;
             let fails = [0.0, 0.5].map(cocked).map(of);
-            let counts = counts_of(fails.iter().map(Vec::as_slice));
+            let counts = counts_of(&fails);
             let of = |check| counts.iter().find(|it| it.0 == check).map_or(0, |it| it.1);
             (of(Check::Thickness), of(Check::Interface))
         };

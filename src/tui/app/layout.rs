@@ -9,7 +9,7 @@ pub const SMALLEST: (u16, u16) = (60, 16);
 pub const CHART_ROWS: u16 = 9;
 /// Below this width the setup and what it is about get in each other's way.
 pub const NARROW: u16 = 72;
-/// From this width on there are three stacked charts.
+/// From this width on a setup has room for long words.
 pub const WIDE: u16 = 100;
 /// From this width on names of runs stand in full beside their results.
 pub const ROOMY: u16 = 120;
@@ -34,9 +34,9 @@ pub struct Layout {
     pub keys: Rect,
 }
 
-/// Where everything stands at a size, for a tab with several pages or one.
-pub fn layout((width, height): (u16, u16), has_pages: bool) -> Layout {
-    let messages = if height < TWO_MESSAGE_ROWS { 1 } else { 2 };
+/// Where everything stands at a size, for a tab with several pages or one, with a row for hints or without.
+pub fn layout((width, height): (u16, u16), has_pages: bool, has_hint: bool) -> Layout {
+    let messages = if height < TWO_MESSAGE_ROWS || !has_hint { 1 } else { 2 };
     // On the lowest screens the frame of the pane names the page.
     let with_pages = has_pages && height >= WITH_PAGES;
     let rows = layout::Layout::vertical([

@@ -2,24 +2,20 @@
 
 use crate::model::run::envelope::{self, Breach, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
-use crate::model::scene::Mount;
-use crate::model::units::significant;
-use crate::model::variables::Kind;
-use crate::report::run::page;
+use crate::model::units::{in_unit, significant};
 use crate::report::series::Channel;
-use crate::study::quantities;
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
-use crate::tui::pages::run::VARIABLES;
+use crate::tui::pages::run::editor;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart, note, old, part};
 use crate::tui::prelude::*;
 use crate::tui::theme::columns;
 
 const MESSAGE_LINES: usize = 4;
-/// From this width on the first line is reported in full.
-const WIDE_ENOUGH: u16 = 78;
+/// How to begin, at the first start.
+const FIRST_LINE: &str = "Move <down>/<up>, change <left>/<right>, type <enter>, <tab-explore> explore, <tab-limit> limit, <help> help.";
 
 impl App {
     /// The message area: what stands under the cursor or what the selected row means, and below it the newest message; wrapped.
@@ -40,8 +36,8 @@ impl App {
             }
             let is_full = lines.len() >= area;
             let mut lines = plain(severity, lines);
-            let answer = self.answer().filter(|_| !is_full);
-            lines.extend(answer.map(|text| (Severity::Note, clip(&text, room))));
+            let hint = self.pin_hint(room).filter(|_| !is_full);
+            lines.extend(hint.map(|text| (Severity::Note, text)));
             return lines;
         };
         let mut lines = wrapped(&text);
@@ -63,16 +59,27 @@ impl App {
         all
     }
 
-    /// What came of the run on the screen, in a sentence.
-    fn answer(&self) -> Option<String> {
-        let is_shown = self.tab == Tab::Run && !self.is_stale() && self.current_visible;
+    /// How to keep the run on the screen, and what it did not need.
+    fn pin_hint(&self, room: usize) -> Option<String> {
+        let is_shown = self.tab == Tab::Run && self.pins.is_empty() && !self.is_stale();
         let run = &self.shown.as_ref().filter(|_| is_shown)?.run;
-        let stroke = quantities::find("stroke_m").and_then(|stroke| stroke.value(run));
-        let stroke = stroke.filter(|_| run.scene.plate.mount == Mount::Sprung);
-        let stroke = stroke.map_or_else(String::new, |stroke_m| {
-            format!("; stroke {}", engineering(stroke_m, "m"))
-        });
-        Some(page::outcome(run) + &stroke)
+        if self.first_run {
+            return Some(clip(&self.keymap.shown(FIRST_LINE), room));
+        }
+        let hint = self
+            .keymap
+            .shown("<mark> pins this run to compare, <presets> presets, <export> export");
+        let omitted = &run.omitted;
+        let left_out = |count: usize| {
+            let more = if count < omitted.len() {
+                format!(" +{}", omitted.len() - count)
+            } else {
+                String::new()
+            };
+            format!("{hint}; omitted: {}{more}", omitted[..count].join(", "))
+        };
+        let texts = (1..=omitted.len()).rev().map(left_out).chain([hint.clone()]);
+        Some(fitting(texts, room))
     }
 
     /// Why an open field refuses its text, or the newest message.
@@ -83,22 +90,7 @@ impl App {
         if let Some(notice) = &self.notice {
             return Some((notice.severity, notice.text.clone()));
         }
-        let shows = self.first_run && self.pane() == VARIABLES && self.dialog.is_none();
-        shows.then(|| (Severity::Note, self.keymap.shown(&self.first_line())))
-    }
-
-    /// How to begin, at the first start.
-    fn first_line(&self) -> String {
-        if self.size.0 < WIDE_ENOUGH {
-            return "Move <down>/<up>, change <left>/<right>, <tab-explore> explore, <tab-limit> limit, <help> help."
-                .to_owned();
-        }
-        let scene = &self.scene.projectile;
-        format!(
-            "Baseline: a {} g projectile at {} m/s hits a sprung plate. Move with <down>/<up>, change a value with <left>/<right>, press <tab-explore> to explore, <tab-limit> for the limit, <help> for help.",
-            significant(scene.mass_kg * 1e3, 3),
-            significant(scene.velocity_m_s, 4),
-        )
+        None
     }
 
     /// What stands under the cursor, or what the selected row means.
@@ -122,20 +114,18 @@ impl App {
         let variable = self.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
-        let unit = variable.unit();
-        let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
-        let text = format!("{}{note}: {}{unit}", variable.symbol, variable.meaning);
-        let range = match &variable.kind {
-            Kind::Number(number) => number.thesis_range.map_or_else(
-                || variable.allowed(),
-                |(low, high)| {
-                    let show = crate::model::units::shortest;
-                    format!("thesis {} to {}", show(low), show(high))
-                },
-            ),
-            Kind::Choice(_) | Kind::Switch { .. } => variable.allowed(),
-        };
-        let long = format!("{text}; {range}");
+        let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
+        if let Some(points) = editor::measured(self) {
+            return clip(&format!("{text}; {points}: <enter>"), room);
+        }
+        let unit = self.editor.unit(self.editor.selected);
+        let range = variable.number().and_then(|number| {
+            let (low, high) = number.thesis_range?;
+            let show = |value| in_unit(value, unit, number.quantity).map(|it| significant(it, 6));
+            Some(format!("thesis {} to {} {unit}", show(low)?, show(high)?))
+        });
+        let range = range.unwrap_or_else(|| variable.allowed());
+        let long = format!("{text}; {}", range.trim_end());
         // Cut, not wrapped: `?` has all of it.
         if long.chars().count() <= room { long } else { clip(&text, room) }
     }
@@ -206,9 +196,7 @@ impl App {
         let is_done = self.shown.as_ref().is_some_and(|shown| {
             shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
         });
-        // The answer comes first; how long it took is of less interest.
-        let (mut parts, last) =
-            if is_done { (Vec::new(), Some(state)) } else { (vec![state], None) };
+        let mut parts = if is_done { self.cost_words().into_iter().collect() } else { vec![state] };
         let Some(shown) = &self.shown else {
             return parts;
         };
@@ -218,45 +206,33 @@ impl App {
             parts.push(part(Severity::Note, "the curve so far".to_owned()));
             return parts;
         }
-        // The outcome of the shot stays in sight on the narrowest screen.
-        let severity = |outcome| match outcome {
-            Outcome::Arrested | Outcome::Separated => Severity::Note,
-            Outcome::Perforated | Outcome::Moving => Severity::Warning,
-        };
-        parts.push(match &run.stack {
-            Some(stack) => {
-                let short = format!("stack {}", stack.outcome.word());
-                (severity(stack.outcome), stack.sentence(), short)
-            }
-            None if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates => {
-                part(severity(run.outcome), "moving after 500 oscillations".to_owned())
-            }
-            None => (severity(run.outcome), page::outcome(run), run.outcome.word().to_owned()),
-        });
+        if let Some(stack) = &run.stack {
+            let severity = match stack.outcome {
+                Outcome::Arrested | Outcome::Separated => Severity::Note,
+                Outcome::Perforated | Outcome::Moving => Severity::Warning,
+            };
+            let short = format!("stack {}", stack.outcome.word());
+            parts.push((severity, stack.sentence(), short));
+        } else if run.outcome == Outcome::Moving && run.end == EndReason::Oscillates {
+            parts.push(part(Severity::Warning, "moving after 500 oscillations".to_owned()));
+        }
         parts.extend(demand(run).map(|text| part(Severity::Warning, text)));
         parts.extend(self.validity_part());
-        if let Some(estimate) = run.error_estimate {
-            parts.push(part(
-                Severity::Note,
-                match estimate.basis {
-                    EstimateBasis::ClosedForm => "exact".to_owned(),
-                    EstimateBasis::SecondComputation | EstimateBasis::HalfStep => {
-                        format!("estimated error {:.0e}", estimate.relative)
-                    }
-                    EstimateBasis::OutcomeDiffers(_) => "estimated error unknown".to_owned(),
-                },
-            ));
-        }
-        let cost = &run.cost;
-        parts.push(part(Severity::Note, steps(run)));
-        parts.push((
-            Severity::Note,
-            format!("{} ({})", cost.method, cost.reason),
-            cost.method.to_owned(),
-        ));
-        parts.extend(last);
-        parts.extend(left_out(run));
         parts
+    }
+
+    /// The estimated error of the run, and how long it took with the estimate.
+    fn cost_words(&self) -> Option<StatusPart> {
+        let shown = self.shown.as_ref()?;
+        let took = show_duration(shown.took?);
+        let error = shown.run.error_estimate.map(|estimate| match estimate.basis {
+            EstimateBasis::OutcomeDiffers(_) => "error unknown".to_owned(),
+            _ if estimate.relative == 0.0 => "exact".to_owned(),
+            _ => format!("error {:.0e}", estimate.relative),
+        });
+        let text = error.map_or_else(|| took.clone(), |error| format!("{error}, {took}"));
+        let long = format!("{text} with its estimate");
+        Some((Severity::Note, long, text))
     }
 
     fn state_words(&self) -> StatusPart {
@@ -304,21 +280,6 @@ pub fn warning_text(warning: &Warning) -> String {
         }
         _ => warning.to_string(),
     }
-}
-
-/// `10 steps, 2 events`.
-fn steps(run: &Run) -> String {
-    let (cost, events) = (&run.cost, run.events.len());
-    let rejected = match cost.rejected {
-        0 => String::new(),
-        count => format!(", {count} rejected"),
-    };
-    let (step, event) = (plural("step", cost.steps), plural("event", events));
-    format!("{} {step}{rejected}, {events} {event}", cost.steps)
-}
-
-fn plural(word: &str, count: usize) -> String {
-    format!("{word}{}", if count == 1 { "" } else { "s" })
 }
 
 /// `now`, or the pin's letter.
@@ -396,13 +357,6 @@ pub fn shortened(title: &str) -> String {
 /// A result's title in a given number of columns: in shorter words where it is too long.
 pub fn fitted(title: &str, width: usize) -> String {
     if columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
-}
-
-/// The omitted terms of a run, in full and as a number.
-fn left_out(run: &Run) -> Option<StatusPart> {
-    let (omitted, count) = (run.omitted.join(", "), run.omitted.len());
-    let (full, short) = (format!("omitted terms: {omitted}"), format!("{count} terms omitted"));
-    (count > 0).then_some((Severity::Note, full, short))
 }
 
 /// Lines of at most `width` columns, broken at blanks; a longer word is broken where it must be.

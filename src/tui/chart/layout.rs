@@ -5,10 +5,10 @@ use ratatui::text::{Line, Span};
 
 use super::canvas::left_out_of;
 use super::{
-    Axis, Chart, Curve, Emphasis, Labels, Legend, Mapping, Side, cell_marker, frame_of, role,
+    Axis, Below, Chart, Curve, Emphasis, Frame, Legend, Mapping, Scale, cell_marker, frame_of, role,
 };
 use crate::report::chart::spaced;
-use crate::report::chart::ticks::{Along, Ticks};
+use crate::report::chart::ticks::{Along, Tick, Ticks};
 use crate::tui::theme::Theme;
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
@@ -19,7 +19,7 @@ const LEAST_PLOT_WIDTH: u16 = 8;
 const AXIS_FROM: u16 = 3;
 const LABELS_FROM: u16 = 4;
 const LEGEND_ROW_FROM: u16 = 9;
-/// Least blank columns right of a plot without a right axis: for the second half of the last label, and a blank.
+/// Least blank columns right of a plot: for the second half of the last label, and a blank.
 const MARGIN: u16 = 2;
 
 /// Where the parts of a chart lie, and how its values map to cells.
@@ -31,8 +31,6 @@ pub struct Layout {
     pub x: Mapping,
     /// Rows of the plot, counted upward.
     pub y: Mapping,
-    /// Rows of the plot by the right axis, counted upward.
-    pub right: Option<Mapping>,
     /// Columns for labels left of the left axis.
     pub gutter: u16,
     /// Everything inside the frame.
@@ -40,12 +38,10 @@ pub struct Layout {
     /// The row of the legend, when the title line cannot take it.
     pub(super) legend: Option<Rect>,
     pub(super) axis_left: Option<u16>,
-    pub(super) axis_right: Option<u16>,
     pub(super) axis_below: Option<u16>,
     pub(super) labels_below: Option<u16>,
     pub(super) x_ticks: Ticks,
     pub(super) y_ticks: Ticks,
-    pub(super) right_ticks: Ticks,
 }
 
 impl Layout {
@@ -60,24 +56,24 @@ impl Layout {
 pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout {
     let with_legend = legend_row && inner.height >= LEGEND_ROW_FROM;
     let top = u16::from(with_legend);
-    let axis = u16::from(inner.height >= AXIS_FROM);
-    let labels = u16::from(inner.height >= LABELS_FROM && chart.x.labels == Labels::Shown);
+    let is_stacked = chart.frame != Frame::Boxed;
+    let axis = u16::from(inner.height >= AXIS_FROM && !is_stacked);
+    let labels = u16::from(inner.height >= LABELS_FROM && !is_stacked);
     let height = inner.height.saturating_sub(top + axis + labels);
 
     let y = map(&chart.y, height);
-    let right = chart.right.as_ref().map(|axis| map(axis, height));
     let along = Along::Rows(half_rows_apart(height));
-    let y_ticks = chart.y.ticks(height, along);
-    let right_ticks =
-        chart.right.as_ref().map(|axis| axis.ticks(height, along)).unwrap_or_default();
+    let mut y_ticks = chart.y.ticks(height, along);
+    if is_stacked && (2..LOW).contains(&height) && chart.y.scale == Scale::Linear {
+        y_ticks = ends(chart, y);
+    }
 
     let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
     let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);
     let left = if has_left { gutter + 1 } else { 0 };
-    let right_width = right_ticks.width().max(1) + 2;
-    let has_right = right.is_some() && inner.width >= left + right_width + LEAST_PLOT_WIDTH;
-    let margin = match (has_right, has_left) {
-        (true, _) => right_width,
+    let margin = match (is_stacked, has_left) {
+        // Its last label moves to the left.
+        (true, _) => 1,
         (false, true) => {
             let width = inner.width.saturating_sub(left + MARGIN);
             let label = chart.x.ticks(width, Along::Row).width();
@@ -92,23 +88,44 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
         width: inner.width.saturating_sub(left + margin),
         height,
     };
+    // The lines of stacked charts have the axis and its numbers.
+    let line = match chart.frame {
+        Frame::Boxed => None,
+        Frame::Stacked { below: Below::Nothing, .. } => None,
+        Frame::Stacked { .. } => Some(inner.bottom()),
+    };
     let below = plot.bottom();
     Layout {
         plot,
         x: map(&chart.x, plot.width),
         y,
-        right,
         gutter,
         inner,
         legend: with_legend.then_some(Rect { height: 1, ..inner }),
         axis_left: has_left.then(|| plot.x - 1),
-        axis_right: has_right.then(|| plot.right()),
-        axis_below: (axis == 1).then_some(below),
-        labels_below: (labels == 1).then_some(below + 1),
+        axis_below: (axis == 1).then_some(below).or(line),
+        labels_below: (labels == 1).then_some(below + 1).or(line),
         x_ticks: chart.x.ticks(plot.width, Along::Row),
         y_ticks,
-        right_ticks,
     }
+}
+
+/// Stacked charts with fewer rows have no room for round numbers.
+const LOW: u16 = 6;
+
+/// Labels at the lowest and the highest row of a low chart, and at zero where that is between them.
+fn ends(chart: &Chart<'_>, rows: Mapping) -> Ticks {
+    let tick = |cell: u16| {
+        let value = rows.value(cell) * chart.y.unit.factor;
+        let value = if value.abs() < 1e-9 * rows.view().span() { 0.0 } else { value };
+        let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+        Tick { cell, value, label: short.to_string() }
+    };
+    let top = rows.cells().saturating_sub(1);
+    let zero = rows.cell(0.0).filter(|cell| (1..top).contains(cell));
+    let zero = zero.map(|cell| Tick { cell, value: 0.0, label: "0".to_owned() });
+    let labelled = [Some(tick(0)), zero, Some(tick(top))];
+    Ticks { labelled: labelled.into_iter().flatten().collect(), ..Ticks::default() }
 }
 
 /// Half rows from one label to the next.
@@ -145,6 +162,9 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     let axis = |layout: &Layout| chart.x.text(layout.x_ticks.exponent);
 
     let full = layout(chart, inner, false);
+    if chart.frame != Frame::Boxed {
+        return stacked(chart, full, entries, room);
+    }
     let title = title_text(chart, &full) + &hidden(left_out);
     let both = join(legend.clone(), axis(&full));
     if Span::raw(&title).width() + both.width() <= room {
@@ -169,15 +189,35 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     Plan { layout, title, right, legend }
 }
 
+/// The same for a chart in a box of several, whose title has its number with a unit: beside it the legend and the note, as far as
+/// there is room.
+fn stacked<'a>(
+    chart: &'a Chart<'_>,
+    layout: Layout,
+    entries: Vec<[Span<'a>; 2]>,
+    room: usize,
+) -> Plan<'a> {
+    let unit = &*chart.y.unit.name;
+    let has_unit = unit.is_empty() || chart.title.split([' ', ',']).any(|word| word == unit);
+    let full = title_text(chart, &layout);
+    let is_whole = Span::raw(&full).width() <= room + 3;
+    let title = if (has_unit && layout.y_ticks.exponent == 0) || !is_whole {
+        chart.title.clone().into_owned()
+    } else {
+        full
+    };
+    let title = title + &hidden(left_out(chart));
+    let room = room.saturating_sub(Span::raw(&title).width());
+    let legend = line(entries);
+    let both = join(legend.clone(), chart.note.to_string());
+    let note = Line::from(chart.note.to_string());
+    let right = [both, legend, note].into_iter().find(|line| line.width() <= room);
+    Plan { layout, title, right: right.unwrap_or_default(), legend: Line::default() }
+}
+
 /// Points that a logarithmic axis cannot show.
 fn left_out(chart: &Chart<'_>) -> usize {
-    let count = |curve: &Curve<'_>| {
-        let vertical = match (curve.side, &chart.right) {
-            (Side::Right, Some(axis)) => axis.scale,
-            (Side::Right, None) | (Side::Left, _) => chart.y.scale,
-        };
-        left_out_of(curve, chart.x.scale, vertical)
-    };
+    let count = |curve: &Curve<'_>| left_out_of(curve, chart.x.scale, chart.y.scale);
     chart.curves.iter().map(count).sum()
 }
 
@@ -192,21 +232,15 @@ fn hidden(count: usize) -> String {
 
 fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
     let unit = chart.y.unit_text(layout.y_ticks.exponent);
-    let mut text = spaced(&chart.title, &unit);
-    if let Some(axis) = &chart.right {
-        text += ", right: ";
-        text += &axis.text(layout.right_ticks.exponent);
-    }
-    text
+    spaced(&chart.title, &unit)
 }
 
 /// The marker and the words of each curve that has a label.
 fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
     let entry = |curve: &Curve<'_>| {
         let old = if curve.emphasis == Emphasis::Stale { " (old)" } else { "" };
-        let side = if curve.side == Side::Right { " (right)" } else { "" };
         let marker = Span::styled(cell_marker(curve).to_string(), theme.style(role(curve)));
-        [marker, Span::raw(format!(" {}{old}{side}", curve.label))]
+        [marker, Span::raw(format!(" {}{old}", curve.label))]
     };
     let is_shown = |curve: &&Curve<'_>| chart.legend != Legend::Hidden && !curve.label.is_empty();
     chart.curves.iter().filter(is_shown).map(entry).collect()

@@ -6,7 +6,7 @@ use ratatui::text::Span;
 
 use super::canvas::{Canvas, trace};
 use super::layout::Layout;
-use super::{Chart, Curve, Emphasis, Labels, Mapping, Mark, Scale, Side, cell_marker, role};
+use super::{Chart, Curve, Emphasis, Frame, Mark, Scale, cell_marker, role};
 use crate::report::chart::ticks::{Tick, label_start};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
@@ -21,8 +21,7 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
         return;
     }
     let mut painter = Painter { chart, layout, buffer, theme };
-    painter.vertical_axis(layout.axis_left, &layout.y_ticks.labelled, true);
-    painter.vertical_axis(layout.axis_right, &layout.right_ticks.labelled, false);
+    painter.vertical_axis();
     painter.horizontal_axis();
     painter.levels();
     painter.events();
@@ -56,8 +55,8 @@ impl Painter<'_> {
         self.layout.plot.bottom() - 1 - cell
     }
 
-    fn vertical_axis(&mut self, column: Option<u16>, ticks: &[Tick], left: bool) {
-        let Some(x) = column else {
+    fn vertical_axis(&mut self) {
+        let Some(x) = self.layout.axis_left else {
             return;
         };
         let plot = self.layout.plot;
@@ -65,12 +64,11 @@ impl Painter<'_> {
         for y in plot.top()..plot.bottom() {
             self.put(x, y, lines.vertical, style);
         }
-        let mark = if left { lines.tick_left } else { lines.tick_right };
-        for tick in ticks {
+        for tick in &self.layout.y_ticks.labelled {
             let y = self.row(tick.cell);
-            self.put(x, y, mark, style);
+            self.put(x, y, lines.tick_left, style);
             let width = u16::try_from(tick.label.len()).unwrap_or(u16::MAX);
-            let from = if left { x.saturating_sub(width) } else { x + 1 };
+            let from = x.saturating_sub(width);
             let text = self.theme.style(Role::Text);
             self.buffer.set_string(from, y, &tick.label, text);
         }
@@ -80,6 +78,9 @@ impl Painter<'_> {
         let Some(y) = self.layout.axis_below else {
             return;
         };
+        if self.chart.frame != Frame::Boxed {
+            return self.axis_in_line(y);
+        }
         let plot = self.layout.plot;
         let (lines, style) = (self.theme.lines(), self.theme.style(Role::Border));
         for x in plot.left()..plot.right() {
@@ -88,33 +89,49 @@ impl Painter<'_> {
         if let Some(x) = self.layout.axis_left {
             self.put(x, y, lines.bottom_left, style);
         }
-        if let Some(x) = self.layout.axis_right {
-            self.put(x, y, lines.bottom_right, style);
-        }
         for cell in &self.layout.x_ticks.minor {
             self.put(plot.x + cell, y, lines.tick_minor, style);
         }
         let mut free_from = i32::from(self.layout.inner.left());
         for tick in &self.layout.x_ticks.labelled {
             self.put(plot.x + tick.cell, y, lines.tick_below, style);
-            free_from = self.label_below(tick, free_from);
+            free_from = self.label_below(tick, free_from, 0);
         }
     }
 
-    /// Writes a label centred under its tick, moved only as far as the frame demands, and gives the first cell after it.
+    /// The line below a stacked chart: numbers stand in it where the ticks of an axis would, and the unit at its right end.
+    fn axis_in_line(&mut self, y: u16) {
+        let style = self.theme.style(Role::Border);
+        if let Some(x) = self.layout.axis_left {
+            self.put(x, y, '┴', style);
+        }
+        let unit = self.chart.x.unit_text(self.layout.x_ticks.exponent);
+        let unit = format!(" {} ", unit.trim_matches(['[', ']']));
+        let taken = u16::try_from(Span::raw(&unit).width()).unwrap_or(u16::MAX);
+        let inner = self.layout.inner;
+        let text = self.theme.style(Role::Text);
+        if taken > 2 && taken < inner.width {
+            self.buffer.set_string(inner.right() - taken, y, &unit, text);
+        }
+        let mut free_from = i32::from(self.layout.axis_left.map_or(inner.left(), |x| x + 1));
+        for tick in &self.layout.x_ticks.labelled {
+            free_from = self.label_below(tick, free_from, taken);
+        }
+    }
+
+    /// Writes a label centred under its tick, moved only as far as the frame, and what is taken at its right, demand, and gives the first cell after it.
     /// Without room it is omitted; the tick stays.
-    fn label_below(&mut self, tick: &Tick, free_from: i32) -> i32 {
-        let (Some(y), Labels::Shown) = (self.layout.labels_below, self.chart.x.labels) else {
+    fn label_below(&mut self, tick: &Tick, free_from: i32, taken: u16) -> i32 {
+        let Some(y) = self.layout.labels_below else {
             return free_from;
         };
         let inner = self.layout.inner;
         let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
         let centre = i32::from(self.layout.plot.x + tick.cell);
-        let latest = i32::from(inner.right()) - length;
+        let latest = i32::from(inner.right()) - i32::from(taken) - length;
         let earliest = i32::from(inner.left());
         let start = label_start(centre, length).min(latest).max(earliest);
-        let room =
-            start >= free_from && start <= centre && start + length <= i32::from(inner.right());
+        let room = start >= free_from && start <= centre && start <= latest;
         match u16::try_from(start) {
             Ok(x) if room => {
                 let style = self.theme.style(Role::Text);
@@ -237,7 +254,7 @@ impl Painter<'_> {
         let mut markers = Vec::new();
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
-            trace(curve, owner, (self.layout.x, self.vertical(curve)), &mut canvas);
+            trace(curve, owner, (self.layout.x, self.layout.y), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
                 place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
             }
@@ -266,18 +283,11 @@ impl Painter<'_> {
         self.crosshair(&canvas);
     }
 
-    fn vertical(&self, curve: &Curve<'_>) -> Mapping {
-        match (curve.side, self.layout.right) {
-            (Side::Right, Some(map)) => map,
-            (Side::Right, None) | (Side::Left, _) => self.layout.y,
-        }
-    }
-
     fn curve_style(&self, curve: &Curve<'_>) -> Style {
         let style = self.theme.style(role(curve));
         match curve.emphasis {
             Emphasis::Selected => style.add_modifier(Modifier::BOLD),
-            Emphasis::Normal | Emphasis::Stale => style,
+            Emphasis::Normal | Emphasis::Faint | Emphasis::Stale => style,
         }
     }
 

@@ -257,14 +257,24 @@ fn stacked_charts_begin_in_one_column() {
     assert_eq!(a.x, b.x);
 }
 
+/// Two charts with one axis: its numbers stand in the line below the lower one, each centred on the column of its value.
 #[test]
-fn hidden_labels_leave_their_row_to_the_plot() {
-    let mut chart = small(Vec::new());
-    chart.x.labels = Labels::Hidden;
-    chart.frame = Frame::OpenBelow;
-    let lines = chart.to_lines(29, 7, Theme::PLAIN);
-    assert_eq!(layout_of(&chart, Rect::new(0, 0, 29, 7)).plot.height, 5);
-    assert_eq!(lines[6], "|   ++----+----+----+----+  |");
+fn charts_in_one_box_share_the_axis_in_its_lower_line() {
+    let frame = |begins, below| Frame::Stacked { begins, below };
+    let mut charts = [small(vec![Curve::new('*', "now", &RISING)]), small(Vec::new())];
+    (charts[0].frame, charts[1].frame) = (frame(true, Below::Nothing), frame(false, Below::End));
+    charts[0].title = "Depth 4 m".into();
+    charts[0].note = "A = now".into();
+    let lines = charts.each_ref().map(|chart| chart.to_lines(29, 6, Theme::PLAIN));
+    assert_eq!(lines[0][0], "+- Depth 4 m ---- A = now --+");
+    assert_eq!(layout_of(&charts[0], Rect::new(0, 0, 29, 6)).plot.height, 5);
+    assert_eq!(lines[1][0], "+- y [m] -------------------+");
+    assert_eq!(lines[1][5], "+---+0---5---10---15---- s -+");
+    let below = layout_of(&charts[1], Rect::new(0, 0, 29, 6));
+    for (value, at) in [(5.0, lines[1][5].find('5')), (10.0, lines[1][5].find("10"))] {
+        let column = below.x.cell(value).map(|cell| usize::from(below.plot.x + cell));
+        assert!(column.zip(at).is_some_and(|(column, at)| column - at <= 1), "{column:?} {at:?}");
+    }
 }
 
 #[test]
@@ -332,17 +342,20 @@ proptest! {
     fn anything_is_drawn_inside_its_area(
         points in prop::collection::vec((any_f64(), any_f64()), 0..200),
         more in prop::collection::vec((any_f64(), any_f64()), 0..20),
-        axes in (any_axis(), any_axis(), prop::option::of(any_axis())),
+        axes in (any_axis(), any_axis()),
         marks in (any_f64(), any_f64(), any_f64()),
         corner in (0_u16..20, 0_u16..20),
         size in (0_u16..300, 0_u16..300),
-        frame in prop::sample::select(vec![Frame::Boxed, Frame::OpenBelow]),
+        frame in prop::sample::select(vec![
+            Frame::Boxed,
+            Frame::Stacked { begins: true, below: Below::Nothing },
+            Frame::Stacked { begins: false, below: Below::End },
+        ]),
         gutter in prop::sample::select(vec![0, 9, u16::MAX]),
         theme in any_theme(),
     ) {
-        let (x, y, right) = axes;
+        let (x, y) = axes;
         let chart = Chart {
-            right,
             marks: vec![Mark::new(marks.0, "arrest"), Mark::new(1.0, "日")],
             levels: vec![Mark::new(marks.1, "limit")],
             crosshair: Some(marks.2),
@@ -350,7 +363,7 @@ proptest! {
             gutter,
             ..Chart::new("a title", x, y, vec![
                 Curve::new('*', "now", &points),
-                Curve::new('日', "wide", &more).side(Side::Right),
+                Curve::new('日', "wide", &more),
             ])
         };
         let all = Rect::new(0, 0, corner.0 + 150, corner.1 + 150);
@@ -431,30 +444,6 @@ proptest! {
             prop_assert!(off <= most + 1e-3, "{} is {off} rows off: {:?}", tick.label, layout.y_ticks);
         }
     }
-}
-
-#[test]
-fn a_second_vertical_axis_has_its_own_ticks() {
-    let right = [(0.0, 0.0), (20.0, 400.0)];
-    let mut chart =
-        small(vec![Curve::new('*', "p", &FALLING), Curve::new('o', "x", &right).side(Side::Right)]);
-    chart.legend = Legend::Shown;
-    chart.right = Some(Axis::new("x", ViewRange::new(0.0, 400.0)).unit(Unit::new("mm")));
-    // 3 columns more than the margin of 2 for axis, labels and a blank.
-    let lines = chart.to_lines(32, 9, Theme::PLAIN);
-    assert!(lines[0].starts_with("+- y [m], right: x [mm]"), "{}", lines[0]);
-    assert_eq!(
-        lines[1..8],
-        [
-            "|  4+***               ooo+400 |",
-            "|   |   *****     ooooo   |    |",
-            "|  2+        ooooo        +200 |",
-            "|   |   ooooo     *****   |    |",
-            "|  0+ooo               ***+0   |",
-            "|   ++----+----+----+----++    |",
-            "|    0    5   10   15   20     |",
-        ]
-    );
 }
 
 #[test]

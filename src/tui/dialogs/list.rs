@@ -31,7 +31,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
             if picker.selected == row {
                 return press(app, KeyEvent::new(KeyCode::Enter, KeyModifiers::NONE));
             }
-            picker.selected = row;
+            (picker.selected, picker.moved) = (row, true);
         }
         (Some(Dialog::List(..)), Target::Beside) => {
             app.dialog = None;
@@ -59,11 +59,12 @@ fn in_list(app: &mut App, list: List, mut picker: Picker, key: KeyEvent) {
     let letter = !picker.typing && !key.modifiers.contains(KeyModifiers::CONTROL);
     if let Some(by) = moves(key, letter) {
         picker.selected = picker.selected.saturating_add_signed(by).min(last);
+        picker.moved = true;
         app.dialog = Some(Dialog::List(list, picker));
         return;
     }
     match (key.code, list) {
-        (KeyCode::Esc, List::Palette) => return,
+        (KeyCode::Esc, List::Palette | List::Presets) => return,
         (KeyCode::Esc, _) if picker.typing => picker = Picker::default(),
         (KeyCode::Esc, _) => return,
         (KeyCode::Char('q'), _)
@@ -80,11 +81,13 @@ fn in_list(app: &mut App, list: List, mut picker: Picker, key: KeyEvent) {
             options::change(app, OptionRow::ALL[picker.selected.min(last)], true);
         }
         (KeyCode::Enter, _) => return chosen(app, list, &picker),
-        (KeyCode::Char('/'), List::Help | List::Palette | List::Presets) if letter => {
+        (KeyCode::Char('/'), List::Help | List::Palette) if letter => {
             picker.typing = true;
         }
-        (KeyCode::Char(' '), List::Presets) if letter => presets::pin(app, &picker),
-        _ if picker.typing && picker.filter.press(key) => picker.selected = 0,
+        (KeyCode::Tab, List::Presets) => presets::pin(app, &picker),
+        _ if picker.typing && picker.filter.press(key) => {
+            (picker.selected, picker.moved) = (0, false);
+        }
         _ => {}
     }
     app.dialog = Some(Dialog::List(list, picker));
@@ -111,7 +114,7 @@ fn moves(key: KeyEvent, letter: bool) -> Option<isize> {
 /// After text came into a dialog: what is selected may not be there any more.
 pub(crate) fn after_typing(app: &mut App) {
     match &mut app.dialog {
-        Some(Dialog::List(_, picker)) => picker.selected = 0,
+        Some(Dialog::List(_, picker)) => (picker.selected, picker.moved) = (0, false),
         Some(Dialog::Ask(ask)) => ask.forget(),
         None => {}
     }

@@ -9,7 +9,7 @@ use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages::explore::setup;
 use crate::tui::pages::run::charts;
-use crate::tui::pages::run::editor::{WIDE, shown_value};
+use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::{self, explore, run};
 use crate::tui::prelude::*;
 use crate::tui::update::act;
@@ -102,7 +102,7 @@ impl App {
             Item::Variable(index) => {
                 let variable = &VARIABLES[*index];
                 let verb = if variable.number().is_some() { "type" } else { "choose" };
-                let (symbol, now) = (variable.symbol, shown_value(variable, &self.scene, WIDE));
+                let (symbol, now) = (variable.symbol, shown_value(variable, &self.scene));
                 format!("Enter: {verb} {symbol}, now {now}: {}", variable.meaning)
             }
             Item::Curve(curve) => {

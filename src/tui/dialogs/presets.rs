@@ -1,5 +1,6 @@
 //! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
 
+use crate::model::scene::{Mount, PlateSize, Scene};
 use crate::model::variables::VARIABLES;
 use crate::tui::app::Base;
 use crate::tui::app::layout::{split_left, split_top};
@@ -7,8 +8,8 @@ use crate::tui::app::status::clip;
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::dialogs::{Dialog, List, Picker, filter, frame, preset_rows};
 use crate::tui::message::{FileTask, PresetEntry};
-use crate::tui::pages::run::editor::shown_value;
-use crate::tui::pages::run::runs;
+use crate::tui::pages::run::editor::{index_of, shown_value};
+use crate::tui::pages::run::{self, runs};
 use crate::tui::pages::thesis;
 use crate::tui::prelude::*;
 use crate::tui::update::edit;
@@ -19,7 +20,7 @@ const NAMES: u16 = 32;
 
 pub(crate) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let pane = PaneFrame::new("Presets, threats, materials, absorbers");
-    let pane = pane.right("Enter loads, Space pins only");
+    let pane = pane.right("Enter loads, Tab pins only");
     let inner = frame(screen, (110, 40), pane, canvas);
     filter(picker, inner, canvas);
     let (_, body) = split_top(inner, 2);
@@ -96,10 +97,9 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     let mut lines = vec![("would change:".to_owned(), Role::Text)];
     for index in differing {
         let variable = &VARIABLES[index];
-        let brief = |scene| shown_value(variable, scene, 24);
+        let brief = |scene| shown_value(variable, scene);
         let (old, new) = (brief(&app.scene), brief(&scene));
-        let unit = variable.unit();
-        let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
+        let text = format!("  {:<9} {old} -> {new}", variable.symbol);
         lines.push((clip(&text, usize::from(width)), Role::Text));
     }
     lines
@@ -132,6 +132,11 @@ pub(crate) fn chosen(app: &mut App, picker: &Picker) {
     let ends = std::path::Path::new(typed).extension();
     let is_path = typed.contains('/') || ends.is_some_and(|end| end == "toml");
     let stay = || Some(Dialog::List(List::Presets, picker.clone()));
+    if typed.is_empty() && !picker.moved {
+        app.tell("type a name, or move to one: nothing is loaded that was not chosen");
+        app.dialog = stay();
+        return;
+    }
     match selected_preset(app, picker) {
         Some(entry) => {
             let before = app.effects.len();
@@ -167,10 +172,30 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) {
             } else {
                 app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
             }
+            ask_for_face(app);
         }
     }
 }
 
+/// Open the field of the plate's side where both the shot and the plate have been chosen: a mass ratio of another shot would give the
+/// plate a size that nobody asked for.
+fn ask_for_face(app: &mut App) {
+    let usual = Scene::default();
+    let (scene, base) = (&app.scene, &app.base.scene);
+    let is_chosen = |it: &Scene| scene.projectile != it.projectile && scene.target != it.target;
+    let by_ratio = scene.plate.size == PlateSize::Ratio && scene.plate.mount == Mount::Sprung;
+    if by_ratio && is_chosen(&usual) && is_chosen(base) {
+        app.focus_on(run::VARIABLES);
+        app.editor.filter.clear();
+        app.editor.selected = index_of("face");
+        run::open(app);
+        app.tell(
+            "how large is the plate? type the side of its face (150mm), or <back> keeps gamma",
+        );
+    }
+}
+
+/// The preset that is chosen: moved to, or the first that matches what was typed.
 fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
     let rows = preset_rows(&app.presets, picker.filter.value());
     rows.get(picker.selected).map(|entry| (*entry).clone())

@@ -15,7 +15,7 @@ use crate::tui::app::layout::{ROOMY, setup_width};
 use crate::tui::app::show_duration;
 use crate::tui::app::status::outside;
 use crate::tui::dialogs::{ask, wrap};
-use crate::tui::pages::explore::plan::{PictureSweep, at_rest};
+use crate::tui::pages::explore::plan::{PictureSweep, PrintedSweep, at_rest};
 use crate::tui::pages::explore::state::{Picture, SweepResult, no_sweep, sweep_of};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs::{self, engineering};
@@ -141,6 +141,11 @@ impl Page for ExploreTab {
                 parts.push(part(severity, format!("{count} {word}")));
             }
             let output = app.shown_output(&found.grid).0;
+            if !curves::printed(app, &found.grid, output).is_empty() {
+                let words = "faint: the thesis's own scheme, as printed; the others: corrected";
+                let short = "faint: the printed scheme";
+                parts.push((Severity::Note, words.to_owned(), short.to_owned()));
+            }
             parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|found| found.grid.outside_at_ends.iter().map(|it| it.0));
@@ -150,6 +155,9 @@ impl Page for ExploreTab {
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {
+        if running.study.of::<PrintedSweep>().is_some() {
+            app.pages.explore.printed = news.found::<Grid>().filter(|grid| grid.is_complete());
+        }
         let Some(sweep) = running.study.of::<PictureSweep>() else { return };
         let show = |app: &mut App, grid, took| {
             let scene = Arc::clone(&running.scene);
@@ -289,6 +297,10 @@ pub(crate) fn compute(app: &mut App) {
             app.pages.explore.problem = None;
             let sweep = PictureSweep { picture, plan: Arc::new(plan) };
             jobs::study(app, Tab::Explore, sweep);
+            app.pages.explore.printed = None;
+            if let Some(plan) = app.printed_plan() {
+                jobs::study(app, Tab::Explore, PrintedSweep(Arc::new(plan)));
+            }
         }
     }
 }

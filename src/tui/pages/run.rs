@@ -2,13 +2,12 @@
 
 pub mod charts;
 pub mod editor;
-pub(crate) mod mechanism;
 pub(crate) mod report;
 pub mod runs;
 pub mod steps;
 
 use crate::model::variables::Kind;
-use crate::tui::app::layout::{ROOMY, WIDE};
+use crate::tui::app::layout::{NARROW, ROOMY, WIDE};
 use crate::tui::dialogs::List;
 use crate::tui::pages;
 use crate::tui::pages::prelude::*;
@@ -22,22 +21,23 @@ pub const RUNS: Pane = Pane::of(Tab::Run, 2);
 #[rustfmt::skip]
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: VARIABLES, label: "Variables", has: &[Part::Form], keys: &[
-        key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Right, "change", "change the value by a step (<far-left> <far-right> ten steps, <fine-less> <fine-more> a tenth)"),
-        key(A::Down, "move", "move to another variable"),
-        key(A::Find, "find", "find a variable by symbol or word"),
+        key(A::Enter, "type", "type the value (25.4mm, 1/3, *2, +5%), or choose from a list"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
+        key(A::Window, "chart", "contact or whole in the selected chart; <full-pane> enlarges it"),
+        key(A::Down, "", "move to another variable; below the last one More unfolds"),
+        key(A::Find, "find", "find a variable by symbol or word"),
         key(A::Reset, "reset", "reset this row to the preset's value"),
     ] },
     PaneSpec { pane: CHARTS, label: "Charts", has: &[Part::Chart], keys: &[
+        key(A::Enter, "enlarge", "show the selected chart alone, or all of them again"),
+        key(A::Window, "contact/whole", "show the contact, or the whole response"),
+        key(A::Down, "chart", "select the chart below or above"),
         key(A::Right, "cursor", "move the cursor in time (<far-left> <far-right> ten columns)"),
         key(A::View, "view", "show another quantity: F(x), stiffness and stress come last"),
         key(A::EventNext, "event", "move the cursor to the next event"),
         key(A::ZoomIn, "zoom", "zoom about the cursor"),
-        key(A::Window, "window", "show the contact only, or the whole response"),
-        key(A::Down, "chart", "select the chart below or above"),
         key(A::Mark, "pin", "pin this run to compare with (A to H)"),
-        key(A::SecondAxis, "2nd axis", "second axis at the right: next quantity, after the last none"),
         key(A::Difference, "", "show curves as differences to the first pinned run"),
     ] },
     PaneSpec { pane: RUNS, label: "Runs", has: &[Part::Table], keys: &[
@@ -60,7 +60,6 @@ pub(super) const COMMANDS: &[Command] = &[
     Command::new(Call::In(VARIABLES, A::Reset), "Reset this variable to the preset", "default"),
     Command::new(Call::In(CHARTS, A::View), "Next quantity of the chart", "velocity force displacement stress yield stiffness"),
     Command::new(Call::In(CHARTS, A::Window), "Contact or whole response", "window time"),
-    Command::new(Call::In(CHARTS, A::SecondAxis), "Second axis of the chart", "right"),
     Command::new(Call::In(CHARTS, A::Difference), "Differences to the first pinned run", "compare subtract"),
     Command::new(Call::In(CHARTS, A::EventNext), "Next event", "arrest cursor"),
     Command::new(Call::In(CHARTS, A::FitVertical), "Fit the vertical axis to the view or to everything", "scale"),
@@ -75,7 +74,16 @@ impl Page for RunTab {
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (action, app.pane()) {
             (Action::Run, _) => jobs::run_now(app),
-            (_, CHARTS) | (Action::Difference, RUNS) => return charts::act(app, action),
+            (Action::Enter, CHARTS) => return self.act(app, Action::FullPane),
+            (Action::FullPane, pane) => {
+                // A list of variables is no better alone: the chart is meant.
+                app.focus_on(if pane == VARIABLES { CHARTS } else { pane });
+                let full = &mut app.full_pane[Tab::Run.index()];
+                *full = !*full;
+            }
+            (_, CHARTS) | (Action::Difference, RUNS) | (Action::Window, VARIABLES) => {
+                return charts::act(app, action);
+            }
             (Action::Mark, RUNS) if app.selected_run > 0 => runs::unpin(app),
             (Action::Mark, _) => runs::pin_scene(app),
             (Action::Enter, RUNS) => runs::load(app),
@@ -101,6 +109,8 @@ impl Page for RunTab {
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             CHARTS if app.charts.cursor_s.is_some() => note(Some(app.readout())),
+            CHARTS => note(Some(charts::draw::event_words(app, app.charts.selected))),
+            RUNS => note(runs::difference(app)),
             VARIABLES if app.editor.shows(&app.scene) => note(Some(app.variable_words(room))),
             _ => None,
         }
@@ -120,7 +130,7 @@ impl Page for RunTab {
                 let listed = app.editor.listed(&app.scene);
                 let selected = listed.iter().position(|index| *index == app.editor.selected);
                 let area = app.layout().body.and_then(|body| panes(app, body).variables);
-                let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(3)));
+                let shown = area.map_or(10, |area| usize::from(area.height.saturating_sub(2)));
                 Some(Rows { count: listed.len(), selected: selected.unwrap_or(0), shown })
             }
             RUNS => {
@@ -163,7 +173,7 @@ impl Page for RunTab {
     }
 
     fn text(&self, app: &App, _row: usize) -> String {
-        app.editor.variable().show(&app.scene)
+        app.variable_text()
     }
 
     fn change(&self, app: &mut App, _row: usize, input: Input<'_>) -> Result<(), String> {
@@ -184,18 +194,11 @@ impl Page for RunTab {
         if let Some(area) = panes.variables {
             editor::render(app, area, app.has_focus(VARIABLES), canvas);
         }
-        charts::draw::render(app, &panes.charts, app.has_focus(CHARTS), canvas);
+        if let Some(area) = panes.charts {
+            charts::draw::render(app, area, app.has_focus(CHARTS), canvas);
+        }
         if let Some(area) = panes.runs {
             runs::render(app, area, app.has_focus(RUNS), canvas);
-        }
-        if let Some(area) = panes.events {
-            mechanism::events(app, area, canvas);
-        }
-        if let Some(area) = panes.mechanism {
-            mechanism::render(app, area, canvas);
-        }
-        if let Some(area) = panes.ledger {
-            mechanism::ledger(app, area, canvas);
         }
     }
 }
@@ -236,103 +239,30 @@ pub(crate) fn open(app: &mut App) {
     }
 }
 
-/// From this width on: events and energy beside the charts.
-const WIDEST: u16 = 160;
-/// From this height on: the table of runs is always there.
-const TALL: u16 = 34;
-
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Panes {
     pub variables: Option<Rect>,
-    /// One chart (the selected one) or all three, from top to bottom.
-    pub charts: Vec<Rect>,
+    pub charts: Option<Rect>,
     pub runs: Option<Rect>,
-    pub events: Option<Rect>,
-    pub ledger: Option<Rect>,
-    pub mechanism: Option<Rect>,
 }
 
+/// The variables beside the charts, and below them the runs; or the pane that has the keys alone.
 pub(crate) fn panes(app: &App, body: Rect) -> Panes {
-    let (focus, pins) = (app.pane(), app.pins.len());
+    let none = Panes::default();
     if app.is_full() {
-        full(body, focus)
-    } else if body.width < WIDE {
-        narrow(body, app.size.1, focus, pins)
-    } else {
-        wide(body, app.size.1, focus, pins)
+        return match app.pane() {
+            CHARTS => Panes { charts: Some(body), ..none },
+            RUNS => Panes { runs: Some(body), ..none },
+            _ => Panes { variables: Some(body), ..none },
+        };
     }
-}
-
-fn full(body: Rect, focus: Pane) -> Panes {
-    match focus {
-        CHARTS => Panes { charts: stacked(body), ..Panes::default() },
-        RUNS => Panes { runs: Some(body), ..Panes::default() },
-        _ => Panes { variables: Some(body), ..Panes::default() },
-    }
-}
-
-fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
-    let (left, right) = split_left(body, 31);
-    let mut panes = Panes { variables: Some(left), ..Panes::default() };
-    if height >= TALL {
-        let (top, bottom) = split_bottom(right, runs_height(pins));
-        panes.runs = Some(bottom);
-        panes.charts = if top.height >= 36 { stacked(top) } else { vec![top] };
-    } else if focus == RUNS {
-        panes.runs = Some(right);
-    } else {
-        panes.charts = vec![right];
-    }
-    panes
-}
-
-fn wide(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
-    let (left, mut right) = split_left(body, if body.width >= ROOMY { 52 } else { 48 });
-    let mut panes = Panes { variables: Some(left), ..Panes::default() };
-    if height >= TALL || focus == RUNS {
-        let (top, bottom) = split_bottom(left, runs_height(pins).min(body.height / 2));
-        (panes.variables, panes.runs) = (Some(top), Some(bottom));
-    }
-    if body.width >= WIDEST {
-        let (middle, column) = split_left(right, right.width - 42);
-        right = middle;
-        let (events, ledger) = split_bottom(column, 14.min(column.height / 2));
-        panes.events = Some(events);
-        panes.ledger = Some(ledger);
-    }
-    if right.height >= DRAWN {
-        let (charts, drawing) = split_bottom(right, DRAWING_ROWS);
-        right = charts;
-        panes.mechanism = Some(drawing);
-    }
-    panes.charts = stacked(right);
-    panes
-}
-
-/// Rows of the drawing of the mechanism, frame included, and from what height on it stands below the charts.
-const DRAWING_ROWS: u16 = 5;
-const DRAWN: u16 = 19;
-
-/// Header, the current run, the pins, and what differs from the first pin.
-fn runs_height(pins: usize) -> u16 {
-    let rows = u16::try_from(pins.min(8)).unwrap_or(8);
-    if rows == 0 { 6 } else { 7 + rows }
-}
-
-/// As many of the three charts as can be read: six rows each, and two more for the common axis.
-fn stacked(area: Rect) -> Vec<Rect> {
-    let count = match area.height {
-        0..=13 => 1,
-        14..=19 => 2,
-        _ => 3,
+    let (upper, runs) = split_bottom(body, 1 + runs::rows_shown(app, body));
+    let width = match body.width {
+        0..NARROW => 24,
+        NARROW..WIDE => 31,
+        WIDE..ROOMY => 38,
+        ROOMY.. => 42,
     };
-    // Short charts share the time axis of the lowest, which needs two rows more for it.
-    let extra = if count > 1 && area.height / count < 11 { 2 } else { 0 };
-    let each = (area.height - extra) / count;
-    let one = |index: u16| {
-        let y = area.y + index * each;
-        let height = if index + 1 == count { area.bottom() - y } else { each };
-        Rect { y, height, ..area }
-    };
-    (0..count).map(one).collect()
+    let (variables, charts) = split_left(upper, width);
+    Panes { variables: Some(variables), charts: Some(charts), runs: Some(runs) }
 }

@@ -9,7 +9,7 @@ use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::status::fitting;
 use crate::tui::dialogs::around;
 use crate::tui::dialogs::presets::base_of;
-use crate::tui::pages::explore::state::Picture;
+use crate::tui::pages::explore::state::{Picture, PicturePlan};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::pages::{self, explore};
@@ -156,15 +156,38 @@ fn open(app: &mut App) {
 
 /// Load a scene and show what it is about: a sweep in Explore, else its run.
 pub(crate) fn show(app: &mut App, base: Base) {
-    let name = base.name.clone();
-    let axes = base.scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len());
-    // The sweep as the preset has it, whatever was looked at before.
+    let (name, axes) = (base.name.clone(), axes(&base.scene));
+    let plan = plan_of(app, axes);
+    edit::load(app, base, plan);
+    look(app);
+    if axes > 0 {
+        app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
+    }
+}
+
+/// Axes of the sweep that a scene keeps.
+fn axes(scene: &Scene) -> usize {
+    scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len())
+}
+
+/// How a sweep of so many axes is shown: as its preset has it, whatever was looked at before.
+fn plan_of(app: &App, axes: usize) -> PicturePlan {
     let mut plan = app.pages.explore.plan;
     if axes > 0 {
         plan.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
     }
-    edit::load(app, base, plan);
-    if axes == 0 {
+    plan
+}
+
+/// Begin with what the scene is about, as if its preset had been loaded.
+pub(crate) fn begin(app: &mut App) {
+    app.pages.explore.plan = plan_of(app, axes(&app.scene));
+    look(app);
+}
+
+/// Show what the scene is about: a sweep in Explore, else its run.
+fn look(app: &mut App) {
+    if axes(&app.scene) == 0 {
         app.focus_on(run::VARIABLES);
         return;
     }
@@ -173,7 +196,6 @@ pub(crate) fn show(app: &mut App, base: Base) {
     app.pages.explore.cursor = [None; 2];
     app.pages.explore.zoomed = None;
     pages::of(Tab::Explore).enter(app);
-    app.tell(format!("{name} loaded, here is its sweep (<undo> undoes)"));
 }
 
 /// Checks every claim of the thesis; the scene plays no part.

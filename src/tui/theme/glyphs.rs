@@ -86,11 +86,8 @@ pub struct Lines {
     pub horizontal: char,
     pub vertical: char,
     pub bottom_left: char,
-    pub bottom_right: char,
     /// Tick of an axis at the left of a plot.
     pub tick_left: char,
-    /// Tick of an axis at the right of a plot.
-    pub tick_right: char,
     /// Labelled tick of an axis below a plot.
     pub tick_below: char,
     /// Smaller tick between two labelled ones.
@@ -118,9 +115,7 @@ const ASCII_LINES: Lines = Lines {
     horizontal: '-',
     vertical: '|',
     bottom_left: '+',
-    bottom_right: '+',
     tick_left: '+',
-    tick_right: '+',
     tick_below: '+',
     tick_minor: '\'',
     event: ':',
@@ -132,9 +127,7 @@ const BLOCK_LINES: Lines = Lines {
     horizontal: '─',
     vertical: '│',
     bottom_left: '└',
-    bottom_right: '┘',
     tick_left: '┤',
-    tick_right: '├',
     tick_below: '┬',
     tick_minor: '┴',
     event: ':',

@@ -7,13 +7,15 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Widget};
 
 use super::{Role, Theme};
+use crate::report::chart::Below;
 
 #[derive(Clone, Debug, Default)]
 pub struct PaneFrame<'a> {
     title: Line<'a>,
     right: Line<'a>,
     focused: bool,
-    open_below: bool,
+    /// It continues a box above it, and what its lower line is.
+    stacked: Option<(bool, Below)>,
     keeps_right: bool,
 }
 
@@ -47,15 +49,16 @@ impl<'a> PaneFrame<'a> {
         self
     }
 
-    /// Without the line below, for panes stacked on each other.
+    /// As one of several panes in a box: whether the box begins with it, and its lower line.
     #[must_use]
-    pub fn open_below(mut self) -> Self {
-        self.open_below = true;
+    pub fn stacked(mut self, begins: bool, below: Below) -> Self {
+        self.stacked = Some((!begins, below));
         self
     }
 
     fn block(&self) -> Block<'_> {
-        let without = if self.open_below { Borders::BOTTOM } else { Borders::NONE };
+        let is_open = self.stacked.is_some_and(|(_, below)| below == Below::Nothing);
+        let without = if is_open { Borders::BOTTOM } else { Borders::NONE };
         Block::new().borders(Borders::ALL.difference(without))
     }
 
@@ -66,7 +69,15 @@ impl<'a> PaneFrame<'a> {
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Rect {
         let area = area.intersection(buffer.area);
         let border = theme.style(if self.focused { Role::Focus } else { Role::Border });
-        let set = theme.glyphs.border();
+        let mut set = theme.glyphs.border();
+        if let Some((continues, below)) = self.stacked {
+            if continues {
+                (set.top_left, set.top_right) = ("├", "┤");
+            }
+            if below == Below::Across {
+                (set.bottom_left, set.bottom_right) = ("├", "┤");
+            }
+        }
         // corner, line, blank, title, blank ... blank, right, blank, corner
         let line = Span::styled(set.horizontal_top, border);
         let styled = |text: &Line<'a>, style: Style| -> Vec<Span<'a>> {
@@ -85,7 +96,10 @@ impl<'a> PaneFrame<'a> {
         let room = usize::from(area.width).saturating_sub(6);
         if right.width() > 2 && self.title.width() + right.width() <= room {
             block = block.title_top(right.right_aligned());
-        } else if right.width() > 2 && self.keeps_right && !self.open_below && right.width() <= room
+        } else if right.width() > 2
+            && self.keeps_right
+            && self.stacked.is_none()
+            && right.width() <= room
         {
             block = block.title_bottom(right.right_aligned());
         }

@@ -150,7 +150,7 @@ fn anywhere(app: &mut App, action: Action) {
         A::Help => app.dialog = Some(List::Help.at(0)),
         A::Options => app.dialog = Some(List::Options.at(0)),
         A::Presets => {
-            app.dialog = Some(List::Presets.at(0));
+            app.dialog = Some(List::Presets.typing());
             app.list_presets();
         }
         A::Save => ask::save(app),

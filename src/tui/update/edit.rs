@@ -10,7 +10,7 @@ use crate::tui::app::Base;
 use crate::tui::app::history::{Change, Edit, Snapshot, Stepping};
 use crate::tui::dialogs::wrap;
 use crate::tui::pages::explore::state::PicturePlan;
-use crate::tui::pages::run::editor::{WIDE, shown_value};
+use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs::{self, Pin};
 use crate::tui::pages::run::steps::{self, Input, Press};
 use crate::tui::pages::{LabelledScene, explore};
@@ -34,8 +34,8 @@ pub(crate) fn set(
         return Ok(());
     }
     let old = app.history.extended(stepping).map_or(&app.scene, |first| &first.scene);
-    let old = shown_value(variable, old, WIDE);
-    let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene, WIDE));
+    let old = shown_value(variable, old);
+    let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene));
     // What was outside before is marked in the list; what comes to be outside is reported.
     let before = envelope::of_scene(&app.scene);
     let breach = envelope::of_scene(&scene)
@@ -61,7 +61,8 @@ pub(crate) fn change(app: &mut App, index: usize, input: Input<'_>) -> Result<()
         }
         Input::Text(text) => text,
     };
-    let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
+    let text = app.editor.with_unit(index, text);
+    let value = VARIABLES[index].parse(&app.scene, &text, Bare::Stored);
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
 
@@ -90,7 +91,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
 pub(crate) fn load(app: &mut App, base: Base, plan: PicturePlan) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
-    app.charts.zoom_s = None;
+    app.charts.zoom_s = [None; 2];
     app.charts.cursor_s = None;
     app.pages.explore.plan = plan;
     (app.scene, app.base) = (Arc::clone(&base.scene), base);

@@ -6,6 +6,7 @@ use std::time::Duration;
 use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
 use crate::tui::app::jobs::Running;
+use crate::tui::app::notice::Notice;
 use crate::tui::app::status::warning_text;
 use crate::tui::message::Message;
 use crate::tui::pages;
@@ -195,13 +196,10 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
         .map(warning_text)
         .collect();
+    // The status row has them in a few words, and would lie under their sentences: those are for the Log tab.
     for text in new {
-        // A message about the edit itself stays; the warning is in the status row and the Log tab.
-        let kept = app.notice.take();
-        app.say(Severity::Warning, text);
-        if kept.is_some() {
-            app.notice = kept;
-        }
+        let text = app.keymap.shown(&text);
+        app.keep(Notice { severity: Severity::Warning, text });
     }
     app.shown = Some(Shown { run, took });
 }

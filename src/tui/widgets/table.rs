@@ -28,7 +28,10 @@ pub(crate) struct Grid {
 impl Grid {
     /// The page after a given number of turns of a table that has a given number of columns of the screen.
     pub(crate) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
-        let gap = gap(width);
+        Self::spaced(cells, width, turns, gap(width))
+    }
+
+    fn spaced(cells: Vec<Cells>, width: u16, turns: usize, gap: &'static str) -> Self {
         let lead = cells.first().map_or(0, Cells::width);
         let room = usize::from(width).saturating_sub(lead);
         let end_of = |from: usize| {
@@ -53,8 +56,15 @@ impl Grid {
 
     /// As many columns as fit beside names of [`NAME_LEAST`] columns; longer names are shortened to the room that is left.
     pub(crate) fn shortened(mut cells: Vec<Cells>, width: u16) -> Self {
-        let (gap, room) = (gap(width).len(), usize::from(width));
-        let mut used = cells.first().map_or(0, Cells::width).min(NAME_LEAST);
+        let room = usize::from(width);
+        let name = cells.first().map_or(0, Cells::width).min(NAME_LEAST);
+        let all = |gap: &&str| {
+            let others = cells.iter().skip(1).map(|column| gap.len() + column.width());
+            name + others.sum::<usize>() <= room
+        };
+        let between = [gap(width), " "].into_iter().find(all).unwrap_or(" ");
+        let gap = between.len();
+        let mut used = name;
         let fitting = cells.iter().skip(1).take_while(|column| {
             used += gap + column.width();
             used <= room
@@ -67,7 +77,7 @@ impl Grid {
                 *name = fitted(name, room.saturating_sub(others));
             }
         }
-        Self::of(cells, width, 0)
+        Self::spaced(cells, width, 0, between)
     }
 
     /// Which page of how many, and the key that turns it; nothing where all columns are shown.

@@ -391,6 +391,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         ledger: ledger(rigid),
         mechanism: cmra::model::run::MechanismLoad::default(),
         stack: None,
+        plastic: None,
         cost: cost(rigid),
         omitted: vec!["damper", "stop", "spring power function", "obliquity"],
         warnings: Vec::new(),

@@ -1,6 +1,7 @@
 //! Threats, materials and absorbers in the list of presets.
 
 use cmra::files::library;
+use cmra::model::scene::PlateSize;
 use cmra::tui::message::PresetEntry;
 
 use super::bench::Bench;
@@ -13,12 +14,39 @@ fn listing(columns: u16) -> Bench {
     bench
 }
 
+/// The thesis's mass ratio is that of its own shot: with another shot and another plate somebody has to say how large the plate is.
+#[test]
+fn a_threat_and_a_material_ask_for_the_face_of_the_plate() {
+    let mut bench = listing(80);
+    bench.keys("pm80<Enter>");
+    assert!(bench.app.field.is_none(), "a threat alone keeps the plate");
+    bench.keys("psteel-4340<Enter>");
+    assert!(bench.app.field.is_some(), "{}", bench.message());
+    assert!(bench.message().contains("type the side of its face"), "{}", bench.message());
+    bench.keys("150<Enter>");
+    assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.15));
+}
+
+/// Enter loads what was typed for or moved to, and nothing else.
+#[test]
+fn the_picker_loads_nothing_that_was_not_chosen() {
+    let mut bench = listing(80);
+    let before = bench.app.scene.clone();
+    bench.keys("p<Enter>");
+    assert_eq!(bench.app.scene, before);
+    assert!(bench.message().contains("nothing is loaded"), "{}", bench.message());
+    bench.keys("m80");
+    assert!(bench.screen().contains("m80-ball"), "{}", bench.screen());
+    bench.keys("<Enter>");
+    assert_ne!(bench.app.scene, before);
+}
+
 #[test]
 fn a_threat_changes_its_part_of_the_scene_and_undo_takes_it_back() {
     let mut bench = listing(80);
-    bench.keys("p/m80");
+    bench.keys("pm80");
     let screen = bench.screen();
-    for words in ["m80-ball", "threat", "m_p       0.0295 -> 0.0095 kg", "v_i       100 -> 847 m/s"]
+    for words in ["m80-ball", "threat", "m_p       29.5 g -> 9.5 g", "v_i       100 m/s -> 847 m/s"]
     {
         assert!(screen.contains(words), "{words} is missing from\n{screen}");
     }
@@ -36,6 +64,6 @@ fn a_threat_changes_its_part_of_the_scene_and_undo_takes_it_back() {
 #[test]
 fn a_blunt_threat_warns() {
     let mut bench = listing(120);
-    bench.keys("p/fsp<Enter>");
+    bench.keys("pfsp<Enter>");
     assert!(bench.message().contains("blunt chisel nose"), "{}", bench.message());
 }

@@ -58,7 +58,7 @@ fn made(scene: &Arc<Scene>, request: &Request) -> StudyResult {
             StudyResult::Sensitivity(sensitivity::study(scene, &request, context).unwrap())
         }
         Request::MonteCarlo(task) => {
-            let task = monte_carlo::Task { samples: 500, ..task.clone() };
+            let task = monte_carlo::Request { samples: Some(500), ..task.clone() };
             StudyResult::MonteCarlo(monte_carlo::sample(scene, &task, context).unwrap())
         }
     }
@@ -146,7 +146,7 @@ fn a_solution_becomes_the_scene_and_back() {
         assert!((there - value).abs() <= 1e-15 * value.abs(), "{}", axis.symbol());
     }
     // Another variable makes the results stale: Enter refuses them.
-    bench.keys("1jjl4");
+    bench.keys("1/v_i<Enter>l<Esc>4");
     let before = Arc::clone(&bench.app.scene);
     bench.press("<Enter>");
     assert_eq!(bench.app.scene, before);

@@ -402,7 +402,7 @@ fn the_cursor_of_a_sweep_over_the_mass_of_the_plate_begins_at_the_scene() {
     keys(&mut bench, "2<Tab>l<Tab>");
     let message = bench.message();
     let near = message.strip_prefix("near m_2 ").and_then(|rest| rest.split_once(' '));
-    let mass_kg: f64 = near.expect(&message).0.parse().unwrap();
+    let mass_kg: f64 = near.expect(&message).0.trim_end_matches(':').parse().unwrap();
     // Half a step of the axis.
     assert!((mass_kg - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
 }

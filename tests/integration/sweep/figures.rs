@@ -72,7 +72,7 @@ fn every_figure_agrees_with_its_caption() {
         (3, ["d", ""], [1.0, nan, 0.0, 1e5, 1.0]),
         (4, ["b", ""], [1.0, 0.0, nan, 0.0, 1.0]),
         (5, ["k", ""], [1.0, 0.0, 0.0, nan, 1.0]),
-        // The caption's k is ten times too small (model page, section 6).
+        // The caption has k = 1e5; the text fits 1e6 better.
         (6, ["n", ""], [1.0, 0.0, 0.0, 1e6, nan]),
         (7, ["gamma", "k"], [nan, 0.0, 0.0, nan, 1.0]),
         (8, ["gamma", "n"], [nan, 0.0, 0.0, 1e5, nan]),

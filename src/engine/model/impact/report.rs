@@ -84,6 +84,7 @@ pub(super) fn gather(problem: &Problem, simulation: Simulation<'_>, end: EndReas
         ledger,
         mechanism,
         stack: None,
+        plastic: None,
         cost,
         omitted,
         warnings,
@@ -283,6 +284,7 @@ fn cost(problem: &Problem, simulation: &Simulation<'_>) -> Cost {
         turns: simulation.control.turns,
         events: simulation.control.event_count,
         rhs_evaluations: simulation.control.evaluations,
+        took_s: None,
         method,
         reason,
     }

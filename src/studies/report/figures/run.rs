@@ -1,7 +1,7 @@
 //! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
 
-use crate::model::run::Run;
-use crate::numerics::smaller;
+use crate::model::run::{Mode, Run};
+use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
 use crate::report::series::Channel;
@@ -22,14 +22,26 @@ pub fn event_marks(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Ma
     seen.map(|(index, event)| Mark::new(event.t_s, event.kind.words()).tag(event_letter(index)))
 }
 
+/// A depth that changes again after more than this many times the first contact is left to the whole response.
+const LATER: f64 = 5.0;
+
+/// The end of the time in which the contact is drawn, s: a little beyond the last change of the depth, so that it is seen; beyond
+/// the first contact where the depth changes only much later.
+pub fn contact_window_s(run: &Run) -> f64 {
+    let first_s = run.contact_end_s();
+    let changes = |mode| matches!(mode, Mode::Penetrating | Mode::Withdrawing | Mode::Closing);
+    let last = run.series.iter().rev().find(|sample| changes(sample.mode));
+    let last_s = last.map_or(first_s, |sample| larger(sample.t_s, first_s));
+    1.1 * if last_s > LATER * first_s { first_s } else { last_s }
+}
+
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
 /// the whole response, where there is more of it.
 pub fn response(run: &Run) -> Vec<Chart<'static>> {
     let Some(end_s) = run.series.last().map(|row| row.t_s) else {
         return Vec::new();
     };
-    // A little beyond its end, so that the end itself is seen.
-    let window_s = smaller(1.1 * run.contact_end_s(), end_s);
+    let window_s = smaller(contact_window_s(run), end_s);
     let mut charts = over_time(run, "contact", window_s);
     if end_s > 2.0 * window_s {
         charts.extend(over_time(run, "whole response", end_s));

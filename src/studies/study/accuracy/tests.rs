@@ -60,7 +60,7 @@ fn valid_the_printed_scheme_is_off_by_its_coupling() {
 
 /// The whole run: greatest displacement and peak force of a sprung plate, residual velocity behind a thin one.
 #[test]
-fn whole_runs_are_judged_by_every_result_they_have() {
+fn whole_runs_are_compared_in_every_result_they_have() {
     for (pairs, results) in [
         ("k=1e5 b=50", [true, true, true, true, false]),
         ("h=0.003 v_i=400", [true, true, false, true, true]),
@@ -78,7 +78,7 @@ fn whole_runs_are_judged_by_every_result_they_have() {
 }
 
 #[test]
-fn tight_knobs_of_every_accurate_method_reach_the_reference() {
+fn tight_parameters_of_every_accurate_method_reach_the_reference() {
     for (pairs, letters) in [
         ("k=1e5", "EDISLNA"),
         ("k=1e6 n=0.5", "DILNA"),
@@ -116,7 +116,7 @@ fn a_stiff_scene_keeps_the_rows_of_those_who_fail_on_it() {
 }
 
 #[test]
-fn a_stop_within_the_contact_and_a_stiff_damper_have_judges_too() {
+fn a_stop_within_the_contact_and_a_stiff_damper_have_references_too() {
     for (pairs, basis) in [
         ("k=1e5 x_stop=0.001", ReferenceSource::Dop853),
         ("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9", ReferenceSource::Dop853),
@@ -130,7 +130,7 @@ fn a_stop_within_the_contact_and_a_stiff_damper_have_judges_too() {
 }
 
 #[test]
-fn every_error_has_a_judge_of_other_code_and_none_lies_below_what_it_can_tell() {
+fn every_error_has_a_reference_of_other_code_and_none_lies_below_its_uncertainty() {
     let mut rigid = Scene::default();
     rigid.plate.mount = crate::model::scene::Mount::Rigid;
     for scene in [Arc::new(rigid), scene("k=2e5 n=1.5"), scene("k=1e5 theta=30deg")] {

@@ -7,12 +7,12 @@ use crate::study::context::{to_its_end, until};
 use crate::study::limit::closed_form;
 use crate::study::testing::rigid;
 
-fn task(tolerances: Vec<Tolerance>, measures: &[&str], samples: usize) -> Task {
-    let measures = measures.iter().map(|name| (*name).to_owned()).collect();
-    Task { tolerances, measures, samples, seed: 1, model: ModelError::default() }
+fn task(vary: Vec<Tolerance>, measures: &[&str], samples: usize) -> Request {
+    let outputs = measures.iter().map(|name| find(name).unwrap()).collect();
+    Request { vary, outputs, samples: Some(samples), ..Request::default() }
 }
 
-fn run(scene: &Scene, task: &Task) -> Report {
+fn run(scene: &Scene, task: &Request) -> Report {
     sample(scene, task, &mut Context::new(2, &mut to_its_end)).unwrap()
 }
 
@@ -146,8 +146,9 @@ fn tolerances_are_read_as_people_write_them() {
     }
     let mut watch = to_its_end;
     let mut context = Context::new(1, &mut watch);
-    let mut told = |task: &Task| sample(&scene, task, &mut context).unwrap_err().to_string();
-    assert!(told(&task(Vec::new(), &["stroke_m"], 100)).contains("nothing scatters"));
+    let few = task(Vec::new(), &["stroke_m"], 1);
+    let told = sample(&scene, &few, &mut context).unwrap_err().to_string();
+    assert!(told.contains("samples = 1 is outside 2"), "{told}");
 }
 
 /// A rigid plate's limit is 232.295378 m/s in closed form: of velocities uniform over 182.295378 to 282.295378 half perforate.
@@ -171,9 +172,9 @@ fn valid_probability_of_perforation() {
 fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
     let mut scene = rigid();
     scene.projectile.velocity_m_s = 232.295_378;
-    let model = ModelError { bias: 0.25, spread: 0.08 };
-    let mut v50 = Task { model, samples: 400, ..Task::v50(&scene) };
-    v50.tolerances = usual_tolerances(&scene, 0.03);
+    let (model_bias, model_spread) = (Some(0.25), Some(0.08));
+    let vary = usual_tolerances(&scene, 0.03);
+    let v50 = Request { vary, model_bias, model_spread, samples: Some(400), ..Request::v50() };
     let report = run(&scene, &v50);
     assert_eq!(report, run(&scene, &v50), "the same seed gives the same digits");
     // d ln v/d ln x by differences.

@@ -1,5 +1,7 @@
 //! A scattered input: its distribution, and its notation.
 
+use std::fmt;
+
 use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
 use crate::model::units::{self, Bare, significant};
 use crate::study::sweep::axis::numeric;
@@ -102,9 +104,27 @@ pub struct Tolerance {
     pub distribution: Distribution,
 }
 
-impl std::fmt::Debug for Tolerance {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Debug for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {:?}", self.symbol(), self.distribution)
+    }
+}
+
+/// As `--vary` has it, with numbers in the stored unit: `v_i=lognormal:2%`, `h=uniform:0.024..0.027`.
+impl fmt::Display for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = if self.variable.unit() == "deg" { "deg" } else { "" };
+        let show = |value: f64| units::shortest(value) + unit;
+        write!(f, "{}={}:", self.symbol(), self.distribution.word())?;
+        match self.distribution {
+            Distribution::Normal { deviation, .. } => f.write_str(&show(deviation)),
+            Distribution::LogNormal { deviation, .. } => {
+                write!(f, "{}%", significant(100.0 * deviation, 12))
+            }
+            Distribution::Uniform { low, high } | Distribution::Triangular { low, high, .. } => {
+                write!(f, "{}..{}", show(low), show(high))
+            }
+        }
     }
 }
 

@@ -233,7 +233,7 @@ impl Search {
             design.plastic = found.plastic;
             checked.push(found.fails);
         }
-        self.front.outside = validity::counts_of(checked.iter().map(Vec::as_slice));
+        self.front.outside = validity::counts_of(&checked);
         self.front
     }
 
@@ -259,7 +259,7 @@ impl Search {
             for (at, fails) in candidates.into_iter().zip(&fails) {
                 judged[at].violation = fails.len() as f64;
             }
-            for (check, count) in validity::counts_of(fails.iter().map(Vec::as_slice)) {
+            for (check, count) in validity::counts_of(&fails) {
                 match self.front.infeasible.iter_mut().find(|it| it.0 == check) {
                     Some(known) => known.1 += count,
                     None => self.front.infeasible.push((check, count)),

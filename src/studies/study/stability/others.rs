@@ -127,7 +127,7 @@ impl Verdict {
 }
 
 /// How a method fares on the contact of a scene that should end like `reference`.
-pub fn judge(other: Other, scene: &Scene, reference: Option<ContactSolution>) -> Verdict {
+pub fn verdict(other: Other, scene: &Scene, reference: Option<ContactSolution>) -> Verdict {
     let (accurate, steps_max) = match other.knob() {
         Parameter::Step(_) => (ACCURATE_FIXED, FIXED_STEPS_MAX),
         Parameter::None | Parameter::Tolerance(_) => (ACCURATE_ADAPTIVE, ADAPTIVE_STEPS_MAX),

@@ -9,7 +9,7 @@ use crate::study::context::{CancelFlag, Progress};
 const LATE_S: f64 = 60.0;
 
 #[test]
-fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
+fn a_row_is_compared_with_other_code_unless_what_follows_the_contact_decides() {
     // Other methods are looked at elsewhere: here their time is up at once.
     let stop = CancelFlag::default();
     let clock = TimeBudget { now_s: &|| 0.0, until_s: -1.0, stop: &stop };

@@ -12,6 +12,8 @@ use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::numerics::larger;
 use crate::study::sweep::SweepError;
 
+mod text;
+
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
 pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;
 

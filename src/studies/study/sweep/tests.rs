@@ -53,7 +53,10 @@ fn a_row_says_why_many_shots_give_no_value() {
     let reasons = [0, 1].map(|row| rows.reason(row).unwrap().to_owned());
     assert_eq!(reasons[0], "nothing stops plate and projectile");
     assert!(reasons[1].contains("beyond 3000 m/s"), "{reasons:?}");
-    assert!((rows.value(0, 0).unwrap() - 347.708_052).abs() < 5e-7, "the model page");
+    assert!(
+        (rows.value(0, 0).unwrap() - 347.708_052).abs() < 5e-7,
+        "the closed form of a free plate"
+    );
 }
 
 /// What the command line can ask for is refused in its own test, `bad_sweeps_are_refused_before_anything_runs`.
@@ -102,7 +105,7 @@ fn great_sweeps_are_enumerated_without_memory() {
 /// The value of an output by a single full simulation.
 fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     let mut scene = scene.clone();
-    // A tenth of what is required of the sweep: the contact kernel is to be judged, not this one.
+    // A tenth of the tolerance of the sweep: the contact kernel is tested, not this run.
     scene.run.tolerance *= 0.1;
     let run = plain_run(&scene).unwrap();
     (PointOutcome::of(&run), named(name).unwrap().value(&run))
@@ -259,7 +262,7 @@ fn the_depth_of_a_perforation_is_no_number() {
     let plan = Plan::new(&scene("mount=rigid"), axes, &names).unwrap();
     let empty = Grid::new(Arc::new(plan)).unwrap();
     let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
-    // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
+    // The limit of the rigid plate is 232.295 m/s in closed form: 230 is stopped, 240 is not.
     assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
     assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Ended(Outcome::Perforated)));
     assert_eq!(grid.cell(4, 0, 2), Cell::Value(0.0));

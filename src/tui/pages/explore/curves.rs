@@ -63,11 +63,13 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         (0..along).map(point).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
+    let printed = printed(app, grid, output);
     // The values in view, as in Run; all of them where no point is.
     let view = app.pages.explore.zoomed;
     let values = |all: bool| {
         let is_seen = move |x: f64| all || view.is_none_or(|view| view.contains(x));
-        lines.iter().flatten().filter(move |point| is_seen(point.0)).map(|point| point.1)
+        let points = lines.iter().chain(&printed).flatten();
+        points.filter(move |point| is_seen(point.0)).map(|point| point.1)
     };
     let fitted = |all| chart::Axis::fitted("", column.unit(), scale, values(all));
     let why = || app.keymap.shown(&no_value(grid, output).join("\n"));
@@ -95,14 +97,36 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         Some(view) => zoomed_axis(&axes[0], view),
         None => axis_of(&axes[0]),
     };
+    let printed = printed.iter();
+    let printed = printed.map(|points| Curve::new('.', "", points).emphasis(Emphasis::Faint));
     let chart = Chart {
         crosshair: Some(grid.coordinate((x, selected), 0)),
         focused: output == app.shown_output(grid).0 && app.has_focus(RESULTS),
-        ..Chart::new(title, along_axis, y, curves.collect())
+        ..Chart::new(title, along_axis, y, printed.chain(curves).collect())
     };
     let layout = canvas.draw(&chart, area);
     marks(app, grid, output, &layout, canvas);
     canvas.plot(&layout, |x, _| Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, selected))));
+}
+
+/// Parts of the values of a chart that are about as wide as its line.
+const LINE: f64 = 0.02;
+
+/// The curves of a figure by the scheme that the thesis prints, as far as they differ from the corrected ones by more than a line.
+pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f64)>> {
+    let found = app.pages.explore.printed.as_ref();
+    let is_same = |it: &&Arc<Grid>| it.plan().axes() == grid.plan().axes();
+    let Some(found) = found.filter(is_same) else { return Vec::new() };
+    let (along, repeats) = grid.counts();
+    let value = |grid: &Grid, at: (usize, usize)| number(grid.cell(at.0, at.1, output));
+    let all = (0..along).flat_map(|x| (0..repeats).map(move |y| (x, y)));
+    let size = all.map(|at| value(grid, at).abs()).filter(|it| it.is_finite()).fold(0.0, f64::max);
+    let curve = |y: usize| {
+        let differs = |x: usize| (value(grid, (x, y)) - value(found, (x, y))).abs() > LINE * size;
+        let point = |x: usize| (found.coordinate((x, y), 0), value(found, (x, y)));
+        (0..along).any(differs).then(|| (0..along).map(point).collect())
+    };
+    (0..repeats).filter_map(curve).collect()
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::model::run::Outcome;
+use crate::model::scene::ContactModel;
 use crate::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
 use crate::tui::pages::explore::state::{Picture, has_family, sweep_of};
@@ -43,7 +44,35 @@ impl Study for PictureSweep {
     }
 }
 
+/// Computes the curves of a figure by the scheme that the thesis prints.
+#[derive(Debug)]
+pub struct PrintedSweep(pub Arc<Plan>);
+
+impl Study for PrintedSweep {
+    fn lane(&self) -> Lane {
+        Lane::Sweeps
+    }
+
+    fn make(&self, _: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {
+        let grid = Grid::new(Arc::clone(&self.0)).ok_or("a chart has one axis")?;
+        let watch = &mut reporter.watch(Grid::clone);
+        let context = &mut Context::new(reporter.threads(), watch);
+        Ok(Finding::new(grid.fill(grid::PIECE, context)))
+    }
+}
+
 impl App {
+    /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.
+    pub(crate) fn printed_plan(&self) -> Option<Plan> {
+        let is_figure = self.base.name.starts_with("figure-") && self.picture() == Picture::Line;
+        if !is_figure || self.scene.contact.model != ContactModel::Hydrodynamic {
+            return None;
+        }
+        let mut scene = Scene::clone(&self.scene);
+        scene.contact.model = ContactModel::Appendix;
+        self.sweep_plan_of(&scene, Picture::Line).ok()
+    }
+
     /// The plan of a chart or map of the present scene.
     pub fn sweep_plan(&self, picture: Picture) -> Result<Plan, SweepError> {
         self.sweep_plan_of(&self.scene, picture)

@@ -8,10 +8,11 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
+use crate::tui::app::status::fitting;
 use crate::tui::dialogs::{around, wrap};
 use crate::tui::pages::explore::state::{Picture, Sweeping, completed, has_family, sweep_of};
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::editor::{FIELD_DIGITS, number_in};
 use crate::tui::pages::run::steps::{Input, Press};
 use crate::tui::pages::{explore, run};
 use crate::tui::widgets::axis::{meaning, numeric, over, place, set_ends, span, whole};
@@ -114,11 +115,14 @@ impl App {
     fn held_line(&self, index: usize) -> FormRow {
         let variable = &VARIABLES[index];
         let is_number = matches!(variable.value(&self.scene), Value::Number(_));
-        let shown = shown_value(variable, &self.scene, usize::from(VALUE_WIDTH));
+        let unit = self.editor.unit(index);
+        let number = |digits| number_in(variable, &self.scene, unit, digits);
+        let texts = (1..=6).rev().map(number);
+        let shown = fitting(texts, usize::from(VALUE_WIDTH));
         let is_used = variables::is_used(variable, &self.scene);
         FormRow {
-            unit: if is_number { variable.unit() } else { "" },
-            text: Some(variable.show(&self.scene)),
+            unit: if is_number { unit } else { "" },
+            text: Some(number(FIELD_DIGITS)),
             takes_unit: true,
             is_changed: variable.value(&self.scene) != variable.value(&self.base.scene),
             role: if is_used { Role::Text } else { Role::Dim },

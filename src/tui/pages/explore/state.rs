@@ -61,6 +61,8 @@ impl Default for PicturePlan {
 pub struct Sweeping {
     /// The results for each chart or map.
     pub found: [Option<SweepResult>; 2],
+    /// The curves of a figure by the scheme that the thesis prints.
+    pub printed: Option<Arc<Grid>>,
     /// The number of the last sweep that was said to take more than a minute.
     pub warned: Option<u64>,
     /// Why the present axes cannot be swept.
@@ -222,7 +224,7 @@ impl App {
             let name = words.of(output);
             let text = match grid.cell(x, y, index) {
                 Cell::Value(value) if output.unit() == "%" => {
-                    format!("{} of baseline", output_value(output, value))
+                    format!("{} of rigid mount", output_value(output, value))
                 }
                 Cell::Value(value) => format!("{name} {}", output_value(output, value)),
                 Cell::Outcome(outcome) if outcome.is_stopped() => {

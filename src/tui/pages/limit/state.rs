@@ -39,7 +39,7 @@ impl Study for LimitSearch {
 
 /// V50 and its spread: the study of `cmra montecarlo --outputs limit_velocity_m_s`.
 #[derive(Debug, PartialEq)]
-pub struct Spread(pub monte_carlo::Task);
+pub struct Spread(pub monte_carlo::Request);
 
 impl Study for Spread {
     fn make(&self, scene: &Arc<Scene>, reporter: &Reporter<'_>) -> Result<Finding, Box<dyn Error>> {

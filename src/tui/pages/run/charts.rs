@@ -1,4 +1,4 @@
-//! The content of the charts: quantities, the time range, the crosshair, and the points of every curve. No drawing.
+//! The content of the charts: quantities, the times shown, the crosshair, and the points of every curve. No drawing.
 
 pub(crate) mod draw;
 
@@ -6,10 +6,10 @@ use std::ops::Range;
 
 use crate::model::run::Run;
 use crate::numerics::{larger, smaller};
+use crate::report::figures::run::contact_window_s;
 use crate::report::series::{Channel, thinned};
 use crate::tui::chart::Mapping;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run::panes;
 use crate::tui::pages::run::runs::{self, RunView};
 use crate::tui::update::act::along;
 use crate::tui::view::plot_columns;
@@ -17,7 +17,7 @@ use crate::tui::view::plot_columns;
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Window {
-    /// From first contact to a little after the first arrest (or perforation).
+    /// From first contact to a little after the last change of the depth.
     Contact,
     Whole,
 }
@@ -26,16 +26,14 @@ pub enum Window {
 pub struct Charts {
     /// Their quantities, from top to bottom.
     pub quantities: [Channel; 3],
-    /// Their quantities on a second axis at the right, if any.
-    pub second: [Option<Channel>; 3],
+    /// Which part of the time each shows.
+    pub windows: [Window; 3],
     /// The chart the keys act on.
     pub selected: usize,
     /// The crosshair, s since first contact.
     pub cursor_s: Option<f64>,
-    /// Contact window or whole response.
-    pub window: Window,
-    /// A time range chosen by zooming or panning, s; `None`: all of the window.
-    pub zoom_s: Option<ViewRange>,
+    /// A time range chosen by zooming or panning, s, of the charts of each window; `None`: all of it.
+    pub zoom_s: [Option<ViewRange>; 2],
     /// The vertical axes are fitted to the whole curves, not to the part in view.
     pub fits_whole: bool,
     pub time_scale: Scale,
@@ -47,17 +45,24 @@ pub struct Charts {
 impl Default for Charts {
     fn default() -> Self {
         Self {
-            quantities: [Channel::Penetration, Channel::PlateDisplacement, Channel::ContactForce],
-            second: [None; 3],
+            quantities: [Channel::Penetration, Channel::ContactForce, Channel::PlateDisplacement],
+            windows: [Window::Contact, Window::Contact, Window::Whole],
             selected: 0,
             cursor_s: None,
-            window: Window::Contact,
-            zoom_s: None,
+            zoom_s: [None; 2],
             fits_whole: false,
             time_scale: Scale::Linear,
             value_scales: [Scale::Linear; 3],
             difference: false,
         }
+    }
+}
+
+impl Charts {
+    /// Whether two charts have one horizontal axis.
+    pub fn shares_axis(&self, one: usize, other: usize) -> bool {
+        let is_over_time = |at: usize| self.quantities[at].is_over_time();
+        is_over_time(one) && is_over_time(other) && self.windows[one] == self.windows[other]
     }
 }
 
@@ -72,27 +77,46 @@ pub struct Curve<'a> {
 /// How far beyond the range in view curves are given, as a share of it.
 const BEYOND: f64 = 0.02;
 
+/// A plate is as good as held that moves less than this part of the depth.
+const HELD: f64 = 1e-3;
+
+/// Whether the plate of a run does not move, or so little that nobody sees it beside the depth.
+pub(crate) fn is_held(run: &Run) -> bool {
+    let farthest = run.max_plate_displacement_m.map(f64::abs);
+    let starts_at_zero = run.scene.start_m() == 0.0;
+    let share = farthest.zip(run.final_penetration_m).map(|(farthest, depth)| farthest / depth);
+    starts_at_zero && share.is_some_and(|share| share < HELD)
+}
+
+/// The end of what the whole response shows, s: a plate that nothing stops is followed for two contact times.
+fn whole_s(run: &Run) -> f64 {
+    let end_s = run.series.last().map_or(0.0, |sample| sample.t_s);
+    if is_free(run) { larger(end_s, 2.0 * run.contact_end_s()) } else { end_s }
+}
+
+/// Whether nothing ever stops the plate.
+pub(crate) fn is_free(run: &Run) -> bool {
+    let is_known = run.end.is_complete() && run.at_least.plate_displacement_m.is_none();
+    is_known && run.max_plate_displacement_m.is_none()
+}
+
 impl App {
-    /// The time range of the window without zoom, s.
-    pub fn window_s(&self) -> (f64, f64) {
-        let of = |run: &Run| match self.charts.window {
-            Window::Contact => 1.1 * run.contact_end_s(),
-            Window::Whole => run.series.last().map_or(0.0, |sample| sample.t_s),
+    /// The time range of a window without zoom, s.
+    pub fn window_s(&self, window: Window) -> (f64, f64) {
+        let of = |run: &Run| match window {
+            Window::Contact => contact_window_s(run),
+            Window::Whole => whole_s(run),
         };
-        let end = self
-            .visible_runs()
-            .iter()
-            .map(|view| of(view.run))
-            .filter(|end| end.is_finite() && *end > 0.0)
-            .fold(0.0, larger);
+        let runs = self.visible_runs().into_iter().map(|view| of(view.run));
+        let end = runs.filter(|end| end.is_finite() && *end > 0.0).fold(0.0, larger);
         (0.0, if end > 0.0 { end } else { 1e-3 })
     }
 
-    /// The time range on the screen, s; begins above zero on a logarithmic axis.
-    pub fn time_range_s(&self) -> (f64, f64) {
-        self.on_time_axis(
-            self.charts.zoom_s.map_or_else(|| self.window_s(), |it| (it.lo(), it.hi())),
-        )
+    /// The time range that a chart shows, s; begins above zero on a logarithmic axis.
+    pub fn time_range_s(&self, chart: usize) -> (f64, f64) {
+        let window = self.charts.windows[chart];
+        let zoom_s = self.charts.zoom_s[window as usize];
+        self.on_time_axis(zoom_s.map_or_else(|| self.window_s(window), |it| (it.lo(), it.hi())))
     }
 
     fn on_time_axis(&self, (from, to): (f64, f64)) -> (f64, f64) {
@@ -102,26 +126,35 @@ impl App {
         }
     }
 
-    pub fn curves(&self, quantity: Channel) -> Vec<Curve<'_>> {
+    /// The curves of a chart.
+    pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
         let reference = self
             .reference_pin()
             .filter(|_| self.charts.difference)
             .and_then(|pin| pin.run.as_deref());
-        self.visible_runs().into_iter().map(|view| self.curve(view, quantity, reference)).collect()
+        let runs = self.visible_runs().into_iter();
+        runs.map(|view| self.curve(view, chart, reference)).collect()
     }
 
     /// The points of a run that are in view, and one on either side of it.
-    fn curve<'a>(
-        &self,
-        view: RunView<'a>,
-        quantity: Channel,
-        reference: Option<&Run>,
-    ) -> Curve<'a> {
+    fn curve<'a>(&self, view: RunView<'a>, chart: usize, reference: Option<&Run>) -> Curve<'a> {
+        let (run, quantity) = (view.run, self.charts.quantities[chart]);
         let over_time = quantity.is_over_time();
         // Over the displacement the whole way is drawn.
-        let seen = if over_time { self.samples_seen(view.run) } else { 0..view.run.series.len() };
-        let samples = &view.run.series[seen];
-        let mut points = quantity.points(view.run, samples);
+        let range = self.time_range_s(chart);
+        let seen = if over_time { self.samples_seen(run, range) } else { 0..run.series.len() };
+        let samples = &run.series[seen];
+        let mut points = quantity.points(run, samples);
+        if quantity == Channel::ContactForce && is_held(run) {
+            // After the arrest it is that of a vibration which nobody sees.
+            points.retain(|point| point.0 <= run.contact_end_s());
+        }
+        if quantity == Channel::PlateDisplacement && is_free(run) {
+            points.extend(run.series.last().map(|last| {
+                let t_s = whole_s(run);
+                (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
+            }));
+        }
         if let Some(run) = reference.filter(|_| over_time) {
             // At a jump, the value before it of both.
             points.dedup_by_key(|point| point.0.to_bits());
@@ -135,12 +168,11 @@ impl App {
         Curve { view, points }
     }
 
-    fn samples_seen(&self, run: &Run) -> Range<usize> {
+    fn samples_seen(&self, run: &Run, (from, to): (f64, f64)) -> Range<usize> {
         let all = 0..run.series.len();
         if self.charts.fits_whole {
             return all;
         }
-        let (from, to) = self.time_range_s();
         // The outermost dots of a chart stand for times a little beyond its range.
         let beyond = BEYOND * (to - from);
         let (from, to) = (from - beyond, to + beyond);
@@ -149,26 +181,9 @@ impl App {
         before.saturating_sub(1)..all.end.min(within + 1)
     }
 
-    /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
-    pub fn second_curve(&self, chart: usize) -> Option<(Channel, Curve<'_>)> {
-        let quantity = self.charts.second[chart]?;
-        Some((quantity, self.curves(quantity).pop()?))
-    }
-
-    /// Put the next quantity on the second axis of the selected chart, at last none; gives what is there now.
-    pub fn next_second(&mut self) -> Option<Channel> {
-        let chart = self.charts.selected;
-        let first = self.charts.quantities[chart];
-        let next = self.charts.second[chart].unwrap_or(first).next();
-        // What is drawn over the displacement has no time axis to share, and stands last.
-        let next = if next.is_over_time() { next } else { Channel::ALL[0] };
-        self.charts.second[chart] = (next != first).then_some(next);
-        self.charts.second[chart]
-    }
-
     /// The range of values to show, over the curves; a little room is left to the chart itself.
-    pub fn value_range(&self, curves: &[Curve<'_>], scale: Scale) -> (f64, f64) {
-        let (from, to) = self.time_range_s();
+    pub fn value_range(&self, curves: &[Curve<'_>], chart: usize) -> (f64, f64) {
+        let (scale, (from, to)) = (self.charts.value_scales[chart], self.time_range_s(chart));
         let seen = |t: f64| self.charts.fits_whole || (from..=to).contains(&t);
         let points = curves.iter().flat_map(|curve| curve.points.iter().copied());
         // What a curve passes at the ends of the range counts, too: there may be no point between them.
@@ -196,7 +211,7 @@ impl App {
 
     /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
     pub fn move_cursor(&mut self, columns: i32, width: u16) {
-        let (from, to) = self.time_range_s();
+        let (from, to) = self.time_range_s(self.charts.selected);
         let view = Mapping::new(self.charts.time_scale, ViewRange::new(from, to), width);
         let middle = || view.value(width / 2);
         let moved = self.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
@@ -222,27 +237,25 @@ impl App {
     /// Put the crosshair on a time, and that into view.
     pub fn bring_into_view(&mut self, t_s: f64) {
         self.charts.cursor_s = Some(t_s);
-        let (from, to) = self.time_range_s();
+        let (from, to) = self.time_range_s(self.charts.selected);
         if t_s < from || t_s > to {
             let width = to - from;
-            self.charts.zoom_s =
+            *self.zoom_mut() =
                 Some(ViewRange::new((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
         }
     }
 
-    /// Columns of a chart that stand for time, about.
-    fn chart_columns(&self) -> u16 {
-        let body = self.layout().body;
-        let chart = body.and_then(|body| panes(self, body).charts.first().copied());
-        chart.map_or(40, |area| area.width.saturating_sub(12)).max(10)
+    /// The zoom of the selected chart, which it has in common with the others of its window.
+    fn zoom_mut(&mut self) -> &mut Option<ViewRange> {
+        &mut self.charts.zoom_s[self.charts.windows[self.charts.selected] as usize]
     }
 
     /// The event of the current run under the crosshair.
     pub fn event_at_cursor(&self) -> Option<&'static str> {
         let cursor = self.charts.cursor_s?;
         let run = &self.shown.as_ref()?.run;
-        let (from, to) = self.time_range_s();
-        let near = 0.5 * (to - from) / f64::from(self.chart_columns());
+        let (from, to) = self.time_range_s(self.charts.selected);
+        let near = 0.5 * (to - from) / f64::from(plot_columns(self));
         run.events
             .iter()
             .filter(|event| (event.t_s - cursor).abs() <= near)
@@ -256,21 +269,15 @@ impl App {
     /// The time axis, of which a part can be chosen.
     pub(crate) fn time_across(&mut self) -> Across<'_> {
         let range = |(from, to)| ViewRange::new(from, to);
-        let view = range(self.time_range_s());
-        let home = range(self.on_time_axis(self.window_s()));
-        let bounds = range(self.whole_s());
+        let view = range(self.time_range_s(self.charts.selected));
+        let (_, whole_s) = self.window_s(Window::Whole);
+        let (from_s, home_s) = self.window_s(self.charts.windows[self.charts.selected]);
+        let home = range(self.on_time_axis((from_s, home_s)));
+        let bounds = range((from_s, larger(whole_s, home_s)));
         let (scale, about) = (self.charts.time_scale, self.charts.cursor_s);
-        let mut across = Across::of(&mut self.charts.zoom_s, home, scale, about);
+        let mut across = Across::of(self.zoom_mut(), home, scale, about);
         (across.span.view, across.span.bounds) = (view, bounds);
         across
-    }
-
-    /// From first contact to the end of the longest visible run (or of the window, where that is later), s.
-    fn whole_s(&self) -> (f64, f64) {
-        let (begin, end) = self.window_s();
-        let runs = self.visible_runs().into_iter();
-        let ends = runs.filter_map(|view| Some(view.run.series.last()?.t_s));
-        (begin, ends.fold(end, larger))
     }
 }
 
@@ -278,7 +285,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
     let selected = app.charts.selected;
     match action {
-        A::LogX | A::SecondAxis if !app.charts.quantities[selected].is_over_time() => {
+        A::LogX if !app.charts.quantities[selected].is_over_time() => {
             app.refuse("this chart has no time axis: <view> shows another one");
         }
         A::Mark => runs::pin_scene(app),
@@ -297,7 +304,6 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             }
             show(app, next);
         }
-        A::SecondAxis => second_axis(app),
         A::LogX => {
             app.charts.time_scale = app.charts.time_scale.toggled();
             app.tell(format!("time axis: {}", word(app.charts.time_scale)));
@@ -326,20 +332,6 @@ pub(crate) fn show(app: &mut App, quantity: Channel) {
     }
     let selected = charts.selected;
     charts.quantities[selected] = quantity;
-    if charts.second[selected] == Some(quantity) || !quantity.is_over_time() {
-        charts.second[selected] = None;
-    }
-}
-
-fn second_axis(app: &mut App) {
-    let text = match app.next_second() {
-        Some(quantity) => format!(
-            "right-hand axis: {} (<second-axis>: the next quantity; after the last none)",
-            quantity.title().to_lowercase()
-        ),
-        None => "no second axis: <second-axis> puts a quantity there".to_owned(),
-    };
-    app.tell(text);
 }
 
 fn word(scale: Scale) -> &'static str {
@@ -367,16 +359,17 @@ fn fit(app: &mut App) {
     app.tell(format!("vertical axes: fitted to {to}"));
 }
 
+/// The selected chart shows the other part of the time.
 fn window(app: &mut App) {
-    app.charts.window = match app.charts.window {
-        Window::Contact => Window::Whole,
-        Window::Whole => Window::Contact,
+    let charts = &mut app.charts;
+    let (window, name) =
+        (&mut charts.windows[charts.selected], charts.quantities[charts.selected].title());
+    let (next, words) = match window {
+        Window::Contact => (Window::Whole, "the whole response"),
+        Window::Whole => (Window::Contact, "the contact, up to the last change of the depth"),
     };
-    app.charts.zoom_s = None;
-    app.tell(match app.charts.window {
-        Window::Contact => "time axis: the contact, up to first arrest or perforation",
-        Window::Whole => "time axis: the whole response",
-    });
+    *window = next;
+    app.tell(format!("{name}: {words}"));
 }
 
 fn difference(app: &mut App) {

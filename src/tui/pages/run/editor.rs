@@ -1,14 +1,39 @@
 //! The list of variables: which rows there are, which is selected, and how a value is shown.
 
+use std::collections::BTreeMap;
+
 use crate::model::scene::SpringKind;
 use crate::model::units;
-use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable, is_offered};
+use crate::model::variables::{self, VARIABLES, Value, Variable, is_listed, is_offered};
+use crate::report::chart::Below;
 use crate::tui::app::find::{rank_variable, ranked};
+use crate::tui::app::status::fitting;
 use crate::tui::dialogs::ask::extent;
 use crate::tui::pages::prelude::*;
-use crate::tui::pages::run;
+use crate::tui::pages::run::VARIABLES as PANE;
 use crate::tui::widgets::input::Field;
 use crate::tui::widgets::table::filtered;
+
+/// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
+/// its label is too long.
+const DESIGN: [(&str, &str); 7] = [
+    ("gamma", "mass"),
+    ("d", "cocking"),
+    ("k", "spring"),
+    ("n", "exponent"),
+    ("b", "damper"),
+    ("m", "exponent"),
+    ("x_stop", "position"),
+];
+const ANALYSIS: [(&str, &str); 7] = [
+    ("v_i", "velocity"),
+    ("m_p", "projectile"),
+    ("R", "nose radius"),
+    ("h", "thickness"),
+    ("rho", "density"),
+    ("S_y", "strength"),
+    ("C_d", "drag"),
+];
 
 #[derive(Clone, Debug, Default)]
 pub struct Editor {
@@ -18,47 +43,73 @@ pub struct Editor {
     pub filter: String,
     /// The arrow step in use: the variable and its decade, kept while the arrows go on.
     pub stepped: Option<(usize, i32)>,
+    /// The units that values were typed in, by index into the table: they are shown in these.
+    pub units: BTreeMap<usize, &'static str>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EditorRow {
-    Heading(Group),
+enum EditorRow {
+    Heading(&'static str),
     /// A variable, by index into the table.
     Variable(usize),
 }
 
+impl EditorRow {
+    fn variable(self) -> Option<usize> {
+        if let Self::Variable(index) = self { Some(index) } else { None }
+    }
+}
+
+/// Where a symbol stands in the table.
+pub(crate) fn index_of(symbol: &str) -> usize {
+    VARIABLES.iter().position(|variable| variable.symbol == symbol).unwrap_or_default()
+}
+
+/// The short label of a main variable; `None` of another one.
+fn short_label(variable: &Variable) -> Option<&'static str> {
+    let mut all = DESIGN.iter().chain(&ANALYSIS);
+    all.find(|(symbol, _)| *symbol == variable.symbol).map(|(_, label)| *label)
+}
+
+fn is_main(variable: &Variable) -> bool {
+    short_label(variable).is_some()
+}
+
 impl Editor {
-    /// The rows with a heading over each group; under a filter those that match, best first, without headings.
-    pub fn rows(&self, scene: &Scene) -> Vec<EditorRow> {
+    /// The editor with the first design variable selected.
+    pub fn new() -> Self {
+        Self { selected: index_of(DESIGN[0].0), ..Self::default() }
+    }
+
+    /// The variables beside the main ones that the scene offers.
+    fn more(scene: &Scene) -> impl Iterator<Item = usize> {
+        let all = VARIABLES.iter().enumerate();
+        let is_more = |variable: &Variable| !is_main(variable) && is_offered(variable, scene);
+        all.filter(move |(_, variable)| is_more(variable)).map(|(index, _)| index)
+    }
+
+    /// The rows, those of More where they are unfolded; under a filter those that match, best first, without headings.
+    fn rows(&self, scene: &Scene, is_unfolded: bool) -> Vec<EditorRow> {
         if !self.filter.is_empty() {
-            let offered = VARIABLES.iter().enumerate().filter(|(_, it)| is_offered(it, scene));
+            let all = VARIABLES.iter().enumerate();
+            let offered = all.filter(|(_, it)| is_main(it) || is_offered(it, scene));
             let found = ranked(offered, |(_, variable)| rank_variable(&self.filter, variable));
             return found.into_iter().map(|(index, _)| EditorRow::Variable(index)).collect();
         }
-        let mut rows = Vec::new();
-        for group in Group::ALL {
-            let start = rows.len();
-            for (index, variable) in VARIABLES.iter().enumerate() {
-                if variable.group == group && is_offered(variable, scene) {
-                    rows.push(EditorRow::Variable(index));
-                }
-            }
-            if rows.len() > start {
-                rows.insert(start, EditorRow::Heading(group));
-            }
+        let named = |rows: [(&str, &str); 7]| rows.map(|it| EditorRow::Variable(index_of(it.0)));
+        let mut rows = named(DESIGN).to_vec();
+        rows.push(EditorRow::Heading("Analysis variables"));
+        rows.extend(named(ANALYSIS));
+        if is_unfolded {
+            rows.push(EditorRow::Heading("More"));
+            rows.extend(Self::more(scene).map(EditorRow::Variable));
         }
         rows
     }
 
     /// The variables that pass the filter, in order of the list.
     pub fn listed(&self, scene: &Scene) -> Vec<usize> {
-        self.rows(scene)
-            .into_iter()
-            .filter_map(|row| match row {
-                EditorRow::Variable(index) => Some(index),
-                EditorRow::Heading(_) => None,
-            })
-            .collect()
+        self.rows(scene, true).into_iter().filter_map(EditorRow::variable).collect()
     }
 
     /// Whether the selected variable is among the rows shown: one that is not cannot be edited.
@@ -70,27 +121,56 @@ impl Editor {
         &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
     }
 
-    /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
-    pub fn first_row(&self, scene: &Scene, height: usize) -> usize {
-        let rows = self.rows(scene);
-        let here =
-            rows.iter().position(|row| *row == EditorRow::Variable(self.selected)).unwrap_or(0);
-        let most = rows.len().saturating_sub(height);
-        here.saturating_sub(height * 2 / 3).min(most)
+    /// The unit that a variable is shown in, and that a bare number typed for it has.
+    pub fn unit(&self, index: usize) -> &'static str {
+        let usual = || VARIABLES[index].number().map_or("", |number| number.quantity.shown_unit());
+        self.units.get(&index).copied().unwrap_or_else(usual)
+    }
+
+    /// What was typed, with its unit; that is the unit of the variable from now on.
+    pub fn with_unit(&mut self, index: usize, text: &str) -> String {
+        let is_relative = text.starts_with(['*', '/']) || text.ends_with('%');
+        match units::written_unit(text).filter(|_| !is_relative) {
+            Some("") => format!("{text} {}", self.unit(index)).trim_end().to_owned(),
+            Some(unit) => {
+                let number = VARIABLES[index].number();
+                let unit = number.and_then(|it| units::unit_named(unit, it.quantity));
+                self.units.extend(unit.map(|unit| (index, unit)));
+                text.to_owned()
+            }
+            None => text.to_owned(),
+        }
     }
 }
 
-/// Columns that hold six digits of any value.
-pub(crate) const WIDE: usize = 24;
+/// The value in the unit that people read it in: `25.4 mm`.
+pub fn shown_value(variable: &Variable, scene: &Scene) -> String {
+    let unit = variable.number().map_or("", |number| number.quantity.shown_unit());
+    shown_in(variable, scene, unit, 6)
+}
 
-/// The value as shown in a row: at most `width` characters, as many of six figures as fit.
-pub fn shown_value(variable: &Variable, scene: &Scene, width: usize) -> String {
+/// The value in a unit, in so many digits.
+fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
     match variable.value(scene) {
-        Value::Number(number) => shown_number(number, width),
+        Value::Number(_) => {
+            format!("{} {unit}", number_in(variable, scene, unit, digits)).trim_end().to_owned()
+        }
         Value::Switch(true) => "on".to_owned(),
         Value::Switch(false) => "off".to_owned(),
         Value::Absent | Value::Word(_) => variable.show(scene),
     }
+}
+
+/// The number alone; what is none as it is.
+pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
+    let number = variable.number().zip(variable.number().and_then(|it| (it.get)(scene)));
+    number.map_or_else(
+        || variable.show(scene),
+        |(number, value)| {
+            let shown = units::in_unit(value, unit, number.quantity).unwrap_or(value);
+            significant(shown, digits)
+        },
+    )
 }
 
 /// A number in at most `width` characters.
@@ -102,59 +182,73 @@ pub fn shown_number(number: f64, width: usize) -> String {
         .unwrap_or_else(|| format!("{number:.0e}"))
 }
 
-/// Columns within a row: cursor, `*`, symbol, value, flag, unit.
+/// Digits of a field: as many as a number that was typed may have.
+pub(crate) const FIELD_DIGITS: usize = 12;
+/// Columns of a field.
+const FIELD_WIDTH: u16 = 9;
+/// Columns within a row: cursor, mark of a change, symbol, label, value with its unit at the right end.
 const SYMBOL: u16 = 2;
-const VALUE: u16 = 12;
-const VALUE_WIDTH: u16 = 8;
-/// Columns of a unit after the flag.
-const UNIT_WIDTH: u16 = 8;
-/// From this width on the meaning stands beside the symbol.
-const WITH_MEANING: u16 = 44;
+const LABEL: u16 = 9;
+/// Rows of More that are worth unfolding for.
+const UNFOLDED: u16 = 4;
 
-/// Where the parts of a row stand in a list of this width.
-#[derive(Clone, Copy)]
-struct Columns {
-    /// Columns for the meaning, after the symbol.
-    meaning: u16,
-    value: u16,
-    flag: u16,
-    unit: u16,
-}
-
-impl Columns {
-    fn of(width: u16) -> Self {
-        let meaning =
-            if width < WITH_MEANING { 0 } else { width - VALUE - VALUE_WIDTH - UNIT_WIDTH - 1 };
-        let value = VALUE + meaning;
-        let flag = value + VALUE_WIDTH;
-        Self { meaning, value, flag, unit: flag + 1 }
+impl App {
+    /// The text that the field of the selected variable opens with: the number in the unit that stands behind it.
+    pub(crate) fn variable_text(&self) -> String {
+        let unit = self.editor.unit(self.editor.selected);
+        number_in(self.editor.variable(), &self.scene, unit, FIELD_DIGITS)
     }
 }
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let rows = app.editor.rows(&app.scene);
-    let height = usize::from(area.height.saturating_sub(3));
-    let first = app.editor.first_row(&app.scene, height);
-    let pane = PaneFrame::new(filtered("Variables", &app.editor.filter))
-        .right(counter(app, &rows, first, height))
-        .focused(focused);
-    let inner = pane.draw(area, canvas);
-    if inner.height < 2 {
-        return;
+    let editor = &app.editor;
+    // The main ones with the heading between them need so many rows, and the frame two.
+    let main = 15;
+    let is_unfolded = area.height >= main + 2 + UNFOLDED || !is_main(editor.variable());
+    let rows = editor.rows(&app.scene, is_unfolded);
+    let is_folded = !is_unfolded && editor.filter.is_empty();
+    let below = if is_folded && area.height < main + 2 && area.height > main {
+        Below::Nothing
+    } else {
+        Below::End
+    };
+    let height = usize::from(area.height - 1 - u16::from(below == Below::End));
+    let selected = rows.iter().position(|row| row.variable() == Some(editor.selected));
+    let first = selected.unwrap_or(0).saturating_sub(height * 2 / 3);
+    let first = first.min(rows.len().saturating_sub(height));
+    let title = match (editor.filter.is_empty(), first) {
+        (true, 0) => "Design variables".to_owned(),
+        (true, _) => "Variables".to_owned(),
+        (false, _) => filtered("Variables", &editor.filter),
+    };
+    let mut pane = PaneFrame::new(title).focused(focused).stacked(true, below);
+    if rows.len() > height {
+        pane = pane.right(format!("{}-{}/{}", first + 1, first + height, rows.len()));
     }
-    let list = Rect { height: inner.height - 1, ..inner };
-    canvas.pane(area, run::VARIABLES);
-    canvas.rows(list, (first, rows.len()), |row| {
-        let above = rows[..row].iter().filter(|row| matches!(row, EditorRow::Variable(_)));
-        matches!(rows[row], EditorRow::Variable(_))
-            .then(|| Target::Row(run::VARIABLES, above.count()))
+    let inner = pane.draw(area, canvas);
+    canvas.pane(area, PANE);
+    if is_folded && below == Below::End {
+        let line = Rect { y: area.bottom() - 1, height: 1, ..area };
+        let room = usize::from(area.width.saturating_sub(4));
+        canvas.put(line, (1, 0), &format!(" {} ", more_words(app, room)), Role::Text);
+        canvas.rows(line, (0, 1), |_| Some(Target::Row(PANE, DESIGN.len() + ANALYSIS.len())));
+    }
+    canvas.rows(inner, (first, rows.len()), |row| {
+        let above = rows[..row].iter().filter(|row| row.variable().is_some());
+        rows[row].variable().map(|_| Target::Row(PANE, above.count()))
     });
     let breaches = app.breaches();
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
-    for (line, row) in list.rows().zip(rows.iter().skip(first)) {
+    for (line, row) in inner.rows().zip(rows.iter().skip(first)) {
         match row {
-            EditorRow::Heading(group) => {
-                canvas.put(line, (0, 0), group.title(), Role::Title);
+            EditorRow::Heading(title) => {
+                let text = if *title == "More" {
+                    more_words(app, usize::from(area.width.saturating_sub(5)))
+                } else {
+                    (*title).to_owned()
+                };
+                let line = Rect { x: area.x, width: area.width, ..line };
+                PaneFrame::new(text).stacked(false, Below::Nothing).draw(line, canvas);
             }
             EditorRow::Variable(index) => {
                 let is_outside = outside.contains(&VARIABLES[*index].symbol);
@@ -163,132 +257,95 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         }
     }
     if rows.is_empty() {
-        canvas.put(list, (1, 0), "no variable matches", Role::Dim);
+        canvas.put(inner, (1, 0), "no variable matches", Role::Dim);
     }
-    let foot = app.editor.shows(&app.scene).then(|| foot(app, usize::from(inner.width)));
-    canvas.put(inner, (0, inner.height - 1), &foot.unwrap_or_default(), Role::Dim);
 }
 
-/// Which of the variables are in sight, where not all are.
-fn counter(app: &App, rows: &[EditorRow], first: usize, height: usize) -> String {
-    let all = VARIABLES.iter().filter(|variable| is_offered(variable, &app.scene)).count();
-    let number = |rows: &[EditorRow]| {
-        rows.iter().filter(|row| matches!(row, EditorRow::Variable(_))).count()
+/// The head of More: how many there are, and which are not as usual.
+fn more_words(app: &App, room: usize) -> String {
+    let usual = Scene::default();
+    let differs = |index: &usize| {
+        let variable = &VARIABLES[*index];
+        variable.value(&app.scene) != variable.value(&usual)
     };
-    let end = (first + height).min(rows.len());
-    if rows.len() <= height && number(rows) == all {
-        return String::new();
-    }
-    let above = number(&rows[..first.min(rows.len())]);
-    let seen = number(&rows[first.min(rows.len())..end]);
-    if seen == 0 {
-        return format!("0/{all}");
-    }
-    format!("{}-{}/{}", above + 1, above + seen, number(rows))
+    let changed: Vec<String> = Editor::more(&app.scene)
+        .filter(differs)
+        .map(|index| {
+            let variable = &VARIABLES[index];
+            format!("{} {}", variable.symbol, shown_value(variable, &app.scene))
+        })
+        .collect();
+    let count = Editor::more(&app.scene).count();
+    let number = if changed.is_empty() { "none".to_owned() } else { changed.len().to_string() };
+    let number = format!("More: {count}, {number} changed");
+    let list = format!("More: {count}, {}", changed.join(", "));
+    let list = if changed.is_empty() { number.clone() } else { list };
+    fitting([list, number, format!("More: {count}")], room)
 }
 
 fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut Canvas<'_>) {
     let variable = &VARIABLES[index];
     let selected = app.editor.selected == index;
-    let used = variables::is_used(variable, &app.scene);
+    let used = variables::is_used(variable, &app.scene) && is_listed(variable, &app.scene);
     let warned = used && (is_outside || variable.range_warning(&app.scene).is_some());
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let role = if used { Role::Text } else { Role::Dim };
-    let field = app.field.as_ref().filter(|_| selected && app.pane() == run::VARIABLES);
-
     if differs {
         canvas.put(line, (1, 0), "*", Role::Note);
     }
-    let columns_of = Columns::of(line.width);
-    canvas.put(line, (SYMBOL, 0), variable.symbol, role);
-    if columns_of.meaning > 0 {
-        let text = clip(variable.label, usize::from(columns_of.meaning - 1));
-        canvas.put(line, (VALUE, 0), &text, Role::Dim);
+    let end = canvas.put(line, (SYMBOL, 0), variable.symbol, role);
+    if let Some(field) = app.field.as_ref().filter(|_| selected && app.pane() == PANE) {
+        canvas.put(line, (0, 0), ">", Role::Title);
+        return open_field(app.editor.unit(index), field, line, canvas);
     }
-    if let Some(field) = field {
-        open_field(variable, field, line, canvas);
-    } else {
-        let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
-        let Columns { value, flag, unit, .. } = columns_of;
-        let start = flag.saturating_sub(columns(&text)).max(value);
-        let end = canvas.put(line, (start, 0), &text, role);
-        if matches!(variable.value(&app.scene), Value::Number(_)) && end <= flag {
-            canvas.put(line, (unit, 0), variable.unit(), Role::Dim);
-        }
+    // A blank at the right end, so that the frame is not taken for a part of the unit.
+    let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
+    let text = value_text(app, index, usize::from(room));
+    let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
+    let flag = if warned { start.saturating_sub(2) } else { start };
+    let from = LABEL.max(end + 1);
+    let mut labels = [Some(variable.label), short_label(variable)].into_iter().flatten();
+    if let Some(label) =
+        labels.find(|label| from + columns(label) < flag && *label != variable.symbol)
+    {
+        canvas.put(line, (from, 0), label, Role::Dim);
     }
+    canvas.put(line, (start, 0), &text, role);
     if warned {
-        canvas.put(line, (columns_of.flag, 0), "!", Role::Warning);
+        canvas.put(line, (flag, 0), "!", Role::Warning);
     }
     if selected {
         canvas.put(line, (0, 0), ">", Role::Title);
-        if field.is_none() {
-            canvas.paint_row(line, 0);
-        }
+        canvas.paint_row(line, 0);
     }
 }
 
-/// `[ 1.25_  ]`, wider where the text needs it.
-fn open_field(variable: &Variable, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
-    let long = columns(field.text.value()) >= VALUE_WIDTH;
-    let Columns { value, unit, .. } = Columns::of(line.width);
-    let room = if long { line.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
-    field.draw_boxed(canvas, line, value, room);
-    if !long {
-        canvas.put(line, (unit + 1, 0), variable.unit(), Role::Dim);
-    }
+/// The value with its unit, as many of six figures as fit; beside the mass ratio the mass of the plate.
+fn value_text(app: &App, index: usize, room: usize) -> String {
+    let (variable, unit) = (&VARIABLES[index], app.editor.unit(index));
+    let digits = (2..=6).rev();
+    let plain = digits.map(|digits| shown_in(variable, &app.scene, unit, digits));
+    let mass =
+        (variable.symbol == "gamma" && variables::is_used(variable, &app.scene)).then(|| {
+            let mass = units::engineering(app.scene.plate_mass_kg(), "kg", 3);
+            format!("{} ({mass})", shown_in(variable, &app.scene, unit, 6))
+        });
+    fitting(mass.into_iter().chain(plain), room)
 }
 
-/// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.
-fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
-    let Kind::Number(number) = &variable.kind else {
-        return None;
-    };
-    let (low, high) = number.thesis_range?;
-    let value = (number.get)(&app.scene)?;
-    let cells = width.checked_sub(2).filter(|cells| *cells > 2)?;
-    let mut bar: Vec<char> = vec!['-'; cells];
-    if value < low {
-        bar[0] = '<';
-    } else if value > high {
-        bar[cells - 1] = '>';
-    } else {
-        // The place among the cells by comparison, not by conversion: few cells, no rounding to argue about.
-        let share = (value - low) / (high - low);
-        let at = (1..cells).filter(|cell| share * cells as f64 >= *cell as f64).count();
-        bar[at] = '|';
-    }
-    Some(format!("[{}]", bar.into_iter().collect::<String>()))
+/// `[ 1.25_  ] mm`, wider where the text needs it.
+fn open_field(unit: &str, field: &Field, line: Rect, canvas: &mut Canvas<'_>) {
+    let behind = columns(unit) + 2;
+    let most = line.width.saturating_sub(behind + LABEL + 1);
+    let room = (columns(field.text.value()) + 1).max(FIELD_WIDTH).min(most);
+    let start = line.width.saturating_sub(behind + room + 1);
+    field.draw_boxed(canvas, line, start, room);
+    canvas.put(line, (start + room + 2, 0), unit, Role::Dim);
 }
 
-/// The points of the spring whose kind this is, where it is a table.
-fn measured<'a>(variable: &Variable, app: &'a App) -> Option<&'a [[f64; 2]]> {
+/// The points of the spring whose kind the selected variable is, in words, where it is a table.
+pub(crate) fn measured(app: &App) -> Option<String> {
     let spring = &app.scene.mechanism.spring;
-    let is_kind = variable.key == "mechanism.spring.kind";
-    (is_kind && spring.kind == SpringKind::Table).then_some(&spring.table.points)
-}
-
-/// Below the list: the selected variable's range of Table 9.2 with its bar, or what it may be.
-fn foot(app: &App, width: usize) -> String {
-    let variable = app.editor.variable();
-    if let Kind::Number(number) = &variable.kind
-        && let Some((low, high)) = number.thesis_range
-    {
-        let (low, high) = (units::shortest(low), units::shortest(high));
-        let table = if width > 34 { "Table 9.2" } else { "T9.2" };
-        let rest = low.len() + high.len() + table.len() + 4;
-        let bar = range_bar(variable, app, width.saturating_sub(rest).min(40));
-        if let Some(bar) = bar {
-            return format!("{low} {bar} {high} {table}");
-        }
-    }
-    if let Some(points) = measured(variable, app) {
-        return clip(&app.keymap.shown(&format!("{}: <enter>", extent(points))), width);
-    }
-    let allowed = variable.allowed();
-    let words = variable.words().len();
-    if words > 2 && usize::from(columns(&allowed)) > width {
-        let text = app.keymap.shown(&format!("one of {words} words: <enter> lists them"));
-        return clip(&text, width);
-    }
-    clip(&allowed, width)
+    let is_kind = app.editor.variable().key == "mechanism.spring.kind";
+    (is_kind && spring.kind == SpringKind::Table).then(|| extent(&spring.table.points))
 }

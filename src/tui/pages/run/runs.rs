@@ -3,18 +3,18 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use crate::model::run::{Run, Warning, envelope};
+use crate::model::run::{Outcome, Run, Warning, envelope};
 use crate::model::units;
-use crate::model::variables::{self, VARIABLES};
+use crate::model::variables::{self, VARIABLES, Value};
 use crate::report::run::page::{self, LABEL};
-use crate::report::run::{Compared, comparison, no_depth};
+use crate::report::run::{Compared, comparison};
 use crate::report::table::{Cells, Table};
 use crate::study::models::by_every_model;
 use crate::study::quantities;
 use crate::tui::chart::MARKERS;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::RUNS;
-use crate::tui::pages::run::editor::{WIDE, shown_value};
+use crate::tui::pages::run::editor::{shown_number, shown_value};
 use crate::tui::widgets::table::{Grid, NO_MATCH};
 
 /// The letters pins get, in order.
@@ -82,12 +82,6 @@ impl App {
         self.pins.get(self.selected_run.checked_sub(1)?)
     }
 
-    /// A row of the table of runs in words: `now`, or letter and name of a pin.
-    pub(crate) fn run_name(&self, run: usize) -> String {
-        let pin = run.checked_sub(1).and_then(|at| self.pins.get(at));
-        pin.map_or_else(|| "now".to_owned(), |pin| format!("{} {}", pin.letter, pin.name))
-    }
-
     /// The last result in a few lines, for the main screen after leaving.
     pub fn summary(&self) -> String {
         let Some(shown) = &self.shown else {
@@ -123,7 +117,11 @@ impl App {
         }
         let shown = |index: usize| {
             let variable = &VARIABLES[index];
-            format!("{}={}", variable.symbol, shown_value(variable, scene, 24))
+            let value = match variable.value(scene) {
+                Value::Number(number) => shown_number(number, 24),
+                _ => variable.show(scene),
+            };
+            format!("{}={value}", variable.symbol)
         };
         differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
     }
@@ -139,108 +137,82 @@ pub fn engineering(value: f64, unit: &'static str) -> String {
 
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
+/// Columns from which on the table has all of its columns.
+const ALL_COLUMNS: u16 = 72;
+
+/// The rows of the table that a screen of this body has room for, without its heading: all of few runs, some of many.
+pub(crate) fn rows_shown(app: &App, body: Rect) -> u16 {
+    let all = u16::try_from(app.pins.len() + 1).unwrap_or(u16::MAX);
+    all.min((body.height / 6).max(1))
+}
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     canvas.pane(area, RUNS);
-    let right = match (app.pins.is_empty(), focused) {
-        (true, _) => "<mark> pins",
-        (false, true) => "<enter> load  <mark> unpin",
-        (false, false) => "",
-    };
-    let inner = PaneFrame::new(app.runs.titled("Runs"))
-        .right(app.keymap.shown(right))
-        .focused(focused)
-        .draw(area, canvas);
     let table = app.compared_runs();
-    let mut cells = table.cells(&table.keys());
-    app.runs.sorting.mark(&table.keys(), &mut cells);
-    let grid = Grid::shortened(cells, inner.width.saturating_sub(LEAD));
-    canvas.put(inner, (LEAD, 0), &grid.line(None), Role::Dim);
-    let mut row = 1;
+    let mut keys = table.keys();
+    if area.width < ALL_COLUMNS {
+        keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
+    }
+    let mut cells = table.cells(&keys);
+    app.runs.sorting.mark(&keys, &mut cells);
+    let grid = Grid::shortened(cells, area.width.saturating_sub(LEAD + 1));
+    let role = if focused { Role::Focus } else { Role::Title };
+    canvas.put(area, (LEAD, 0), &grid.line(None), role);
+    if !app.runs.filter.is_empty() {
+        canvas.put(area, (1, 0), &format!("/{} ", app.runs.filter), Role::Key);
+    }
     let order = app.run_order();
+    let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
     if order.is_empty() {
-        canvas.put(inner, (LEAD, row), &app.keymap.shown(NO_MATCH), Role::Dim);
-        row += 1;
+        canvas.put(list, (LEAD, 0), &app.keymap.shown(NO_MATCH), Role::Dim);
     }
-    for index in &order {
-        let index = *index;
-        let compared = &table.rows[index];
-        let pin = index.checked_sub(1).map(|at| &app.pins[at]);
-        let visible = pin.map_or(app.current_visible, |pin| pin.visible);
-        let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
-        let role = |role| if visible { role } else { Role::Dim };
-        canvas.put(
-            inner,
-            (0, row),
-            &format!("{marker}{}", app.run_label(index)),
-            role(Role::Curve(index)),
-        );
-        let line = grid.line(Some(index));
-        canvas.put(inner, (LEAD, row), &line, role(Role::Text));
-        let words = compared.run.and_then(no_depth);
-        if let Some((words, at)) = words.and_then(|words| Some((words, line.rfind(words)?))) {
-            let at = LEAD + columns(&line[..at]);
-            canvas.put(inner, (at, row), words, role(Role::Warning));
-        }
-        if focused && index == app.selected_run {
-            canvas.paint_row(inner, row);
-        }
-        row += 1;
-    }
-    below(app, inner, row, canvas);
-    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
-    canvas.rows(area, (0, order.len()), |run| Some(Target::Row(RUNS, run)));
-}
-
-/// Free lines below the runs from which on results are listed there.
-const RESULTS_MIN: usize = 4;
-
-/// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
-/// where there is room, the results of the selected run in words.
-fn below(app: &App, inner: Rect, row: u16, canvas: &mut Canvas<'_>) {
-    let width = usize::from(inner.width);
-    let mut lines: Vec<TextLine> = match app.pins.get(app.selected_run.saturating_sub(1)) {
-        Some(pin) => difference(app, pin, width),
-        None => vec![(app.keymap.shown("<mark> pins this run to compare with"), Role::Dim)],
-    };
-    let now = || app.shown.as_ref().map(|shown| &shown.run);
-    let run = app.selected_pin().map_or_else(now, |pin| pin.run.as_ref());
-    let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
-    if let Some(run) = run.filter(|_| free > RESULTS_MIN) {
-        lines.push((String::new(), Role::Text));
-        let heading = format!("{}: {}", app.run_name(app.selected_run), page::outcome(run));
-        lines.push((clip(&heading, width), Role::Title));
-        let first = run.stack.as_ref().map(|_| format!("results{}:", page::of_first(run)));
-        let results = first.into_iter().chain(page::results(run)).take(free - 2);
-        lines.extend(results.map(|line| (clip(&line, width), Role::Text)));
-    }
-    canvas.put_lines(inner, row, lines);
-}
-
-/// What the current run gained on a pin, and what was changed for it.
-fn difference(app: &App, pin: &Pin, width: usize) -> Vec<TextLine> {
-    let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
-    let pair = app.shown.as_ref().zip(pin.run.as_ref());
-    let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
-    let difference = difference.map_or_else(
-        || "no first arrest to compare".to_owned(),
-        |(now, then)| {
-            let percent = 100.0 * (now - then) / then;
-            format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3)
+    let selected = order.iter().position(|run| *run == app.selected_run).unwrap_or(0);
+    let rows = RowList { count: order.len(), selected, painted: focused };
+    rows.render(
+        canvas,
+        list,
+        |row| Some(Target::Row(RUNS, row)),
+        |canvas, row, at| {
+            let index = order[at];
+            let pin = index.checked_sub(1).map(|at| &app.pins[at]);
+            let visible = pin.map_or(app.current_visible, |pin| pin.visible);
+            let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
+            let role = |role| if visible { role } else { Role::Dim };
+            let label = format!("{marker}{}", app.run_label(index));
+            canvas.put(row, (0, 0), &label, role(Role::Curve(index)));
+            let line = grid.line(Some(index));
+            canvas.put(row, (LEAD, 0), &line, role(Role::Text));
+            let through = line.find("perforated").map(|at| LEAD + columns(&line[..at]));
+            if let Some(at) = through {
+                canvas.put(row, (at, 0), "perforated", role(Role::Warning));
+            }
         },
     );
-    let mut lines = vec![(format!("now - {}: {difference}", pin.letter), Role::Title)];
-    let words: Vec<String> = App::differing(&pin.scene, &app.scene)
-        .into_iter()
+}
+
+/// What the current run gained on the selected pin, or on the first one, and what was changed for it.
+pub(crate) fn difference(app: &App) -> Option<String> {
+    let pin = app.selected_pin().or_else(|| app.pins.first())?;
+    let depth = |run: &Run| run.final_penetration_m.filter(|_| run.outcome == Outcome::Arrested);
+    let pair = app.shown.as_ref().zip(pin.run.as_ref());
+    let pair = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
+    let gained = pair.map_or_else(
+        || "no depths to compare".to_owned(),
+        |(now, then)| {
+            let percent = 100.0 * (now - then) / then;
+            format!("depth {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3)
+        },
+    );
+    let differing = App::differing(&pin.scene, &app.scene).into_iter();
+    let words: Vec<String> = differing
         .map(|index| {
             let variable = &VARIABLES[index];
-            let shown = |scene: &Scene| shown_value(variable, scene, WIDE);
+            let shown = |scene: &Scene| shown_value(variable, scene);
             format!("{} {} -> {}", variable.symbol, shown(&pin.scene), shown(&app.scene))
         })
         .collect();
-    let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
-    lines.extend(wrap(&text, width).into_iter().map(|line| (line, Role::Text)));
-    lines
+    let changed = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
+    Some(format!("now - {}: {gained}; {changed}", pin.letter))
 }
 
 /// Pin the scene, or unpin it where it is pinned already.

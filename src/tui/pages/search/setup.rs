@@ -1,9 +1,9 @@
 //! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
 
 use crate::model::scene::SweepAxis;
-use crate::model::units::{self, Bare};
+use crate::model::units;
 use crate::model::variables::{self, Group, Value, Variable};
-use crate::study::monte_carlo::{self, usual_tolerances};
+use crate::study::monte_carlo::{self, USUAL_DEVIATION, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
 use crate::study::search::front::{self, Constraint, Objective, USUAL};
 use crate::study::search::seek::{self, Goal, SCAN, SCAN_USUAL};
@@ -277,13 +277,15 @@ impl App {
                 let usual = sensitivity::Request::default();
                 Request::Sensitivity(sensitivity::Request { over: axes()?, output, ..usual })
             }
-            Page::MonteCarlo => Request::MonteCarlo(monte_carlo::Task {
-                tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
-                measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
-                samples: setup.samples,
-                seed: 1,
-                model: monte_carlo::model_error(&self.scene),
-            }),
+            Page::MonteCarlo => {
+                let usual = monte_carlo::Request::default();
+                let deviation = setup.percent / 100.0;
+                let is_usual = (deviation - USUAL_DEVIATION).abs() < 1e-12;
+                let vary = (!is_usual).then(|| usual_tolerances(&self.scene, deviation));
+                let samples = Some(setup.samples).filter(|it| *it != Setup::default().samples);
+                let vary = vary.unwrap_or_default();
+                Request::MonteCarlo(monte_carlo::Request { vary, samples, ..usual })
+            }
         })
     }
 
@@ -342,19 +344,10 @@ pub(crate) fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
     if let Some(range) = text.strip_suffix(" off") {
         return Ok(Bound { on: false, ..read_bound(old, range)? });
     }
-    let (range, spacing) = match text.strip_suffix(":log") {
-        Some(range) => (range, Spacing::Log),
-        None => (text, Spacing::Linear),
-    };
-    let (low, high) = range.split_once("..").ok_or("write LO..HI, LO..HI:log or off: 0.8..7")?;
-    let quantity = old.axis.number().quantity;
-    let read = |text: &str| {
-        units::parse(text, quantity, Bare::Stored).map_err(|problem| problem.to_string())
-    };
-    let ends = (read(low)?, read(high)?);
-    if let Some(problem) = units::one_bare_end(low, high, quantity) {
-        return Err(problem);
-    }
-    let axis = Axis::new(old.axis.symbol(), ends, old.axis.count(), spacing);
+    // An angle by its key, whose unit is that of the values.
+    let variable = old.axis.variable();
+    let name = if variable.unit() == "deg" { variable.key } else { variable.symbol };
+    let text = format!("{name}={text}");
+    let axis = Axis::read_range(&text, Some(old.axis.count()), &COUNTS);
     Ok(Bound { axis: axis.map_err(|error| error.to_string())?, on: true })
 }

@@ -326,23 +326,20 @@ impl SearchResult {
     /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
         let scene = &self.scene;
-        match (&*self.answer, &self.request) {
-            (StudyResult::Seek(it), _) => {
+        match &*self.answer {
+            StudyResult::Seek(it) => {
                 only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
             }
-            (StudyResult::Front(front), _) => {
+            StudyResult::Front(front) => {
                 only(report::front::table(name, front), listed, &report::front::warnings(front))
             }
-            (StudyResult::Sensitivity(it), _) => {
+            StudyResult::Sensitivity(it) => {
                 let warnings = validity::of_axes(scene, &it.axes);
                 only(report::sensitivity::table(name, it), listed, &warnings)
             }
-            (StudyResult::MonteCarlo(it), Request::MonteCarlo(task)) => {
-                let warnings = report::monte_carlo::warnings(scene, it, task.samples);
+            StudyResult::MonteCarlo(it) => {
+                let warnings = report::monte_carlo::warnings(scene, it);
                 only(report::monte_carlo::table(name, it), listed, &warnings)
-            }
-            (StudyResult::MonteCarlo(it), _) => {
-                only(report::monte_carlo::table(name, it), listed, &[])
             }
         }
     }
@@ -383,7 +380,7 @@ pub enum Request {
     /// How strongly each variable acts on a quantity.
     Sensitivity(sensitivity::Request),
     /// How results scatter when inputs do.
-    MonteCarlo(monte_carlo::Task),
+    MonteCarlo(monte_carlo::Request),
 }
 
 impl Request {
@@ -393,17 +390,7 @@ impl Request {
             Self::Seek(request) => request.to_string(),
             Self::Front(request) => request.to_string(),
             Self::Sensitivity(request) => request.to_string(),
-            Self::MonteCarlo(task) => {
-                let vary = task.tolerances.iter().map(|it| match it.distribution {
-                    monte_carlo::Distribution::LogNormal { deviation, .. } => {
-                        let percent = significant(100.0 * deviation, 12);
-                        format!(" --vary {}=lognormal:{percent}%", it.symbol())
-                    }
-                    _ => String::new(),
-                });
-                let vary: String = vary.collect();
-                format!("montecarlo{vary} --samples {} --seed {}", task.samples, task.seed)
-            }
+            Self::MonteCarlo(request) => request.to_string(),
         }
     }
 
@@ -453,9 +440,9 @@ impl Study for Request {
                 let context = &mut Context::new(threads, plain);
                 StudyResult::Sensitivity(sensitivity::study(scene, request, context)?)
             }
-            Self::MonteCarlo(task) => {
+            Self::MonteCarlo(request) => {
                 let context = &mut Context::new(threads, plain);
-                StudyResult::MonteCarlo(monte_carlo::sample(scene, task, context)?)
+                StudyResult::MonteCarlo(monte_carlo::sample(scene, request, context)?)
             }
         };
         Ok(Finding::new(answer))

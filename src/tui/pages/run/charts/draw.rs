@@ -1,118 +1,161 @@
-//! The charts of the Run tab: one or three on a common time axis, with readouts below a single one.
+//! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
 
-use ratatui::text::{Line, Span};
-
-use crate::report::figures::run::{event_letter, event_marks};
+use crate::model::run::{Outcome, Run, envelope};
+use crate::model::scene::Mount;
+use crate::report::chart::Below;
+use crate::report::figures::run::{contact_window_s, event_letter, event_marks};
 use crate::report::law::Law;
-use crate::report::run::page::of_first;
+use crate::report::run::page::{self, of_first};
 use crate::report::series::Channel;
-use crate::tui::app::layout::NARROW;
-use crate::tui::app::status::{short_name, value_at};
+use crate::tui::app::status::fitting;
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Side, Unit,
-    align_gutters,
+    self, Axis, Chart, Curve, Emphasis, Frame, Legend, MARKERS, Mark, Unit, align_gutters,
 };
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::CHARTS;
-use crate::tui::pages::run::charts::{Curve as Data, Window};
+use crate::tui::pages::run::charts::{Curve as Data, Window, is_free, is_held};
 use crate::tui::pages::run::runs::{RunView, engineering};
 
-/// Rows of readout below a single chart, without the line that closes the box.
-const READOUT_ROWS: u16 = 2;
-/// How the curve of a second axis is marked.
-const SECOND: char = '~';
-const SECOND_COLOUR: usize = 9;
-/// Where the readouts of further runs have no room.
-const MORE: &str = "  ..";
+/// Rows of a chart that can be read.
+const LEAST: u16 = 3;
+/// Events that are marked: of very many (a plate rattling on its stop) only the first ones.
 const EVENT_LINES: usize = 24;
 
-pub(crate) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
-    match areas {
-        [] => {}
-        [area] => single(app, *area, focused, canvas),
-        _ => stacked(app, areas, focused, canvas),
+/// A chart in the box: its place among the charts, its rows of the screen, and its lower line.
+struct Place {
+    chart: usize,
+    area: Rect,
+    begins: bool,
+    below: Below,
+    /// Why it has nothing to draw: then its title says so, and it has no rows.
+    absent: Option<String>,
+}
+
+pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let places = places(app, area);
+    let data: Vec<Vec<Data<'_>>> = places.iter().map(|place| app.curves(place.chart)).collect();
+    let mut charts: Vec<Chart<'_>> =
+        places.iter().zip(&data).map(|(place, data)| chart(app, place, data)).collect();
+    for (chart, place) in charts.iter_mut().zip(&places) {
+        chart.focused = focused && app.charts.selected == place.chart;
+        // The table of runs has the markers, where it is seen.
+        if places.len() > 1 || !app.is_full() {
+            chart.legend = Legend::Hidden;
+        }
+    }
+    let areas: Vec<Rect> = places.iter().map(|place| place.area).collect();
+    align_gutters(&mut charts, &areas);
+    canvas.pane(area, CHARTS);
+    // The crosshair walks through the columns of the chart that has the keys.
+    for (chart, place) in charts.iter().zip(&places) {
+        if let Some(why) = &place.absent {
+            absent(app, place, why, chart.focused, canvas);
+            continue;
+        }
+        let layout = canvas.draw(chart, place.area);
+        hits(app, place.chart, &layout, canvas);
+        nothing_yet(app, place.area, canvas);
     }
 }
 
 /// Say what the areas of a chart are to the mouse.
-fn hits(app: &App, chart: usize, area: Rect, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, CHARTS);
+fn hits(app: &App, chart: usize, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
     canvas.plot_columns.get_or_insert(layout.plot.width);
     if app.charts.quantities[chart].is_over_time() {
         canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
 
-fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let inner = PaneFrame::new("").focused(focused).draw(area, canvas);
-    let data = app.curves(app.charts.quantities[app.charts.selected]);
-    let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
-    let second = app.second_curve(app.charts.selected);
-    let mut chart = chart(app, app.charts.selected, &data, second.as_ref());
-    chart.frame = Frame::OpenBelow;
-    chart.focused = focused;
-    let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
-    let layout = canvas.draw(&chart, upper);
-    hits(app, app.charts.selected, area, &layout, canvas);
-    nothing_yet(app, app.charts.selected, upper, canvas);
-    if below > 0 {
-        let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
-        readout(app, rows, canvas);
+/// The title of a chart without rows: a line across the box, or the last one.
+fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
+    let title = format!("{}: {why}", app.charts.quantities[place.chart].title());
+    let pane = PaneFrame::new(title).focused(focused).stacked(place.begins, Below::Nothing);
+    pane.draw(place.area, canvas);
+    if place.below == Below::End {
+        let set = app.theme.glyphs.border();
+        let role = if focused { Role::Focus } else { Role::Border };
+        canvas.put(place.area, (0, 0), set.bottom_left, role);
+        canvas.put(place.area, (place.area.width - 1, 0), set.bottom_right, role);
     }
 }
 
-fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
-    let data: Vec<Vec<Data<'_>>> =
-        (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
-    let second: Vec<Option<(Channel, Data<'_>)>> =
-        (0..areas.len()).map(|index| app.second_curve(index)).collect();
-    let both = data.iter().zip(&second).enumerate();
-    let mut charts: Vec<Chart<'_>> =
-        both.map(|(index, (data, second))| chart(app, index, data, second.as_ref())).collect();
-    let last = charts.len() - 1;
-    for (index, chart) in charts.iter_mut().enumerate() {
-        chart.focused = focused && app.charts.selected == index;
-        if index > 0 && second[index].is_none() {
-            chart.legend = Legend::Hidden;
-        }
-        let is_over_time = app.charts.quantities[index].is_over_time();
-        if is_over_time && index < last && areas[index].height < 11 {
-            chart.x.labels = Labels::Hidden;
-        }
+/// The charts that have room in an area, from top to bottom: the selected one is among them.
+fn places(app: &App, area: Rect) -> Vec<Place> {
+    let all: Vec<usize> = (0..app.charts.quantities.len()).collect();
+    let selected = app.charts.selected;
+    if app.is_full() {
+        return stack(app, area, &[selected]).unwrap_or_default();
     }
-    align_gutters(&mut charts, areas);
-    for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
-        let layout = canvas.draw(chart, *area);
-        hits(app, index, *area, &layout, canvas);
-        nothing_yet(app, index, *area, canvas);
+    let two = if selected == 0 { [0, 1] } else { [selected - 1, selected] };
+    let fitting = [&all[..], &two[..]].into_iter().find_map(|charts| stack(app, area, charts));
+    fitting.or_else(|| stack(app, area, &[selected])).unwrap_or_default()
+}
+
+/// These charts above each other; `None` where one would have too few rows.
+fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
+    let absent: Vec<Option<String>> = charts.iter().map(|chart| absence(app, *chart)).collect();
+    let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
+    let below = |at: usize| match charts.get(at + 1) {
+        None => Below::End,
+        Some(next) if absent[at + 1].is_none() && app.charts.shares_axis(charts[at], *next) => {
+            Below::Nothing
+        }
+        Some(_) => Below::Across,
+    };
+    // A title each, and a line for each axis.
+    let has_line = |at: &usize| absent[*at].is_none() && below(*at) != Below::Nothing;
+    let lines = charts.len() + (0..charts.len()).filter(has_line).count();
+    let rows = area.height.checked_sub(u16::try_from(lines).ok()?)?;
+    if rows < LEAST * drawn && charts.len() > 1 {
+        return None;
     }
+    let (each, mut over) = (rows.checked_div(drawn).unwrap_or(0), rows.checked_rem(drawn)?);
+    let mut y = area.y;
+    let place = |(at, why): (usize, Option<String>)| {
+        let own = if why.is_some() { 0 } else { each + u16::from(over > 0) };
+        over = over.saturating_sub(u16::from(own > 0));
+        let height = 1 + own + u16::from(has_line(&at));
+        let area = Rect { y, height, ..area };
+        y += height;
+        Place { chart: charts[at], area, begins: at == 0, below: below(at), absent: why }
+    };
+    Some(absent.clone().into_iter().enumerate().map(place).collect())
+}
+
+/// Why a chart has nothing to draw, in all runs.
+fn absence(app: &App, chart: usize) -> Option<String> {
+    let quantity = app.charts.quantities[chart];
+    let of = |run: &Run| {
+        if quantity == Channel::PlateDisplacement && is_held(run) {
+            let farthest =
+                run.max_plate_displacement_m.filter(|_| run.scene.plate.mount == Mount::Sprung);
+            return Some(farthest.map_or_else(
+                || "plate held".to_owned(),
+                |farthest| format!("{}, held", engineering(farthest, "m")),
+            ));
+        }
+        quantity.absence(&run.scene).map(str::to_owned)
+    };
+    let runs = app.visible_runs();
+    let reasons: Option<Vec<String>> = runs.iter().map(|view| of(view.run)).collect();
+    reasons.and_then(|reasons| reasons.last().cloned())
 }
 
 /// Where there is no curve: say why.
-fn nothing_yet(app: &App, chart: usize, area: Rect, canvas: &mut Canvas<'_>) {
-    let runs = app.visible_runs();
-    let quantity = app.charts.quantities[chart];
-    let absent = runs.iter().map(|view| quantity.absence(&view.run.scene));
-    let absent = absent.reduce(Option::and).flatten();
-    if area.height < 3 || absent.is_none() && !runs.is_empty() {
+fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    if area.height < 3 || !app.visible_runs().is_empty() {
         return;
     }
     let text = match (&app.shown, &app.jobs.current) {
-        _ if absent.is_some() => absent.unwrap_or_default(),
-        (Some(_), _) => "all runs are hidden: <show-hide> in the pane Runs shows them",
+        (Some(_), _) => "all runs are hidden: <show-hide> in the table of runs shows them",
         (None, Some(_)) => "running the first time",
         (None, None) => NO_RESULTS,
     };
     canvas.put_centred(area, &app.keymap.shown(text));
 }
 
-/// A chart of these curves, with a second axis for the quantity and curve that have one.
-fn chart<'a>(
-    app: &'a App,
-    index: usize,
-    data: &'a [Data<'a>],
-    second: Option<&'a (Channel, Data<'a>)>,
-) -> Chart<'a> {
+fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
+    let index = place.chart;
     let quantity = app.charts.quantities[index];
     let curves = data.iter().map(|Data { view, points }| {
         Curve::new(MARKERS[view.index % MARKERS.len()], label(view), points)
@@ -123,41 +166,100 @@ fn chart<'a>(
                 (false, Some(_)) => Emphasis::Normal,
             })
     });
+    let frame = Frame::Stacked { begins: place.begins, below: place.below };
+    // A corner, a line and blanks around the title.
+    let room = usize::from(place.area.width.saturating_sub(5));
+    let alike = alike(data);
+    let taken = if alike.is_empty() { 0 } else { alike.len() + 4 };
+    let title = title(app, index, room.saturating_sub(taken));
     if !quantity.is_over_time() {
-        return over_displacement(app, index, data, curves.collect());
+        return Chart { frame, ..over_displacement(app, index, title, data, curves.collect()) };
     }
-    let range @ (from, to) = app.time_range_s();
+    let range @ (from, to) = app.time_range_s(index);
     let time = ViewRange::new(from, to);
     let x =
         Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
     let scale = app.charts.value_scales[index];
-    let y = value_axis(app, data, quantity, scale).scale(scale);
-    let right = second.map(|(quantity, curve)| {
-        let axis = value_axis(app, std::slice::from_ref(curve), *quantity, Scale::Linear);
-        Axis { label: quantity.symbol().into(), ..axis }
-    });
-    let overlay = second.map(|(quantity, curve)| {
-        let run = short_name(&curve.view);
-        Curve::new(SECOND, format!("{} {run}", quantity.symbol()), &curve.points)
-            .colour(SECOND_COLOUR)
-            .emphasis(if curve.view.old { Emphasis::Stale } else { Emphasis::Normal })
-            .side(Side::Right)
-    });
-    // Of very many events (a plate rattling on its stop) only the first ones.
     let shown = app.shown.iter().filter(|_| app.current_visible);
     let marks = shown.flat_map(|shown| event_marks(&shown.run, range).take(EVENT_LINES));
+    let left = room.saturating_sub(title.chars().count() + 4);
     Chart {
         marks: marks.collect(),
+        levels: levels(app, quantity),
         crosshair: app.charts.cursor_s,
-        right,
-        ..Chart::new(title(app, quantity), x, y, overlay.into_iter().chain(curves).collect())
+        frame,
+        note: note(app, index, alike, left).into(),
+        ..Chart::new(title, x, value_axis(app, data, index).scale(scale), curves.collect())
     }
+}
+
+/// The plate's thickness, and where the stop stands.
+fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
+    let Some(shown) = app.shown.as_ref().filter(|_| app.current_visible && !app.charts.difference)
+    else {
+        return Vec::new();
+    };
+    let scene = &shown.run.scene;
+    match quantity {
+        Channel::Penetration => vec![Mark::new(scene.target.thickness_m, "h")],
+        Channel::PlateDisplacement => {
+            let stop = scene.mechanism.stop.position_m;
+            stop.map(|stop_m| Mark::new(stop_m, "stop")).into_iter().collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The pins that coincide with the current run in a chart: `A = now`.
+fn alike(data: &[Data<'_>]) -> String {
+    let now = data.iter().find(|curve| curve.view.letter.is_none());
+    let alike = data.iter().filter_map(|curve| {
+        let letter = curve.view.letter?;
+        now.filter(|now| coincide(now, curve)).map(|_| format!("{letter} = now"))
+    });
+    alike.collect::<Vec<_>>().join(", ")
+}
+
+/// At the right of a title, beside those: what the letters of the events mean.
+fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
+    let gap = if alike.is_empty() { "" } else { "  " };
+    [format!("{alike}{gap}{}", event_words(app, chart)), alike]
+        .into_iter()
+        .find(|text| text.chars().count() <= room)
+        .unwrap_or_default()
+}
+
+/// Parts of a range that nobody sees apart.
+const APART: f64 = 0.01;
+
+/// Whether two curves are one on the screen.
+fn coincide(one: &Data<'_>, other: &Data<'_>) -> bool {
+    let all = || one.points.iter().chain(&other.points).filter(|point| point.1.is_finite());
+    let size = all().fold(0.0_f64, |most, point| most.max(point.1.abs()));
+    let lies_on = |points: &[(f64, f64)], (t, value): (f64, f64)| {
+        let after = points.partition_point(|point| point.0 < t);
+        let right = points.get(after)?;
+        let left = points.get(after.saturating_sub(1))?;
+        let width = right.0 - left.0;
+        let share = if width > 0.0 { (t - left.0) / width } else { 1.0 };
+        let there = left.1 + share * (right.1 - left.1);
+        let near = |there: f64| (there - value).abs() <= APART * size;
+        // Where it jumps, either value will do.
+        let mut same = points[after..].iter().take_while(|point| point.0.total_cmp(&t).is_eq());
+        Some(near(there) || near(left.1) || same.any(|point| near(point.1)))
+    };
+    let on = |curve: &Data<'_>, other: &Data<'_>| {
+        let mut points = curve.points.iter().filter(|point| point.1.is_finite());
+        points.all(|point| lies_on(&other.points, *point).unwrap_or(false))
+    };
+    all().next().is_some() && on(one, other) && on(other, one)
 }
 
 /// What depends on the plate's displacement, with what the current run used of its mechanism, and its limits.
 fn over_displacement<'a>(
     app: &App,
     index: usize,
+    title: String,
     data: &[Data<'_>],
     curves: Vec<Curve<'a>>,
 ) -> Chart<'a> {
@@ -181,15 +283,16 @@ fn over_displacement<'a>(
         crosshair: run
             .zip(app.charts.cursor_s)
             .and_then(|(run, t_s)| Channel::PlateDisplacement.at(run, t_s)),
-        ..Chart::new(title(app, quantity), x.padded(0.04), y.padded(0.04), curves)
+        ..Chart::new(title, x.padded(0.04), y.padded(0.04), curves)
     }
 }
 
 /// A vertical axis that shows all of some curves.
-fn value_axis(app: &App, data: &[Data<'_>], quantity: Channel, scale: Scale) -> Axis<'static> {
-    let (low, high) = app.value_range(data, scale);
+fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
+    let (scale, unit) = (app.charts.value_scales[chart], app.charts.quantities[chart].unit());
+    let (low, high) = app.value_range(data, chart);
     let values = match scale {
-        Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
+        Scale::Linear => ViewRange::new(low, high),
         Scale::Log10 => ViewRange::new(low, high).on(scale),
     };
     // Rates at or above zero begin at zero: the eye takes the axis for it.
@@ -198,7 +301,7 @@ fn value_axis(app: &App, data: &[Data<'_>], quantity: Channel, scale: Scale) -> 
     } else {
         values
     };
-    Axis::new("", values).unit(Unit::with_prefix(values.size(), quantity.unit()))
+    Axis::new("", values).unit(Unit::with_prefix(values.size(), unit))
 }
 
 /// `now`, or letter and name of a pin, kept short.
@@ -207,93 +310,141 @@ fn label(view: &RunView<'_>) -> String {
         .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
 }
 
-fn title(app: &App, quantity: Channel) -> String {
-    let is_difference = app.charts.difference && quantity.is_over_time();
-    if let Some(pin) = app.reference_pin().filter(|_| is_difference) {
-        return format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter);
+/// The name of a chart with the number of the current run, in a given number of columns.
+fn title(app: &App, chart: usize, room: usize) -> String {
+    let quantity = app.charts.quantities[chart];
+    let name = quantity.title().trim_end_matches(" over displacement");
+    if let Some(pin) =
+        app.reference_pin().filter(|_| app.charts.difference && quantity.is_over_time())
+    {
+        return format!("{name} minus that of {}", pin.letter);
     }
-    let first = app.visible_runs().iter().map(|view| of_first(view.run)).max().unwrap_or_default();
-    // The unit stands behind it, and is to have room.
-    let is_short = !first.is_empty() && app.size.0 < NARROW;
-    let name = if is_short { "" } else { quantity.title() };
-    // The axis below says the rest.
-    let name = name.trim_end_matches(" over displacement");
-    format!("{name} {}{first}", quantity.symbol()).trim_start().to_owned()
+    let window = match app.charts.windows[chart] {
+        Window::Whole if quantity.is_over_time() => ", whole",
+        Window::Whole | Window::Contact => "",
+    };
+    let Some(shown) = &app.shown else { return name.to_owned() };
+    if app.shows_old() {
+        return format!("{name} (old)");
+    }
+    let run = &*shown.run;
+    let name = format!("{name}{}{window}", of_first(run));
+    match quantity {
+        Channel::Penetration => fitting(depth_titles(&name, run), room),
+        Channel::ContactForce => fitting([format!("{name}, {}", peak(run)), name], room),
+        Channel::PlateDisplacement => {
+            let travel = travel(run);
+            let brief = format!("Plate{window}: {travel}");
+            fitting([format!("{name}: {travel}"), brief, format!("Plate: {travel}"), name], room)
+        }
+        _ => {
+            let values = run.series.iter().map(|sample| quantity.of(sample).abs());
+            let most = values.filter(|value| value.is_finite()).fold(0.0, f64::max);
+            let most = engineering(most, quantity.unit());
+            let title = format!("{name}, greatest {most}");
+            fitting([if quantity.is_over_time() { title } else { name.clone() }, name], room)
+        }
+    }
 }
 
-/// Two rows: the values at the crosshair, and those at the first arrest (or what the window shows).
-fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let quantity = app.charts.quantities[app.charts.selected];
-    let views = app.visible_runs();
-    // Values first, then what they are of; without a time before them it always has room.
-    let line = |lead: String, name: &str, value: &dyn Fn(&RunView<'_>) -> String| {
-        let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
-        let kept = if lead.is_empty() { name.chars().count() + 2 } else { lead.chars().count() };
-        let mut left = usize::from(area.width).saturating_sub(kept + 1);
-        let values = views.iter().rev().map(|view| (short_name(view), value(view))).collect();
-        let values = in_one_unit(values, left);
-        for (place, (view, (name, value))) in views.iter().rev().zip(values).enumerate() {
-            let blank = if place == 0 && lead.is_empty() { "" } else { "  " };
-            let name = format!("{blank}{name} ");
-            let width = name.chars().count() + value.chars().count();
-            let room = if place + 1 < views.len() { MORE.len() } else { 0 };
-            if width + room > left {
-                spans.push(Span::styled(MORE, app.theme.style(Role::Dim)));
-                break;
-            }
-            left -= width;
-            spans.push(Span::styled(name, app.theme.style(Role::Curve(view.index))));
-            spans.push(Span::raw(value));
-        }
-        if !name.is_empty() && (lead.is_empty() || name.chars().count() + 2 <= left) {
-            spans.push(Span::styled(format!("  {name}"), app.theme.style(Role::Text)));
-        }
-        Line::from(spans)
+/// The depth in its title, from the longest to the shortest: a fused one that the interface could not hold never stands alone.
+fn depth_titles(name: &str, run: &Run) -> Vec<String> {
+    let Some(depth) = depth(run) else {
+        return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
     };
-    let first = if let Some(t_s) = app.charts.cursor_s {
-        line(format!("t {}", engineering(t_s, "s")), app.event_at_cursor().unwrap_or(""), &|view| {
-            let second = app.charts.second[app.charts.selected];
-            let second = second.filter(|_| view.letter.is_none()).map_or_else(String::new, |one| {
-                format!("  {} {}", one.symbol(), value_at(view.run, one, t_s))
-            });
-            value_at(view.run, quantity, t_s) + &second
-        })
+    let percent = run.percent_of_baseline().filter(|_| run.scene.plate.mount == Mount::Sprung);
+    let percent = percent.map(|percent| format!("{percent:.0} %"));
+    let long = percent.clone().map_or_else(String::new, |it| format!(" ({it} of rigid mount)"));
+    let short = percent.map_or_else(String::new, |it| format!(" ({it})"));
+    let plastic = plastic(run).map_or_else(String::new, |it| format!("; plastic: {it}"));
+    let colon = if run.outcome == Outcome::Perforated { ":" } else { "" };
+    [
+        format!("{name}{colon} {depth}{long}{plastic}"),
+        format!("{name}{colon} {depth}{short}{plastic}"),
+        format!("{name}{colon} {depth}{plastic}"),
+        format!("Depth {depth}{plastic}"),
+        format!("{depth}{plastic}"),
+    ]
+    .into()
+}
+
+/// The depth of a shot, and what becomes of it after the first contact; `None` where it is not known.
+fn depth(run: &Run) -> Option<String> {
+    let depth_m = run.final_penetration_m?;
+    if run.outcome == Outcome::Perforated {
+        return Some(through(run));
+    }
+    let depth = engineering(depth_m, "m");
+    let first_m = run.first_arrest.map(|arrest| arrest.penetration_m);
+    let is_later = first_m.is_some_and(|first_m| depth_m > first_m * 1.001);
+    let leaves = run
+        .separation
+        .map_or_else(String::new, |it| format!(", leaves at {}", speed(it.velocity_m_s.abs())));
+    let shows_first = contact_window_s(run) < 1.2 * run.contact_end_s();
+    Some(match first_m.filter(|_| is_later && shows_first) {
+        Some(first_m) => format!("{}, later {depth}{leaves}", engineering(first_m, "m")),
+        None => format!("{depth}{leaves}"),
+    })
+}
+
+/// That a shot is through, and how fast it goes on.
+fn through(run: &Run) -> String {
+    match run.residual_velocity_m_s {
+        Some(left) if left < 0.0 => format!("through, back at {}", speed(-left)),
+        Some(left) => format!("through, leaves at {}", speed(left)),
+        None => "through".to_owned(),
+    }
+}
+
+/// A velocity with one decimal, of a slow one with the figures that say something.
+fn speed(velocity_m_s: f64) -> String {
+    if velocity_m_s < 1.0 {
+        engineering(velocity_m_s, "m/s")
     } else {
-        let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
-        Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
-    };
-    canvas.put_line(area, 0, &first);
-    if views.is_empty() {
-        return;
-    }
-    // Of perforations there is none.
-    if views.iter().any(|view| view.run.first_arrest.is_some()) {
-        let arrest = line(String::new(), "first arrest", &|view| {
-            view.run
-                .first_arrest
-                .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
-        });
-        canvas.put_line(area, 1, &arrest);
+        format!("{velocity_m_s:.1} m/s")
     }
 }
 
-/// Names and values; where that makes room for all of them, a unit that they share stands at the last one only.
-fn in_one_unit(mut values: Vec<(String, String)>, room: usize) -> Vec<(String, String)> {
-    let needed: usize = values.iter().map(|(name, value)| name.len() + value.len() + 3).sum();
-    let Some(((_, last), others)) = values.split_last_mut() else { return values };
-    let unit = last.rfind(' ').map_or("", |at| &last[at..]);
-    let is_shared = others.iter().all(|(_, value)| value.ends_with(unit));
-    if is_shared && needed > room && needed - others.len() * unit.len() <= room {
-        for (_, value) in others {
-            value.truncate(value.len() - unit.len());
+/// What a plastic interface comes to, where the fused one would have to carry more than its strength.
+fn plastic(run: &Run) -> Option<String> {
+    let exceeds = |ratio: Option<f64>| ratio.is_some_and(|ratio| ratio > 1.0);
+    let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
+    let fails = exceeds(run.interface_demand_ratio) || exceeds(run.interface_tension_ratio);
+    let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
+    if plastic.outcome == Outcome::Perforated {
+        return Some(through(plastic));
+    }
+    plastic.final_penetration_m.map(|depth_m| engineering(depth_m, "m"))
+}
+
+fn peak(run: &Run) -> String {
+    if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
+        return "fused: unbounded at the stop".to_owned();
+    }
+    run.peak_contact_force_n.map_or_else(
+        || "no peak: the collision takes no time".to_owned(),
+        |peak| format!("peak {}", engineering(peak, "N")),
+    )
+}
+
+fn travel(run: &Run) -> String {
+    let stroke = run.stroke_m().filter(|_| run.scene.start_m() != 0.0);
+    let stroke =
+        stroke.map_or_else(String::new, |stroke| format!(", stroke {}", engineering(stroke, "m")));
+    match (run.max_plate_displacement_m, run.at_least.plate_displacement_m) {
+        (Some(most), _) => format!("greatest {}{stroke}", engineering(most, "m")),
+        (None, Some(least)) => format!("at least {}", engineering(least, "m")),
+        (None, None) if is_free(run) => {
+            let last = run.series.last().map_or(0.0, |last| last.plate_velocity_m_s);
+            format!("leaves at {}, no greatest", speed(last))
         }
+        (None, None) => "greatest not known".to_owned(),
     }
-    values
 }
 
-/// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.
-fn events_in_view(app: &App, width: usize) -> String {
-    let (from, to) = app.time_range_s();
+/// What the letters of a chart's event lines mean.
+pub(crate) fn event_words(app: &App, chart: usize) -> String {
+    let (from, to) = app.time_range_s(chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
     let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
     let words: Vec<String> = events
@@ -301,13 +452,5 @@ fn events_in_view(app: &App, width: usize) -> String {
         .take(EVENT_LINES)
         .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
         .collect();
-    let text = words.join("  ");
-    let hint = app.keymap.shown(match app.charts.window {
-        Window::Contact => "(<window>: whole response)",
-        Window::Whole => "(<window>: contact only)",
-    });
-    if run.is_some() && text.chars().count() + hint.chars().count() + 2 <= width {
-        return format!("{text}  {hint}").trim_start().to_owned();
-    }
-    clip(&text, width)
+    words.join("  ")
 }

@@ -1,0 +1,189 @@
+//! An axis as text: `NAME=LO..HI:COUNT[:log]` or `NAME=A,B,C`, with units or without.
+
+use std::ops::RangeInclusive;
+
+use crate::model::scene::SweepAxis;
+use crate::model::units::{self, Bare, Dimension};
+use crate::model::variables;
+use crate::study::sweep::{Axis, Spacing, SweepError};
+
+/// The two forms of an axis.
+const FORM: &str =
+    "write NAME=LO..HI:COUNT[:log] or NAME=A,B,C, for example gamma=0.8..7:101 or k=1e4,1e5";
+
+impl Axis {
+    /// Reads `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional where there is a usual one.
+    ///
+    /// # Errors
+    /// [`SweepError`] for a text of another form, and as [`Axis::of`].
+    pub fn read(
+        argument: &str,
+        usual: Option<u64>,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
+        let refuse = |problem: String| SweepError(format!("axis {argument}: {problem}"));
+        let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(FORM.to_owned()))?;
+        let name = name.trim();
+        if let Some((low, rest)) = rest.split_once("..") {
+            let (high, count, log) = high_end(rest, counts).map_err(refuse)?;
+            let missing = || refuse(format!("COUNT is missing; {FORM}"));
+            let count = count.or(usual).ok_or_else(missing)?;
+            let (from, to) = (value(name, low, "LO", refuse)?, value(name, high, "HI", refuse)?);
+            if let Some(problem) = quantity(name).and_then(|it| units::one_bare_end(low, high, it))
+            {
+                return Err(refuse(problem));
+            }
+            let count = usize::try_from(count).unwrap_or(usize::MAX);
+            let axis = SweepAxis { log, ..SweepAxis::linear(name, from, to, count) };
+            return Self::of(&axis, counts);
+        }
+        let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
+        let [first, others @ ..] = &parts[..] else { return Err(refuse(FORM.to_owned())) };
+        if others.is_empty() {
+            return Err(refuse(FORM.to_owned()));
+        }
+        let read = |text: &&str| value(name, text, "the list", refuse);
+        let values = parts.iter().map(read).collect::<Result<Vec<f64>, _>>()?;
+        let mixed =
+            |quantity| others.iter().any(|it| units::one_bare_end(first, it, quantity).is_some());
+        if quantity(name).is_some_and(mixed) {
+            return Err(refuse("give all values of the list a unit, or none".to_owned()));
+        }
+        Self::of(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)
+    }
+
+    /// The same where only a range has a meaning.
+    ///
+    /// # Errors
+    /// As [`Axis::read`], and for a list.
+    pub fn read_range(
+        argument: &str,
+        usual: Option<u64>,
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
+        let axis = Self::read(argument, usual, counts)?;
+        if axis.spacing() != Spacing::Listed {
+            return Ok(axis);
+        }
+        let (low, high) = axis.ends();
+        let (low, high) = (units::shortest(low), units::shortest(high));
+        Err(SweepError(format!(
+            "axis {argument}: a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
+            axis.symbol()
+        )))
+    }
+}
+
+/// Reads the text after `..`: the other end, the number of points, whether at equal ratios.
+fn high_end<'t>(
+    text: &'t str,
+    counts: &RangeInclusive<u64>,
+) -> Result<(&'t str, Option<u64>, bool), String> {
+    let mut parts = text.split(':');
+    let high = parts.next().unwrap_or_default();
+    let (mut count, mut log) = (None, false);
+    for part in parts {
+        match part.trim() {
+            "log" => log = true,
+            "lin" | "linear" => log = false,
+            text if count.is_none() => {
+                let (least, most) = (counts.start(), counts.end());
+                let wrong = || {
+                    format!("COUNT = `{text}` must be a whole number, {least} to {most}; {FORM}")
+                };
+                count = Some(text.parse::<u64>().map_err(|_not_a_number| wrong())?);
+            }
+            text => return Err(format!("`{text}` is neither COUNT nor log; {FORM}")),
+        }
+    }
+    Ok((high, count, log))
+}
+
+/// The kind of quantity of a variable; `None` for a variable of words, which is refused later.
+fn quantity(name: &str) -> Option<Dimension> {
+    Some(variables::find(name).ok()?.number()?.quantity)
+}
+
+/// A value of a variable, in its stored unit.
+fn value(
+    name: &str,
+    text: &str,
+    place: &str,
+    refuse: impl Fn(String) -> SweepError,
+) -> Result<f64, SweepError> {
+    let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
+    quantity(name).map_or(Ok(0.0), |quantity| {
+        units::parse(text, quantity, variable.bare(name, Bare::Si))
+            .map_err(|problem| refuse(format!("{place}: {problem}")))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::sweep::COUNTS;
+
+    #[test]
+    fn axes_are_read_with_units_and_spacing() {
+        let axis = Axis::read("k=0.1MN/m..7.5 MN/m:4:log", None, &COUNTS).unwrap();
+        assert_eq!((axis.symbol(), axis.count(), axis.spacing()), ("k", 4, Spacing::Log));
+        assert!((axis.ends().0 - 1e5).abs() < 1e-9 && (axis.ends().1 - 7.5e6).abs() < 1e-9);
+        let axis = Axis::read("plate.cocking_m=0..50mm:11", None, &COUNTS).unwrap();
+        assert_eq!((axis.symbol(), axis.ends().1.to_bits()), ("d", 0.05f64.to_bits()));
+        let axis = Axis::read("theta=0..45deg:4", None, &COUNTS).unwrap();
+        assert_eq!(axis.ends().1.to_bits(), 45f64.to_bits());
+        // The full key ends in its unit.
+        let axis = Axis::read("projectile.obliquity_deg=10..45:4", None, &COUNTS).unwrap();
+        assert_eq!(axis.ends().0.to_bits(), 10f64.to_bits());
+        assert_eq!(Axis::read("n=3..0.1:log", Some(2), &COUNTS).unwrap().spacing(), Spacing::Log);
+    }
+
+    #[test]
+    fn lists_are_read_with_units_in_their_order() {
+        let axis = Axis::read("k=1e5,0.01 MN/m,2.5e4", None, &COUNTS);
+        assert!(axis.unwrap_err().to_string().contains("all values of the list a unit, or none"));
+        let axis = Axis::read("k = 100kN/m,10 kN/m,1MN/m", None, &COUNTS).unwrap();
+        assert_eq!(axis.list(), [1e5, 1e4, 1e6]);
+        let axis = Axis::read("thickness=25.4mm,0,1in", None, &COUNTS).unwrap_err().to_string();
+        assert!(axis.contains("reaches 0 m"), "{axis}");
+        assert!(
+            Axis::read_range("gamma=1,2", None, &COUNTS)
+                .unwrap_err()
+                .to_string()
+                .contains("gamma=1..2")
+        );
+    }
+
+    #[test]
+    fn bad_axes_are_refused_with_the_form_to_write() {
+        for (text, fragments) in [
+            ("gamma", &["axis gamma", "NAME=LO..HI:COUNT"][..]),
+            ("gamma=1:5", &["NAME=LO..HI:COUNT", "NAME=A,B,C"]),
+            ("gamma=1,two", &["the list", "not a number"]),
+            ("gamma=1,2,1", &["1 occurs twice"]),
+            ("gamma=1,", &["the list"]),
+            ("gamma=1..2", &["COUNT is missing"]),
+            ("gamma=1..2:many", &["COUNT = `many`", "whole number"]),
+            ("gamma=1..2:-3", &["COUNT = `-3`"]),
+            ("gamma=1..2:3:4", &["`4` is neither"]),
+            ("gamma=1..2:0", &["axis gamma", "count = 0"]),
+            ("gamma=2..2:5", &["both ends are 2"]),
+            ("gamma=-1..2:5", &["reaches -1", "greater than 0"]),
+            ("k=0..1e6:5:log", &["equal ratios", "greater than 0"]),
+            ("d=0..5kg:5", &["HI", "`kg` is not a unit", "mm"]),
+            ("d=zero..5mm:5", &["LO", "not a number"]),
+            ("h=1..2mm:3", &["`1` has no unit and `2mm` has one", "`1 mm..2mm` or `1 m..2mm`"]),
+            ("h=1mm..2:3", &["`2` has no unit and `1mm` has one", "`1mm..2 mm` or `1mm..2 m`"]),
+            ("v_i=100..3 kfps:3", &["`100 kfps..3 kfps` or `100 m/s..3 kfps`"]),
+            ("theta=10..45:4", &["LO", "angle without a unit", "`10 deg` or `10 rad`"]),
+            ("projectile.obliquity_deg=10..0.5rad:4", &["`10` has no unit"]),
+            ("gama=1..2:5", &["axis gama", "did you mean `gamma`"]),
+            ("interface=0..1:2", &["no numbers", "fused or plastic"]),
+        ] {
+            let error = Axis::read(text, None, &COUNTS).unwrap_err().to_string();
+            for fragment in fragments {
+                assert!(error.contains(fragment), "{text}: {error} lacks {fragment}");
+            }
+        }
+    }
+}
