@@ -24,7 +24,7 @@ static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 /// The clock that decides when progress is shown. Global, as the terminal is.
 static CLOCK: OnceLock<Clock> = OnceLock::new();
 
-/// How far the last study of the command came: `102 of 199 rows`.
+/// How far the last study of the command came: `30 of 49 rows`.
 static REACHED: Mutex<String> = Mutex::new(String::new());
 
 /// Time before the progress of a computation is shown first, and between updates.

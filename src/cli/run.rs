@@ -13,7 +13,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::progress::{ProgressLine, was_interrupted};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{TableArguments, TableDestination, choice};
+use crate::cli::table::{TableArguments, TableDestination};
 use crate::cli::text::{chart_size, fitted, labelled, width};
 use crate::cli::{CliError, Glyphs, draw, output};
 use crate::files::clean;
@@ -30,7 +30,7 @@ use crate::report::models as tables;
 use crate::report::run::page::{computation, energy, events_in_brief, results, sentence};
 use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
-use crate::study::models::{Comparison, Row, What, compare};
+use crate::study::models::{Comparison, compare};
 use crate::study::stack;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::worker::clock;
@@ -46,9 +46,9 @@ use crate::worker::clock;
 pub(super) struct RunArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Compare contact models, or variants of Appendix A, on this scene
-    #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = choice(&What::ALL, What::word, What::about))]
-    compare: Option<What>,
+    /// Compare the contact models of thesis section 8.2 on this scene: Table 8.1 with numbers
+    #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = ["models"])]
+    compare: Option<String>,
     /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
     #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Dimension::Time, "1us"))]
     dt: Option<f64>,
@@ -127,15 +127,12 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
-    if let Some(what) = arguments.compare {
+    if arguments.compare.is_some() {
         let preset = arguments.scene.load()?;
-        let found = compare(&preset.scene, what, &mut clock::processor_s)?;
+        let found = compare(&preset.scene, &mut clock::processor_s)?;
         let (name, page) = (preset.name.as_str(), models_page(&preset.name, &found));
-        let table = arguments.table.of(
-            &arguments.scene,
-            &preset.scene,
-            format!("run --compare {}", what.word()),
-        );
+        let command = "run --compare models".to_owned();
+        let table = arguments.table.of(&arguments.scene, &preset.scene, command);
         return table.deliver(&page, tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
     let computed = match arguments.dt {
@@ -273,8 +270,7 @@ fn summary(computed: &Computed, table: &TableArguments) -> String {
 }
 
 fn models_page(name: &str, found: &Comparison) -> String {
-    let (title, first) = (found.what.title(), found.what.first());
-    let mut page = format!("{name}: {title}\n\n");
+    let mut page = format!("{name}: the interaction models of Table 8.1\n\n");
     let mut table = tables::table(name, found);
     table.rows.truncate(found.rows.len());
     page += &table.page(
@@ -290,24 +286,20 @@ fn models_page(name: &str, found: &Comparison) -> String {
         ],
         width(),
     );
-    let _ = writeln!(
-        page,
-        "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\
-         time: shortest of several, without series and error estimate"
+    page.push_str(
+        "\nagainst: deviation from hydrodynamic; -: does not exist; travel: greatest displacement of the plate\n\
+         time: shortest of several, without series and error estimate\n",
     );
     for (name, reason) in &found.refused {
         labelled(&mut page, "refused", &format!("{name}: {reason}"));
     }
-    let with_values: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
-    if found.what == What::Models {
-        for row in with_values {
-            let _ = writeln!(page, "{}: {}", row.name, row.with);
-        }
-        page.push('\n');
-        for row in &found.rows {
-            let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
-        }
-        page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
+    for row in found.rows.iter().filter(|row| !row.with.is_empty()) {
+        let _ = writeln!(page, "{}: {}", row.name, row.with);
     }
+    page.push('\n');
+    for row in &found.rows {
+        let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
+    }
+    page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
     page
 }

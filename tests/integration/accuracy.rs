@@ -24,7 +24,7 @@ fn the_page_has_chart_table_answers_and_reasons() {
         "DOP853 + events",
         "contact kernel",
         "by auto at tol",
-        "left out",
+        "omitted",
         "1e-6: ",
         "stored digits, row S2",
         "C no closed form: a mechanism acts",

@@ -234,7 +234,8 @@ fn a_given_face_is_kept_when_the_plate_is_sized() {
 #[test]
 fn a_mechanism_that_does_not_move_makes_no_difference() {
     for velocity in ["v_i=11", "v_i=15", "v_i=20"] {
-        let set = ["--absorber", "aluminium-honeycomb", "--set", "gamma=6.31", "--set", velocity];
+        let crush = ["--set", "spring=crush", "--set", "F_crush=50kN", "--set", "m_spring=1e-9"];
+        let set = [&crush[..], &["--set", "gamma=6.31", "--set", velocity]].concat();
         assert_eq!(json(&set)["verdict"], "the mechanism makes no difference to a solid plate");
     }
 }
@@ -254,4 +255,19 @@ fn two_sizes_of_a_plate_are_refused() {
 fn a_stack_is_no_armour_of_one_plate() {
     let (_, error) = says("compare", &["array-stacked"], 2);
     assert!(error.contains("looks at one plate"), "{error}");
+}
+
+/// An absorber is as heavy as it is long: F x over its energy per mass, whether or not a shot uses all of the stroke.
+#[test]
+fn valid_a_crush_absorber_weighs_its_stroke() {
+    let mass = |stroke: &str| {
+        let words = format!(
+            "--set spring=crush --set F_crush=5kN --set k_crush=10MN/m --set e_spring=19460 --set x_crush={stroke}"
+        );
+        let words: Vec<&str> = words.split(' ').collect();
+        json(&words)["candidates"]["scene"]["spring_mass_kg"].as_f64().unwrap()
+    };
+    for (stroke, metres) in [("20mm", 0.02), ("1000mm", 1.0)] {
+        assert!((mass(stroke) / (5e3 * metres / 19460.0) - 1.0).abs() < 1e-12, "{stroke}");
+    }
 }

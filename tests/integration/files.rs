@@ -5,9 +5,7 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{
-    Closure, Combination, ContactModel, PlateSize, Reading, Scene, Sweep, SweepAxis,
-};
+use cmra::model::scene::{Closure, Combination, ContactModel, PlateSize, Scene, Sweep, SweepAxis};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -116,14 +114,6 @@ fn a_value_taken_away_takes_its_key_away() {
     let updated = write::updated(text, "here", &scene).unwrap();
     assert_eq!(updated, "format = 1\n[mechanism.stop]\nrestitution = 0.5\n");
     assert_eq!(read::scene(&updated, "here").unwrap(), scene);
-}
-
-#[test]
-fn a_word_of_version_0_1_is_still_read() {
-    let text =
-        "format = 1\n[contact]\nmodel = \"appendix\"\n[contact.appendix]\ncoupling = \"mended\"\n";
-    let scene = read::scene(text, "here").expect("a scene of version 0.1");
-    assert_eq!(scene.contact.appendix.coupling, Reading::Corrected);
 }
 
 #[test]

@@ -183,3 +183,54 @@ fn stacks_have_limits() {
     let preset = json(&["array-stacked"]);
     assert!(preset["limit_velocity_m_s"].as_f64().unwrap() > 250.0, "{preset}");
 }
+
+/// Measurements of thin hard plates give 320 m/s where the law gives 482: plates of a hard steel fail by plugging, whatever the closure.
+#[test]
+fn a_thin_hard_plate_is_called_unconservative_whatever_the_closure() {
+    let hard = "--threat m2-ap-core --material steel-4340 --set mount=rigid --set h=6mm";
+    for closure in [
+        "",
+        " --set closure=double-yield --set dishing=on",
+        " --set closure=cavity --set dishing=off",
+    ] {
+        let words = format!("{hard}{closure}");
+        let words: Vec<&str> = words.split(' ').collect();
+        let warnings = json(&words)["warnings"].to_string();
+        assert!(
+            warnings.contains("of a hard plate") && warnings.contains("(unconservative)"),
+            "{closure}: {warnings}"
+        );
+    }
+}
+
+/// The limits just below and at h = D are those between which the page says that the limit jumps.
+#[test]
+fn valid_the_jump_at_one_diameter_is_said() {
+    let at = |h: f64| {
+        let words =
+            format!("--threat m2-ap-core --material aa6082-t651 --set mount=rigid --set h={h}");
+        let words: Vec<&str> = words.split(' ').collect();
+        json(&words)
+    };
+    let d = 2.0 * 3.1242e-3;
+    let limit = |found: &Value| found["limit_velocity_m_s"].as_f64().unwrap();
+    let found = at(d * (1.0 + 1e-9));
+    let jump: Vec<f64> =
+        found["jump_m_s"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+    for (side, h) in jump.iter().zip([d * (1.0 - 1e-9), d * (1.0 + 1e-9)]) {
+        assert!((limit(&at(h)) / side - 1.0).abs() < 1e-6, "{jump:?}");
+    }
+    assert!((jump[1] / jump[0] - 1.0).abs() > 0.03, "{jump:?}");
+    let words = [
+        "--threat",
+        "m2-ap-core",
+        "--material",
+        "aa6082-t651",
+        "--set",
+        "mount=rigid",
+        "--set",
+        "h=6mm",
+    ];
+    assert!(output(&words).contains("the closure changes and the limit jumps from"));
+    assert!(at(0.012)["jump_m_s"].is_null());
+}

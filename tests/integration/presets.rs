@@ -8,7 +8,7 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
-use cmra::model::scene::Scene;
+use cmra::model::scene::{ContactModel, Scene};
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables::{VARIABLES, validate};
 use cmra::study::quantities;
@@ -130,7 +130,9 @@ fn valid_every_preset_gives_the_expected_results() {
             simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap();
         assert!(run.end.is_complete(), "{name}: {}", run.end.words());
         assert_eq!(run.shot_outcome().word(), case.outcome, "{name}");
-        assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
+        // The listing's fixed steps do not keep it.
+        let is_kept = run.ledger.residual().abs() < 1e-9;
+        assert_eq!(is_kept, scene.contact.model != ContactModel::Appendix, "{name}: energy");
         let value = |key: &str| {
             let column = quantities::find(key).unwrap_or_else(|| panic!("{name}: {key}"));
             column.value(&run)

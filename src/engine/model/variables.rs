@@ -121,9 +121,8 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The index of a word. `mended` is what version 0.1 called `corrected`; its files go on working.
+    /// The index of a word.
     fn position(&self, word: &str) -> Option<usize> {
-        let word = if word == "mended" { "corrected" } else { word };
         self.words.iter().position(|candidate| *candidate == word)
     }
 }

@@ -150,7 +150,7 @@ pub fn printed_scheme(report: &Report) -> Option<String> {
 pub fn savings(savings: &[Saving]) -> Table<'_, &Saving> {
     let in_seconds = |_: &&Saving, value: &Value| Some(seconds(value.as_f64()?));
     Table::of(savings)
-        .with("part", "left out", "", |it| it.part)
+        .with("part", "omitted", "", |it| it.part)
         .with("with_s", "with it", "", |it| it.with_s)
         .shown(in_seconds)
         .with("without_s", "without", "", |it| it.without_s)
@@ -206,7 +206,7 @@ fn scene(named: &Named) -> Value {
         "answers": report.is_complete.then_some(answers),
         "printed_scheme_off": report.printed_off,
         "run_time_s": report.run_s,
-        "left_out": savings(&report.savings).objects(|_| true),
+        "omitted": savings(&report.savings).objects(|_| true),
         "points": table(std::slice::from_ref(named)).objects(|key| key != WARNINGS),
         WARNINGS: warnings(report),
     })

@@ -42,6 +42,14 @@ pub fn remarks(report: &Report) -> Vec<Remark> {
         let text = format!("{}, by the plate's thickness", closure.word());
         remarks.push(Remark::new("closure", text));
     }
+    if let Some((thin, thick)) = report.jump_m_s {
+        let change = engineering(2.0 * report.scene.projectile.tip_radius_m, "m", 4);
+        let (thin, thick) = (fixed_significant(thin, 4), velocity(thick, 4));
+        let text = format!(
+            "at h = D = {change} the closure changes and the limit jumps from {thin} to {thick}: between these two it is not known"
+        );
+        remarks.push(Remark::caution("jump", text));
+    }
     if let Some(closures) = &report.closures {
         remarks.push(Remark::new("closure band", self::closures(closures)));
     }
@@ -211,6 +219,7 @@ pub fn json(name: &str, report: &Report) -> Value {
         "peak_mount_force_at_limit_n": load.mount_force_n,
         "closure": report.scene.closure().word(),
         "closures": closures,
+        "jump_m_s": report.jump_m_s.map(|(thin, thick)| [thin, thick]),
         "model_error": known,
         "recht_ipson": report.recht_ipson.map(recht_ipson),
         "lambert_jonas": report.lambert_jonas.map(lambert_jonas),

@@ -1,4 +1,4 @@
-//! A comparison of the interaction models, or of the variants of Appendix A.
+//! A comparison of the interaction models.
 
 use crate::model::run::{Outcome, Run};
 use crate::model::units::engineering;

@@ -219,6 +219,8 @@ pub struct Report {
     pub at_limit: Option<AtLimit>,
     /// The limits by both closures, where the flow strength comes from a yield stress.
     pub closures: Option<Closures>,
+    /// Between which limits, m/s, the limit jumps where the closure changes, at h = D, where the plate is about as thick.
+    pub jump_m_s: Option<(f64, f64)>,
     /// The curve, in order of velocity.
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
@@ -273,6 +275,7 @@ pub fn find(
     let found_m_s = limit.velocity_m_s();
     let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
     let closures = found_m_s.and_then(|_| range.closures());
+    let jump_m_s = found_m_s.and_then(|_| range.jump());
     Ok(Report {
         scene: Arc::clone(scene),
         criterion: request.criterion,
@@ -280,6 +283,7 @@ pub fn find(
         undecided_m_s,
         at_limit,
         closures,
+        jump_m_s,
         shots,
         recht_ipson: found_m_s
             .and_then(|limit_m_s| ResidualLaw::recht_ipson(&perforated, limit_m_s)),

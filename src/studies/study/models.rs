@@ -1,14 +1,12 @@
 //! The interaction models on one and the same scene: Table 8.1 of the thesis with numbers in it.
 //!
-//! Each model's depth, travel and peak force beside the hydrodynamic model's, and its run time; and the
-//! listing of Appendix A with each of its quirks put right by itself, so that their effects can be distinguished. The clock
-//! is passed in.
+//! Each model's depth, travel and peak force beside the hydrodynamic model's, and its run time. The clock is passed in.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
+use crate::model::scene::{ContactModel, Scene};
 use crate::model::simulate::{self, Settings};
 use crate::model::variables::{self, VariableError};
 use crate::study::accuracy::timing::{Clock, Patience, time};
@@ -16,34 +14,10 @@ use crate::study::accuracy::timing::{Clock, Patience, time};
 /// How long the computations of one scene may take of which the shortest time counts.
 const PATIENCE: Patience = Patience { point_s: 0.2, slow_s: 0.1 };
 
-enumeration! {
-    /// The subjects of the comparison.
-    pub enum What in WhatRow {
-        /// The word of the command line.
-        word: &'static str,
-        /// Its description.
-        about: &'static str,
-        /// The title of a page.
-        title: &'static str,
-        /// The first row.
-        first: &'static str,
-    }
-    /// The interaction models.
-    Models {
-        word: "models", about: "The contact models of thesis section 8.2: Table 8.1 with numbers",
-        title: "the interaction models of Table 8.1", first: "hydrodynamic"
-    }
-    /// The quirks of Appendix A.
-    Quirks {
-        word: "quirks", about: "Appendix A as printed, and with each of its errors corrected",
-        title: "Appendix A, quirk by quirk", first: "as printed"
-    }
-}
-
 /// One line of the comparison.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// `half-sine`, `coupling corrected`.
+    /// `half-sine`.
     pub name: &'static str,
     /// Its parameters, in words; empty if none had to be chosen.
     pub with: String,
@@ -58,8 +32,6 @@ pub struct Row {
 /// The comparison; the first row is what the others are compared with.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// The columns of the comparison.
-    pub what: What,
     /// The rows.
     pub rows: Vec<Row>,
     /// Models that cannot run this scene, and why.
@@ -90,14 +62,10 @@ struct Plan {
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense, or none of the rows can run it.
-pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison, VariableError> {
+pub fn compare(scene: &Scene, clock: Clock<'_>) -> Result<Comparison, VariableError> {
     variables::require_single(scene)?;
-    let plans = match what {
-        What::Models => models(scene),
-        What::Quirks => quirks(scene),
-    };
     let (mut rows, mut refused) = (Vec::new(), Vec::new());
-    for plan in plans {
+    for plan in models(scene) {
         let own = Arc::new(plan.scene);
         if let Err(reason) = variables::validate(&own) {
             // Without the first row there is nothing to compare with.
@@ -117,7 +85,7 @@ pub fn compare(scene: &Scene, what: What, clock: Clock<'_>) -> Result<Comparison
             judged: plan.judged,
         });
     }
-    Ok(Comparison { what, rows, refused })
+    Ok(Comparison { rows, refused })
 }
 
 fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {
@@ -140,33 +108,6 @@ fn models(scene: &Scene) -> Vec<Plan> {
     models.map(plan).into()
 }
 
-/// Appendix A as printed, each quirk put right by itself, all of them, and the engine.
-fn quirks(scene: &Scene) -> Vec<Plan> {
-    let printed = Listing { step_s: scene.contact.appendix.step_s, ..Listing::default() };
-    let changed = |name, listing| {
-        let mut own = scene.clone();
-        own.contact.model = ContactModel::Appendix;
-        own.contact.appendix = listing;
-        Plan { name, scene: own, judged: ("", "") }
-    };
-    let corrected = Reading::Corrected;
-    let mut plans = vec![
-        changed("as printed", printed),
-        changed("coupling corrected", Listing { coupling: corrected, ..printed }),
-        changed("damper corrected", Listing { damper: corrected, ..printed }),
-        changed("stopping corrected", Listing { stopping: corrected, ..printed }),
-        changed("afterwards corrected", Listing { afterwards: corrected, ..printed }),
-        changed("scheme corrected", Listing { scheme: corrected, ..printed }),
-        changed("obliquity corrected", Listing { obliquity: corrected, ..printed }),
-        changed("jumps ignored", Listing { jumps: Jumps::Ignored, ..printed }),
-        changed("all corrected", Listing::corrected(printed.step_s)),
-    ];
-    let mut sound = scene.clone();
-    sound.contact.model = ContactModel::Hydrodynamic;
-    plans.push(Plan { name: "hydrodynamic", scene: sound, judged: ("", "") });
-    plans
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,7 +123,7 @@ mod tests {
 
     #[test]
     fn every_model_stands_beside_the_hydrodynamic_one() {
-        let found = compare(&Scene::default(), What::Models, &mut slow()).unwrap();
+        let found = compare(&Scene::default(), &mut slow()).unwrap();
         let names: Vec<&str> = found.rows.iter().map(|row| row.name).collect();
         assert_eq!(names, ["hydrodynamic", "lumped", "half-sine", "initial-velocity", "appendix"]);
         let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
@@ -197,17 +138,5 @@ mod tests {
         let travel = |run: &Run| run.max_plate_displacement_m;
         assert!(found.deviation(row("initial-velocity"), travel).unwrap().abs() < 0.1);
         assert!(row("half-sine").with.starts_with("t_d = 1"));
-    }
-
-    #[test]
-    fn quirks_stand_beside_the_listing_as_printed() {
-        let found = compare(&Scene::default(), What::Quirks, &mut slow()).unwrap();
-        assert_eq!(found.rows.len(), 10);
-        let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
-        let error = |name| found.deviation(row(name), depth_m);
-        assert_eq!(error("as printed"), Some(0.0));
-        assert_eq!(error("damper corrected"), Some(0.0));
-        let all = error("all corrected").unwrap();
-        assert!((all - error("hydrodynamic").unwrap()).abs() < 1e-4, "{all}");
     }
 }

@@ -143,7 +143,8 @@ impl Page for ExploreTab {
             let output = app.shown_output(&found.grid).0;
             if !curves::printed(app, &found.grid, output).is_empty() {
                 let words = "faint: the thesis's own scheme, as printed; the others: corrected";
-                parts.push(part(Severity::Note, words));
+                let short = "faint: the printed scheme";
+                parts.push((Severity::Note, words.to_owned(), short.to_owned()));
             }
             parts.extend(at_rest(&found.grid, output).map(|text| part(Severity::Note, text)));
         }

@@ -351,7 +351,7 @@ fn find(app: &mut App) {
     jobs::study(app, Tab::Limit, LimitSearch(Request::default()));
 }
 
-/// Where a pane stands: the comparison above the residual velocity and the map; the pane that has the keys alone where
+/// Where a pane stands: the residual velocity and the map above the comparison; the pane that has the keys alone where
 /// there is no room for three.
 pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let focus = app.pane();
@@ -359,8 +359,8 @@ pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     if app.is_full() || body.height < rows + 8 {
         return (pane == focus).then_some(body);
     }
-    let (comparison, below) = split_bottom(body, body.height - rows);
-    let (left, right) = split_left(below, below.width / 2);
+    let (above, comparison) = split_bottom(body, rows);
+    let (left, right) = split_left(above, above.width / 2);
     let is_narrow = body.width < NARROW;
     let at_right = match focus {
         EFFICIENCY_MAP => focus,
@@ -369,7 +369,7 @@ pub(crate) fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     };
     match pane {
         COMPARISON => Some(comparison),
-        _ if is_narrow => (pane == at_right).then_some(below),
+        _ if is_narrow => (pane == at_right).then_some(above),
         RESIDUAL => Some(left),
         _ => (pane == at_right).then_some(right),
     }

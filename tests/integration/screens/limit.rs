@@ -5,14 +5,17 @@ use std::sync::Arc;
 
 use super::at_every_size;
 use super::bench::{Bench, ended};
+use crate::support::says;
 use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
+use cmra::study::compare::{Hardware, compare};
 use cmra::study::context::Context;
 use cmra::study::limit::residual_law::ResidualLaw;
 use cmra::study::limit::{Limit, LimitMethod, Report, Request, Shot};
 use cmra::study::monte_carlo;
 use cmra::tui::message::ExportOutcome;
+use cmra::tui::pages::limit::comparison::EqualMass;
 use cmra::tui::pages::limit::state::{LimitSearch, Spread};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
@@ -38,6 +41,7 @@ fn found(scene: &Arc<Scene>) -> Report {
         undecided_m_s: None,
         at_limit: None,
         closures: None,
+        jump_m_s: None,
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(ResidualLaw { a: 0.9412, p: 2.0, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(ResidualLaw { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
@@ -87,7 +91,7 @@ fn the_limit_tab_at_every_size() {
     }
 }
 
-/// The plate of 3 mm overloads its fused interface just below its limit, and its spring's end moves too fast.
+/// The plate of 3 mm is a thin sheet, overloads its fused interface just below its limit, and its spring's end moves too fast.
 #[test]
 fn the_status_names_what_is_outside_validity_at_the_limit() {
     let mut scene = Scene::default();
@@ -100,7 +104,7 @@ fn the_status_names_what_is_outside_validity_at_the_limit() {
     bench.keys("3");
     end(&mut bench, |report| report.at_limit.clone_from(&at_limit));
     let screen = bench.screen();
-    assert!(screen.contains("| ! at the limit: spring, spring mass, interface |"), "{screen}");
+    assert!(screen.contains("! at the limit: h/D, spring, spring mass, interface |"), "{screen}");
 }
 
 #[test]
@@ -276,4 +280,38 @@ fn where_there_is_one_pane_tab_says_how_to_go_on() {
     bench.keys("<Tab>");
     assert_eq!(bench.app.tab, before);
     assert!(bench.message().contains("one pane; } and {"), "{}", bench.message());
+}
+
+/// What tab 3 asks of a scene is what the commands ask by themselves, and gives the same digits.
+#[test]
+fn the_tab_and_the_commands_give_the_same_digits() {
+    for name in ["thesis-baseline", "rigid-mount", "cocked", "oblique", "thin-plate-perforation"] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.app.scene = Arc::new(cmra::files::preset::resolve(name, None).unwrap().scene);
+        bench.keys("3");
+        let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+        let json = |command: &str| read(&says(command, &[name, "--json"], 0).0);
+        let mut asked = 0;
+        for study in bench.studies() {
+            let watch = &mut |_, _: Option<&()>| ControlFlow::Continue(());
+            let context = &mut Context::new(1, watch);
+            if let Some(LimitSearch(request)) = study.asked.of() {
+                assert_eq!(request.to_string(), "limit");
+                let report = cmra::study::limit::find(&study.scene, *request, context).unwrap();
+                let own = read(&cmra::report::limit::json(name, &report).to_string());
+                assert_eq!(own["shots"], json("limit")["shots"], "{name}");
+                asked += 1;
+            } else if let Some(asked_for) = study.asked.of::<EqualMass>() {
+                assert_eq!((&asked_for.absorber, &asked_for.part), (&None, &None));
+                let report = compare(&study.scene, Hardware::default(), context).unwrap();
+                let own = read(&cmra::report::compare::json(name, &report).to_string());
+                let command = json("compare");
+                for key in ["mass_efficiency", "verdict", "candidates"] {
+                    assert_eq!(own[key], command[key], "{name}: {key}");
+                }
+                asked += 1;
+            }
+        }
+        assert_eq!(asked, 2, "{name}");
+    }
 }

@@ -204,8 +204,7 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
     let screen = bench.screen();
     // The greatest residual velocity is the highest `o` of the plot, below the row of the legend.
     let mark = |line: &str| line.chars().take(58).collect::<String>().rfind('o');
-    let found =
-        screen.lines().enumerate().skip(14).find_map(|(row, line)| Some((mark(line)?, row)));
+    let found = screen.lines().enumerate().skip(4).find_map(|(row, line)| Some((mark(line)?, row)));
     let (column, row) = found.unwrap();
     click(&mut bench, (u16::try_from(column).unwrap(), u16::try_from(row).unwrap()));
     assert_eq!(bench.app.pages.limit.cursor, Some(far));

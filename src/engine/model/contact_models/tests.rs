@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::Values;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, Sample, Warning};
-use crate::model::scene::{Listing, Scene, SpringKind};
+use crate::model::scene::{Jumps, Listing, Reading, Scene, SpringKind};
 use crate::model::simulate::{self, Settings};
 use crate::model::variables::scene_with;
 
@@ -205,7 +205,13 @@ fn every_model_closes_its_ledger_on_every_spring() {
 
 /// By the listing, with the strength of its constants: twice 75.8 `MPa`.
 fn listing(pairs: &str) -> Run {
-    run(&format!("model=appendix S_y=1.516e8 {pairs}"))
+    listed(pairs, Listing::default())
+}
+
+fn listed(pairs: &str, listing: Listing) -> Run {
+    let mut scene = scene_with(&format!("model=appendix S_y=1.516e8 {pairs}"));
+    scene.contact.appendix = Listing { step_s: scene.contact.appendix.step_s, ..listing };
+    run_of(&scene)
 }
 
 /// The model page, and the ladder of time steps of an independent port.
@@ -219,9 +225,10 @@ fn valid_the_listing_gives_the_baselines_of_the_model_page() {
         ("rho=2780 dt=5e-7", 7.1375),
         ("rho=2780 dt=2e-7", 7.1289),
     ] {
-        for reading in ["printed", "corrected"] {
-            let found = depth_mm(&listing(&format!("mount=rigid {pairs} coupling={reading}")));
-            assert!((found - expected_mm).abs() < 6e-5, "{pairs} {reading}: {found}");
+        for coupling in [Reading::Printed, Reading::Corrected] {
+            let listing = Listing { coupling, ..Listing::default() };
+            let found = depth_mm(&listed(&format!("mount=rigid {pairs}"), listing));
+            assert!((found - expected_mm).abs() < 6e-5, "{pairs} {coupling:?}: {found}");
         }
     }
 }
@@ -238,9 +245,11 @@ fn valid_the_error_of_the_printed_coupling() {
         (7.0, 99.2, 91.5),
     ];
     for (gamma, printed, corrected) in known {
-        for (reading, percent) in [("printed", printed), ("corrected", corrected)] {
-            let run = listing(&format!("rho=2780 gamma={gamma} coupling={reading}"));
-            assert!((depth_mm(&run) / 7.129 * 100.0 - percent).abs() < 0.06, "{gamma} {reading}");
+        for (coupling, percent) in [(Reading::Printed, printed), (Reading::Corrected, corrected)] {
+            let listing = Listing { coupling, ..Listing::default() };
+            let run = listed(&format!("rho=2780 gamma={gamma}"), listing);
+            let found = depth_mm(&run) / 7.129 * 100.0;
+            assert!((found - percent).abs() < 0.06, "{gamma} {coupling:?}");
         }
     }
 }
@@ -258,10 +267,9 @@ fn valid_the_listing_as_printed_is_the_case_of_the_critique() {
 }
 
 #[test]
-fn valid_every_quirk_corrected_the_listing_converges_to_the_simulation() {
-    let mut scene = scene_with("model=appendix b=100");
-    scene.contact.appendix = Listing::corrected(1e-7);
-    let (own, reference) = (run_of(&scene), run("b=100"));
+fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
+    let own = listed("b=100 dt=1e-7", Listing::corrected(1e-7));
+    let reference = run("b=100 S_y=1.516e8");
     assert!(close(depth_mm(&own), depth_mm(&reference), 1e-6));
     let travel = reference.max_plate_displacement_m.unwrap();
     assert!(close(own.max_plate_displacement_m.unwrap(), travel, 1e-5));
@@ -270,8 +278,8 @@ fn valid_every_quirk_corrected_the_listing_converges_to_the_simulation() {
 
 #[test]
 fn the_unsigned_damper_adds_energy_on_the_way_back_and_a_signed_one_does_not() {
-    let after_the_turn = |reading: &str| {
-        let run = run(&format!("model=appendix b=50 horizon=8e-3 dampsign={reading}"));
+    let after_the_turn = |damper: Reading| {
+        let run = listed("b=50 horizon=8e-3", Listing { damper, ..Listing::default() });
         let turn = run.events.iter().find(|event| event.kind == EventKind::GreatestDisplacement);
         let turn_s = turn.unwrap().t_s;
         let energy = |row: &Sample| {
@@ -281,14 +289,16 @@ fn the_unsigned_damper_adds_energy_on_the_way_back_and_a_signed_one_does_not() {
         let back = run.series.iter().find(|row| row.t_s > turn_s && row.plate_displacement_m < 0.0);
         back.map(energy).unwrap() / before
     };
-    assert!(after_the_turn("printed") > 1.05);
-    assert!(after_the_turn("corrected") < 0.95);
+    assert!(after_the_turn(Reading::Printed) > 1.05);
+    assert!(after_the_turn(Reading::Corrected) < 0.95);
 }
 
 #[test]
 fn a_perforation_leaves_the_bodies_joined_as_printed_and_parts_them_when_corrected() {
-    let through = |reading: &str| run(&format!("model=appendix h=0.003 v_i=300 after={reading}"));
-    let (printed, corrected) = (through("printed"), through("corrected"));
+    let through = |afterwards: Reading| {
+        listed("h=0.003 v_i=300", Listing { afterwards, ..Listing::default() })
+    };
+    let (printed, corrected) = (through(Reading::Printed), through(Reading::Corrected));
     assert_eq!(printed.outcome, Outcome::Perforated);
     assert!(printed.warnings.contains(&Warning::NotModelled(NotModelled::PartingBehindHole)));
     let ratio =
@@ -301,22 +311,28 @@ fn a_perforation_leaves_the_bodies_joined_as_printed_and_parts_them_when_correct
 
 #[test]
 fn ignored_jumps_end_in_no_number_and_a_stop_is_noted_as_missing() {
-    let run = listing("mount=rigid jumps=ignored");
+    let ignored = Listing { jumps: Jumps::Ignored, ..Listing::default() };
+    let run = listed("mount=rigid", ignored);
     assert_eq!(run.end, EndReason::NonFinite);
     assert!(!run.series.is_empty() && run.final_penetration_m.is_none());
     assert!(listing("x_stop=0.001").warnings.contains(&Warning::NotModelled(NotModelled::Stop)));
 }
 
 #[test]
-fn each_quirk_by_itself_makes_the_difference_it_should() {
+fn each_error_by_itself_makes_the_difference_it_should() {
     let base = depth_mm(&listing(""));
-    let change = |quirk: &str| depth_mm(&listing(&format!("{quirk}=corrected"))) / base - 1.0;
-    assert!((change("coupling") + 0.22).abs() < 0.01);
+    let change = |listing: Listing| depth_mm(&listed("", listing)) / base - 1.0;
+    let (printed, fixed) = (Listing::default(), Reading::Corrected);
+    assert!((change(Listing { coupling: fixed, ..printed }) + 0.22).abs() < 0.01);
     // The printed depth contains the projectile's own travel, 50 m/s when it stops: one step of it at most.
-    assert!(change("stopping").abs() < 6e-3);
-    assert!((-0.01..0.0).contains(&change("scheme")));
+    assert!(change(Listing { stopping: fixed, ..printed }).abs() < 6e-3);
+    assert!((-0.01..0.0).contains(&change(Listing { scheme: fixed, ..printed })));
     // No damper, no perforation, no obliquity: no difference here.
-    for quirk in ["dampsign", "after", "oblique"] {
-        assert!(change(quirk).abs() < 1e-15, "{quirk}");
+    for listing in [
+        Listing { damper: fixed, ..printed },
+        Listing { afterwards: fixed, ..printed },
+        Listing { obliquity: fixed, ..printed },
+    ] {
+        assert!(change(listing).abs() < 1e-15, "{listing:?}");
     }
 }

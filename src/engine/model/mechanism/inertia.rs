@@ -8,7 +8,7 @@
 
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::Spring;
-use crate::model::scene::{self, OwnMass, Scene};
+use crate::model::scene::{self, OwnMass, Scene, SpringKind};
 use crate::numerics::larger;
 
 /// The part of a coil spring that moves with its end.
@@ -103,8 +103,8 @@ impl OmittedMass {
     }
 }
 
-/// The mass of the first spring, where there is one: given, of its beams, or, where it is to count, the least its energy needs in
-/// wire, kg.
+/// The mass of the first spring, where there is one: given, of its beams, of an absorber that is crushed all the energy of its stroke
+/// over its energy per mass, or, where it is to count, the least its energy needs in wire, kg.
 fn mass_kg(scene: &Scene) -> Option<f64> {
     let spring = &scene.mechanism.spring;
     if scene.is_rigid() || spring.is_absent() {
@@ -113,7 +113,14 @@ fn mass_kg(scene: &Scene) -> Option<f64> {
     spring
         .mass_kg
         .or_else(|| spring.law().mass_kg(spring))
+        .or_else(|| crush_kg(scene, spring))
         .or_else(|| coil_kg(scene, spring).filter(|_| spring.own_mass == OwnMass::Counted))
+}
+
+/// An absorber is as long as its stroke, whether or not a shot uses all of it.
+fn crush_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+    let energy_j_kg = scene.mechanism.energy_j_kg.filter(|_| spring.kind == SpringKind::Crush)?;
+    Some(spring.count * spring.crush.force_n * spring.crush.stroke_m / energy_j_kg)
 }
 
 /// Whether the spring's mass is to count and is not known: it counts as nothing.

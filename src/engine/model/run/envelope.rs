@@ -20,6 +20,11 @@ use crate::model::worded::worded;
 /// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".
 const THICKNESS: f64 = 1.0;
 const ABOUT: f64 = 0.1;
+/// Below this h/D the diameter over which a dished plate gives way is no longer that of measurements.
+const SHEET: f64 = 0.3;
+/// Below this density, kg/m³, and this yield stress, Pa, a target is no metal.
+const METAL_KG_M3: f64 = 1500.0;
+const METAL_PA: f64 = 1e8;
 /// Plates of this yield strength, Pa, fail by plugging below this h/D: FE results for rolled armour of 6 to 16 mm (`validate`).
 pub const HARD_PA: f64 = 7.5e8;
 const HARD_THICKNESS: f64 = 2.5;
@@ -48,6 +53,8 @@ worded! {
     pub enum Check: label {
         /// Plate thickness over projectile diameter.
         Thickness = "h/D",
+        /// The target's density and strength.
+        Material = "material",
         Nose = "nose",
         /// The pressure on the nose over the projectile's strength.
         NosePressure = "nose pressure",
@@ -80,6 +87,7 @@ impl Check {
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Thickness => "h",
+            Self::Material => "rho",
             Self::Nose => "nose",
             Self::NosePressure | Self::Velocity => "v_i",
             Self::NoseMass => "m_p",
@@ -173,6 +181,7 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     let found = [
         thickness(scene),
+        material(scene),
         nose(scene),
         nose_pressure(scene),
         nose_mass(scene),
@@ -194,6 +203,15 @@ fn thickness(scene: &Scene) -> Option<Breach> {
     }
     let ratio = thickness_ratio(scene);
     let shown = significant(ratio, 3);
+    let yield_pa = equivalent_yield_pa(scene);
+    if yield_pa >= HARD_PA && ratio < HARD_THICKNESS {
+        let text = format!(
+            "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
+             came out up to 59 % too high",
+            significant(1e-6 * yield_pa, 4)
+        );
+        return Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text));
+    }
     if scene.dishing() && ratio > THICKNESS + ABOUT {
         let cure = match scene.closure() {
             ClosureInEffect::Given => "set dishing=off and a strength by cavity expansion",
@@ -205,23 +223,17 @@ fn thickness(scene: &Scene) -> Option<Breach> {
             format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
         return Some(breach(Check::Thickness, Direction::Conservative, ratio, text));
     }
-    if scene.dishing() {
-        return None;
-    }
-    let (closure, target) = (scene.closure(), &scene.target);
-    let is_hard = closure == ClosureInEffect::Cavity && target.yield_pa >= HARD_PA;
-    if is_hard && ratio < HARD_THICKNESS {
+    if scene.dishing() && ratio < SHEET {
         let text = format!(
-            "h/D = {shown} of a hard plate, Y = {} MPa: below about {HARD_THICKNESS} it fails by plugging; limits of rolled armour \
-             came out up to 59 % too high",
-            significant(1e-6 * target.yield_pa, 4)
+            "h/D = {shown}: with dishing each plate dishes over one diameter, however thin; below about {SHEET} several sheets \
+             resist more than one plate of their mass, which no measurement supports"
         );
         return Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text));
     }
-    if ratio >= THICKNESS - ABOUT {
+    if scene.dishing() || ratio >= THICKNESS - ABOUT {
         return None;
     }
-    let cure = match closure {
+    let cure = match scene.closure() {
         ClosureInEffect::Given | ClosureInEffect::DoubleYield => "set dishing=on",
         ClosureInEffect::Cavity => "set closure=double-yield and dishing=on",
     };
@@ -229,6 +241,19 @@ fn thickness(scene: &Scene) -> Option<Breach> {
         "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; {cure}"
     );
     Some(breach(Check::Thickness, Direction::Unconservative, 1.0 / ratio, text))
+}
+
+fn material(scene: &Scene) -> Option<Breach> {
+    let (density, yield_pa) = (scene.target.density_kg_m3, equivalent_yield_pa(scene));
+    if density >= METAL_KG_M3 || yield_pa >= METAL_PA {
+        return None;
+    }
+    let text = format!(
+        "rho = {} kg/m^3 with a yield stress of {} MPa is no metal: both the strength and the drag are laws for metal plates",
+        significant(density, 4),
+        significant(1e-6 * yield_pa, 3)
+    );
+    Some(breach(Check::Material, Direction::Unknown, METAL_KG_M3 / density, text))
 }
 
 fn nose(scene: &Scene) -> Option<Breach> {
@@ -307,18 +332,19 @@ pub fn oblique_error(theta: f64) -> String {
     )
 }
 
+/// That a shot is likely to glance off, which the model does not know; `None` up to Tate's critical angle.
+pub fn ricochet(scene: &Scene) -> Option<String> {
+    let critical = Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
+    (scene.projectile.obliquity_deg > critical).then(|| {
+        let critical = significant(critical, 3);
+        format!("beyond Tate's critical {critical} deg, a rule for long rods at high speed, ricochet is likely")
+    })
+}
+
 fn obliquity(scene: &Scene) -> Option<Breach> {
     let theta = Some(scene.projectile.obliquity_deg).filter(|theta| *theta > 0.0)?;
-    let critical = Rod::of(scene).critical_obliquity_deg(scene.target.density_kg_m3);
-    let glances = if theta > critical {
-        format!(
-            "; beyond Tate's critical {} deg, a rule for long rods at high speed, ricochet is likely",
-            significant(critical, 3)
-        )
-    } else {
-        String::new()
-    };
-    let text = format!("theta = {} deg: {}{glances}", significant(theta, 4), oblique_error(theta));
+    let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
+    let text = format!("theta = {} deg: {}{ricochet}", significant(theta, 4), oblique_error(theta));
     Some(breach(Check::Obliquity, Direction::Conservative, theta, text))
 }
 
@@ -482,8 +508,10 @@ mod tests {
         use Direction::{Conservative, Unconservative, Unknown};
         type Change = fn(&mut Scene);
         assert_eq!(of_scene(&inside()), []);
-        let cases: [(Change, Check, Direction, &str); 10] = [
+        let cases: [(Change, Check, Direction, &str); 12] = [
             // 0.06/0.02 = 3.
+            (|it| it.target.thickness_m = 1e-3, Check::Thickness, Unconservative, "several sheets"),
+            (|it| it.target.density_kg_m3 = 1200.0, Check::Material, Unknown, "no metal"),
             (|it| it.target.thickness_m = 0.06, Check::Thickness, Conservative, "h/D = 3"),
             (|it| it.target.dishing = false, Check::Thickness, Unconservative, "h/D = 0.6"),
             (|it| it.projectile.nose = Nose::Blunt, Check::Nose, Unconservative, "60 %"),

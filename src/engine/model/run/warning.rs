@@ -34,8 +34,7 @@ worded! {
         RearFace = "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated",
         PlasticLaw = "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield",
         Stop = "the stop is ignored: the listing of Appendix A has none",
-        PartingBehindHole = "as printed, projectile and plate move on as one body although the plate is perforated; \
-                             contact.appendix.afterwards = corrected parts them",
+        PartingBehindHole = "as printed, projectile and plate move on as one body although the plate is perforated",
     }
 }
 

@@ -30,31 +30,25 @@ parts! {
         pub appendix: Listing = Listing::default();
     }
 
-    /// The listing of Appendix A, quirk by quirk.
+    /// The listing of Appendix A. Scenes run it as printed; its errors can be put right one by one, to see what each is worth.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Listing {
         pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
             number(Time, Positive).log().from("thesis Appendix A.1");
-        pub coupling: Reading = Reading::Printed => "coupling", "nose depth",
-            "depth subtracts the plate's last increment only, or (corrected) its whole motion",
-            choice().from("thesis Appendix A.2");
-        pub damper: Reading = Reading::Printed => "dampsign", "damper sign",
-            "the damper's force has no sign, or (corrected) it resists", choice().from("thesis Appendix A.7 and A.9");
-        pub stopping: Reading = Reading::Printed => "stopping", "end of contact",
-            "contact ends below 0.01 m/s after a step, or (corrected) where both velocities are equal",
-            choice().from("thesis Appendix A.2");
-        pub afterwards: Reading = Reading::Printed => "after", "after contact",
-            "the bodies stay joined afterwards, or (corrected) not after a perforation",
-            choice().from("thesis Appendix A.5 and A.7");
-        pub scheme: Reading = Reading::Printed => "scheme", "time stepping",
-            "the force is held over the step, or (corrected) Runge-Kutta for both bodies",
-            choice().from("thesis Appendix A.4 and A.8");
-        pub obliquity: Reading = Reading::Printed => "oblique", "oblique force",
-            "the whole force acts on both bodies, or (corrected) it is resolved on the normal",
-            choice().from("thesis Appendix A.2 to A.4");
-        pub jumps: Jumps = Jumps::Meant => "jumps", "code jumps",
-            "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
-            choice().from("thesis Appendix A.2");
+        /// A.2: depth subtracts the plate's last increment only, or its whole motion.
+        pub coupling: Reading = Reading::Printed;
+        /// A.7 and A.9: the damper's force has no sign, or it resists.
+        pub damper: Reading = Reading::Printed;
+        /// A.2: contact ends below 0.01 m/s after a step, or where both velocities are equal.
+        pub stopping: Reading = Reading::Printed;
+        /// A.5 and A.7: the bodies stay joined afterwards, or not after a perforation.
+        pub afterwards: Reading = Reading::Printed;
+        /// A.4 and A.8: the force is held over the step, or Runge-Kutta for both bodies.
+        pub scheme: Reading = Reading::Printed;
+        /// A.2 to A.4: the whole force acts on both bodies, or it is resolved on the normal.
+        pub obliquity: Reading = Reading::Printed;
+        /// A.2: the jumps work as meant, or the area is overwritten once the nose is buried.
+        pub jumps: Jumps = Jumps::Meant;
     }
 
     /// The interface between projectile and plate after the first arrest.
@@ -99,26 +93,22 @@ worded! {
     }
 }
 
-worded! {
-    /// How one doubtful place of the listing is read.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-    pub enum Reading: word {
-        #[default]
-        Printed = "printed",
-        Corrected = "corrected",
-    }
+/// How one doubtful place of the listing is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// As it stands.
+    Printed,
+    /// Put right.
+    Corrected,
 }
 
-worded! {
-    /// The area once the nose is buried.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-    pub enum Jumps: word {
-        /// The scripts' jumps do what they are meant to: the area stays that of the full section.
-        #[default]
-        Meant = "meant",
-        /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
-        Ignored = "ignored",
-    }
+/// The area once the nose is buried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Jumps {
+    /// The scripts' jumps do what they are meant to: the area stays that of the full section.
+    Meant,
+    /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
+    Ignored,
 }
 
 impl Listing {

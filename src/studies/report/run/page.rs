@@ -28,8 +28,14 @@ pub fn of_first(run: &Run) -> &'static str {
     if run.stack.is_some() { " of element 1" } else { "" }
 }
 
-/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`; of a stack, its sentence.
+/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`; of a stack, its sentence. Where a
+/// ricochet is likely, it says so.
 pub fn outcome(run: &Run) -> String {
+    let doubt = if envelope::ricochet(&run.scene).is_some() { "; ricochet is likely" } else { "" };
+    known_outcome(run) + doubt
+}
+
+fn known_outcome(run: &Run) -> String {
     if let Some(stack) = &run.stack {
         return stack.sentence();
     }
@@ -50,8 +56,14 @@ pub fn outcome(run: &Run) -> String {
     }
 }
 
-/// The outcome of the shot in a sentence that says what it means; of a stack, in its first element.
+/// The outcome of the shot in a sentence that says what it means; of a stack, in its first element. Where a ricochet is likely, it
+/// says so.
 pub fn sentence(run: &Run) -> String {
+    let doubt = envelope::ricochet(&run.scene).map(|text| format!("; theta is {text}"));
+    known_sentence(run) + &doubt.unwrap_or_default()
+}
+
+fn known_sentence(run: &Run) -> String {
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
         Outcome::Arrested => depth.map_or_else(
@@ -305,6 +317,15 @@ mod tests {
         assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
         assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
         assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
+    }
+
+    #[test]
+    fn a_likely_ricochet_is_in_the_outcome() {
+        let at = |theta: f64| {
+            let run = run_of(|scene| scene.projectile.obliquity_deg = theta);
+            [outcome(&run), sentence(&run)].map(|text| text.contains("ricochet is likely"))
+        };
+        assert_eq!((at(20.0), at(85.0)), ([false; 2], [true; 2]));
     }
 
     /// Element 1 is perforated, and a base plate of infinite thickness stops what comes through it.

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, ClosureInEffect, Scene};
+use crate::model::scene::{Closure, ClosureInEffect, Scene, Target};
 use crate::study::context::Context;
 use crate::study::limit::alone;
+
+/// How near to the thickness at which a closure changes a plate has to be for the jump there to matter, relative.
+const NEAR: f64 = 0.25;
 
 /// Limit velocities by the two closures, m/s; `None` where there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +43,19 @@ impl Closures {
         let (a, b) = self.double_yield_m_s.zip(self.cavity_m_s)?;
         Some(if a < b { (a, b) } else { (b, a) })
     }
+}
+
+/// Between which limits, m/s, the limit of a scene jumps at the thickness where its closure changes; `None` where its closure does not
+/// depend on the thickness, or its plate is not near that thickness.
+pub(super) fn jump(scene: &Scene, context: &mut Context<'_>) -> Option<(f64, f64)> {
+    scene.closure_by_thickness()?;
+    let change_m = Target::thick_from_m(scene.projectile.tip_radius_m);
+    let is_near = (scene.target.thickness_m / change_m - 1.0).abs() <= NEAR;
+    let mut at_change = scene.clone();
+    at_change.target.thickness_m = change_m;
+    at_change.follow_size();
+    let by = Closures::of(&at_change, context).filter(|_| is_near && !scene.is_stack())?;
+    by.double_yield_m_s.zip(by.cavity_m_s)
 }
 
 /// A scene whose flow strengths come from their yield stresses by this closure, with the dishing and the drag that belong to it.

@@ -8,6 +8,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 use crate::numerics::smaller;
 use crate::study::context::Context;
+use crate::study::limit::closures::jump;
 use crate::study::limit::verdict::{Change, Gap, ONE_POINT, ShotOutcome, decide};
 use crate::study::limit::{
     ABOVE, AtLimit, BELOW, CURVE, Closures, Criterion, JUST_BELOW, Limit, LimitMethod, RANGE_M_S,
@@ -83,6 +84,12 @@ impl ShotRunner<'_, '_, '_> {
     pub(super) fn closures(&mut self) -> Option<Closures> {
         let scene = self.scene;
         self.goes_on().then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
+    }
+
+    /// The limits between which the limit jumps at h = D; `None` where it does not, or when stopped.
+    pub(super) fn jump(&mut self) -> Option<(f64, f64)> {
+        let scene = self.scene;
+        self.goes_on().then(|| self.context.uncounted(|context| jump(scene, context)))?
     }
 
     /// The limit over all velocities, by closed form or by outcome.

@@ -63,11 +63,13 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         (0..along).map(point).collect()
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
+    let printed = printed(app, grid, output);
     // The values in view, as in Run; all of them where no point is.
     let view = app.pages.explore.zoomed;
     let values = |all: bool| {
         let is_seen = move |x: f64| all || view.is_none_or(|view| view.contains(x));
-        lines.iter().flatten().filter(move |point| is_seen(point.0)).map(|point| point.1)
+        let points = lines.iter().chain(&printed).flatten();
+        points.filter(move |point| is_seen(point.0)).map(|point| point.1)
     };
     let fitted = |all| chart::Axis::fitted("", column.unit(), scale, values(all));
     let why = || app.keymap.shown(&no_value(grid, output).join("\n"));
@@ -95,7 +97,7 @@ fn curves(app: &App, found: &SweepResult, output: usize, area: Rect, canvas: &mu
         Some(view) => zoomed_axis(&axes[0], view),
         None => axis_of(&axes[0]),
     };
-    let printed = printed(app, grid, output).into_iter();
+    let printed = printed.iter();
     let printed = printed.map(|points| Curve::new('.', "", points).emphasis(Emphasis::Faint));
     let chart = Chart {
         crosshair: Some(grid.coordinate((x, selected), 0)),

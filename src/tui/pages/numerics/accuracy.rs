@@ -201,7 +201,7 @@ impl App {
                 format!("{} {with} -> {without} ({})", it.part, gain(it))
             })
             .collect();
-        let gains = (!gains.is_empty()).then(|| format!("left out: {}", gains.join("; ")));
+        let gains = (!gains.is_empty()).then(|| format!("omitted: {}", gains.join("; ")));
         let printed = printed_scheme(report);
         std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
     }
