@@ -10,7 +10,7 @@ use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
-use crate::files::{atomic, config};
+use crate::files::{atomic, config, recent};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
@@ -119,7 +119,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     }
 }
 
-/// Back up the last session where another start would lose something of it: pins, or an edited scene. What to say of it.
+/// Keep the scenes of the last session where another start would lose them: of pins, and an edited one. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let untouched = *base_of_session(last, Some(paths)).scene == last.scene
         && last
@@ -129,12 +129,18 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     if untouched && last.pins.is_empty() {
         return None;
     }
-    let to = paths.previous_session_file();
+    let folder = paths.recent_folder();
+    // The scene last: it is the newest.
+    let scenes =
+        last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
+    let kept =
+        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
-    Some(match session::put_aside(&paths.session_file(), &to) {
-        Ok(()) => {
+    Some(match kept {
+        Ok(_) => {
             let name = last.preset.as_deref().unwrap_or("a scene");
-            let text = format!("the last session ({name}{pins}) is kept as {}", to.display());
+            let text =
+                format!("the last session ({name}{pins}) is kept: <presets> lists it as recent");
             (Severity::Note, text)
         }
         Err(error) => (Severity::Warning, format!("the last session is not kept: {error}")),
@@ -435,16 +441,16 @@ mod tests {
         let (state, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.recent, last.recent);
-        assert!(!paths.previous_session_file().exists());
+        assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.log.last().unwrap().text.clone();
-        assert!(text.contains("1 pinned run") && text.contains("session.previous.toml"), "{text}");
-        let kept = session::load(&paths.previous_session_file()).session;
-        assert_eq!(kept, Some(last));
+        assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");
+        let kept = recent::list(&paths.recent_folder());
+        assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);
     }
 
     #[test]
