@@ -28,8 +28,10 @@ use crate::model::scene::Scene;
 pub use runs::SceneRun;
 pub use study::Finding;
 
-/// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond.
+/// A task that took longer leaves so much free memory behind that giving it back is worth a millisecond; so do the many short ones of
+/// a while.
 const LONG: Duration = Duration::from_millis(100);
+const WHILE: Duration = Duration::from_secs(5);
 
 /// Work for a background thread: a run, or a study.
 #[derive(Clone, Debug)]
@@ -234,6 +236,7 @@ impl Shared {
 
     fn serve(&self, lane: Lane) {
         let queue = &self.lanes[lane as usize];
+        let mut given_back = (self.clock)();
         while let Some((task, cancel)) = queue.next() {
             let begun = (self.clock)();
             let send = |body| (self.sink)(Report { id: task.id, body });
@@ -248,8 +251,10 @@ impl Shared {
             // Free before the report: its receiver may submit at once.
             queue.lock().running = None;
             send(body);
-            if (self.clock)().saturating_sub(begun) > LONG {
+            let now = (self.clock)();
+            if now.saturating_sub(begun) > LONG || now.saturating_sub(given_back) > WHILE {
                 give_back();
+                given_back = now;
             }
         }
     }

@@ -264,7 +264,7 @@ mod tests {
             ),
             (
                 "the horizon of 1 ms was not reached: the run stopped",
-                "the horizon of 1 ms was not reached",
+                "the horizon of 1 ms was not reached: the run stopped",
             ),
         ] {
             assert_eq!(brief(warning), line);

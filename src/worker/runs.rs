@@ -153,9 +153,9 @@ impl Pulse {
 /// Results kept. A result is some 100 kB, most of it its series.
 const KEPT: usize = 8;
 
-/// Rows of series that the results kept have together, but for the newest one: a run of millions of steps has hundreds of
-/// megabytes of them.
-const ROWS_KEPT: usize = 400_000;
+/// Rows of series that the results kept have together, but for the newest one, at some 100 bytes each: a run of millions of steps has
+/// hundreds of megabytes of them.
+const ROWS_KEPT: usize = 40_000;
 
 /// The last few results, newest first.
 #[derive(Default)]

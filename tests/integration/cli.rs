@@ -556,3 +556,27 @@ fn a_closed_pipe_is_not_an_error() {
     assert_eq!(child.wait().unwrap().code(), Some(0));
     assert_eq!(said, "");
 }
+
+/// A person reads JSON from its top: the scene, what came out, the rest; rows have the order of the table's columns.
+#[test]
+fn keys_of_json_are_in_reading_order() {
+    use serde_json::{Map, Value};
+    let place = Place::new();
+    let object = |arguments: &str| -> Map<String, Value> {
+        serde_json::from_str(&place.cmra(arguments).out).unwrap()
+    };
+    for (arguments, keys) in [
+        ("run --json", &["scene", "title", "model", "interface", "outcome"][..]),
+        ("limit --json", &["scene", "limit_velocity_m_s"]),
+        ("sweep --over gamma=1..2:2 --json", &["scene", "points"]),
+        ("montecarlo --samples 2 --json", &["scene", "inputs"]),
+    ] {
+        let found: Vec<String> = object(arguments).keys().take(keys.len()).cloned().collect();
+        assert_eq!(found, keys, "{arguments}");
+    }
+    let over = "sweep --over gamma=1..2:2 --outputs stroke_m,percent_of_baseline";
+    let rows = object(&format!("{over} --json"))["rows"].clone();
+    let keys: Vec<&String> = rows[0].as_object().unwrap().keys().collect();
+    let csv = place.cmra(&format!("{over} --csv -")).out;
+    assert_eq!(keys, csv.lines().next().unwrap().split(',').collect::<Vec<_>>());
+}

@@ -187,17 +187,20 @@ fn a_limit_on_the_size_of_files_does_not_end_the_workbench() {
 
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
-    let mut terminal = started();
+    let mut terminal = Terminal::start();
+    // Of one that never answers nothing is asked any more, and frames do not wait for each other.
+    terminal.answers = false;
+    terminal.wait_for(DONE);
+    for _ in 0..4 {
+        terminal.sync();
+    }
     terminal.send(":mouse\r");
     terminal.wait_until("mouse reports", |screen| {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
     });
     shoot_at_150(&mut terminal);
     terminal.stop_taking();
-    // One frame of this size is more than a pseudo-terminal keeps for a reader that does not read.
-    terminal.claim_size(1000, 500);
-    terminal.send("\x0c");
-    wait_until_stuck(&terminal.process());
+    draw_until_stuck(&mut terminal);
     terminal.signal(Signal::TERM);
     assert_eq!(terminal.wait_exit().exit_code(), 143);
     // A reader that continues finds the terminal unchanged.
@@ -207,8 +210,9 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     assert!(kept.contains("150"), "{kept}");
 }
 
-/// Wait until a thread of a process waits for room in a terminal that takes no bytes.
-fn wait_until_stuck(process: &str) {
+/// Have frames drawn until a thread waits for room in the terminal, which takes no bytes.
+fn draw_until_stuck(terminal: &mut Terminal) {
+    let process = terminal.process();
     let is_stuck = || {
         let threads = fs::read_dir(format!("/proc/{process}/task")).expect("it is there");
         threads.flatten().any(|thread| {
@@ -217,7 +221,10 @@ fn wait_until_stuck(process: &str) {
             call.map_or(true, |call| call.starts_with("1 ") || call.starts_with("64 "))
         })
     };
-    crate::pty::wait_while("a write that is stuck", || !is_stuck());
+    crate::pty::wait_while("no write is stuck", || {
+        terminal.send("\x0c");
+        !is_stuck()
+    });
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample
 use crate::model::scene::{Scene, Stack};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VARIABLES, Variable};
-use crate::report::table::{NoColumn, Object, Table, pretty};
+use crate::report::table::{NoColumn, Table, pretty};
 use crate::study::quantities::{Quantity, find, of_runs};
 
 pub mod page;
@@ -315,7 +315,8 @@ pub fn json(name: &str, run: &Run, took_s: f64) -> String {
     if let Some(stack) = &run.stack {
         entries.push(("stack", stack_of(run, stack)));
     }
-    pretty(&Object(entries))
+    let entries = entries.into_iter().map(|(key, value)| (key.to_owned(), value));
+    pretty(&entries.collect::<Map<_, _>>())
 }
 
 /// The whole stack, and the results of every plate that was struck.

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Scene, Sweep};
 use crate::model::variables;
-use crate::report::table::{Object, Table, pretty};
+use crate::report::table::{Table, pretty};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, Rows, Shard, Spacing};
 use crate::study::validity;
@@ -128,15 +128,15 @@ impl Sheet<'_> {
     /// The head of the JSON: the sweep itself, up to the rows.
     pub fn json_head(&self, shard: Shard) -> String {
         let outputs: Vec<&str> = self.plan.outputs().iter().map(|output| output.name).collect();
-        let head = Object(vec![
-            ("scene", self.scene.into()),
-            ("points", self.plan.points().into()),
-            ("shard", shard.to_string().into()),
-            ("axes", self.plan.axes().iter().map(axis_json).collect()),
-            ("outputs", outputs.into()),
-            ("version", env!("CARGO_PKG_VERSION").into()),
-            ("warnings", validity::of_plan(self.plan).into()),
-        ]);
+        let head = json!({
+            "scene": self.scene,
+            "points": self.plan.points(),
+            "shard": shard.to_string(),
+            "axes": self.plan.axes().iter().map(axis_json).collect::<Value>(),
+            "outputs": outputs,
+            "version": env!("CARGO_PKG_VERSION"),
+            "warnings": validity::of_plan(self.plan),
+        });
         pretty(&head).trim_end_matches(['\n', '}']).to_owned() + ",\n  \"rows\": [\n"
     }
 }

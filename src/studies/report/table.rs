@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::Serialize;
 use serde_json::{Map, Value};
 use thiserror::Error;
 
@@ -41,19 +41,6 @@ pub struct Table<'c, R> {
     pub columns: Vec<Column<'c, R>>,
     /// The rows.
     pub rows: Vec<R>,
-}
-
-/// An object whose keys keep their order; a map would sort them.
-pub struct Object(pub Vec<(&'static str, Value)>);
-
-impl Serialize for Object {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (key, value) in &self.0 {
-            map.serialize_entry(key, value)?;
-        }
-        map.end()
-    }
 }
 
 /// A column that a table does not have.
@@ -239,9 +226,9 @@ fn lines_of_csv(table: &dyn Lines, has_header: bool) -> String {
 }
 
 fn json(table: &dyn Lines) -> String {
-    let entry = |row, column| (table.head(column).key, table.value(row, column));
-    let object = |row| Object((0..table.columns()).map(|column| entry(row, column)).collect());
-    pretty(&(0..table.rows()).map(object).collect::<Vec<_>>())
+    let entry = |row, column| (table.head(column).key.to_owned(), table.value(row, column));
+    let object = |row| (0..table.columns()).map(|column| entry(row, column)).collect();
+    pretty(&(0..table.rows()).map(object).collect::<Vec<Map<_, _>>>())
 }
 
 fn json_rows(table: &dyn Lines) -> String {

@@ -28,7 +28,7 @@ const EDITS_MAX: usize = 1000;
 const RESULTS_KEPT: usize = 8;
 
 /// A result with more rows in its series is not kept at all.
-const ROWS_MAX: usize = 100_000;
+const ROWS_MAX: usize = 10_000;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {

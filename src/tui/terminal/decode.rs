@@ -41,7 +41,7 @@ enum State {
     Control(Vec<u8>),
     /// After `ESC O`.
     Single,
-    /// In a string that is of no interest, after this introducer (OSC, DCS, APC, PM, SOS); whether anything has followed it.
+    /// In a string that is of no interest, after this introducer (OSC, DCS, APC); whether anything has followed it.
     Text(u8, bool),
     /// After an escape in a string: its end, or the beginning of something else.
     TextEscape,
@@ -102,10 +102,17 @@ impl Decoder {
             State::Escape => self.after_escape(byte, out),
             State::Control(rest) => self.control(rest, byte, out),
             State::Single => self.single(byte, out),
+            // Esc and the next keys, pressed at the same time.
+            State::Text(introducer, false) if !may_begin(introducer, byte) => {
+                out.push(character(char::from(introducer), KeyModifiers::ALT));
+                self.ground(byte, KeyModifiers::NONE, out);
+            }
             State::Text(introducer, _) => match byte {
                 // Ended by BEL, CAN or SUB, and by `ESC \\`.
                 0x07 | 0x18 | 0x1a => {}
                 0x1b => self.state = State::TextEscape,
+                // Its end was lost: no string has a control character.
+                0x00..=0x1f => self.ground(byte, KeyModifiers::NONE, out),
                 _ => self.state = State::Text(introducer, true),
             },
             State::TextEscape => {
@@ -173,7 +180,7 @@ impl Decoder {
         match byte {
             b'[' => self.state = State::Control(Vec::new()),
             b'O' => self.state = State::Single,
-            b']' | b'P' | b'X' | b'^' | b'_' => self.state = State::Text(byte, false),
+            b']' | b'P' | b'_' => self.state = State::Text(byte, false),
             // Two escapes: the first is the key.
             0x1b => {
                 out.push(key(KeyCode::Esc));
@@ -225,6 +232,15 @@ impl Decoder {
             0x00..=0x1f => self.ground(byte, KeyModifiers::NONE, out),
             _ => {}
         }
+    }
+}
+
+/// Whether a string of terminals begins so: OSC with a number, DCS with one or with the mark of a report, APC with that of graphics.
+fn may_begin(introducer: u8, byte: u8) -> bool {
+    match introducer {
+        b']' => byte.is_ascii_digit(),
+        b'P' => byte.is_ascii_digit() || matches!(byte, b'>' | b'!' | b'$' | b'+' | b'='),
+        _ => byte == b'G',
     }
 }
 
@@ -458,6 +474,11 @@ mod tests {
         // One that is cut off ends with the next sequence, or in silence.
         assert_eq!(one(b"\x1b]11;rgb:00\x1b[D"), [key(KeyCode::Left)]);
         assert_eq!(one(b"\x1b]11;rgb:00"), []);
+        assert_eq!(one(b"\x1b]11;rgb:00\rj"), [key(KeyCode::Enter), code('j')]);
+        // A key right behind Esc that begins a string only where what follows does.
+        let alt = |c| character(c, KeyModifiers::ALT);
+        assert_eq!(one(b"\x1b]j"), [alt(']'), code('j')]);
+        assert_eq!(one(b"\x1bXj\x1bPj"), [alt('X'), code('j'), alt('P'), code('j')]);
         assert_eq!(one(b"\x1b[1;5"), []);
         assert_eq!(inputs(&[b"\x1b[0n"]), [Input::Arrived]);
     }

@@ -1,7 +1,7 @@
 //! The Thesis tab: claims come in as they are checked, are filtered and opened; principles and concepts are tables.
 
 use super::bench::{Bench, ended};
-use super::kept::writes_a_part;
+use super::jobs::writes_a_part;
 use cmra::study::context::CancelFlag;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{self, Claim, ClaimVerdict, Row, claims};

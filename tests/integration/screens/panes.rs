@@ -1,18 +1,18 @@
-//! What somebody new to the workbench tries: undoing a setup, keys that belong to another pane, the palette in every tab,
-//! Ctrl-C in an open field, leaving with the summary.
+//! Panes, tabs and rows: where the keys go, what has room, what a click hits.
+
+use std::sync::Arc;
 
 use super::bench::Bench;
 use super::pointer::{click, find};
-use super::{limit, search, stability};
+use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
 use cmra::tui::chart::Scale;
-use cmra::tui::message::{Effect, Message, Target};
-use cmra::tui::pages::Tab;
-use cmra::tui::pages::run;
+use cmra::tui::message::{Message, Target};
 use cmra::tui::pages::search::state::Page;
+use cmra::tui::pages::{Tab, explore, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
-use std::sync::Arc;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 fn in_search(size: (u16, u16)) -> Bench {
     let mut bench = Bench::ascii(size.0, size.1);
@@ -22,55 +22,95 @@ fn in_search(size: (u16, u16)) -> Bench {
 }
 
 #[test]
-fn the_search_setup_is_undone_and_redone_like_any_edit() {
-    let mut bench = in_search((80, 24));
-    let scene = bench.app.scene.clone();
-    bench.keys("<Enter>50 %<Enter>");
-    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 50.0_f64.to_bits());
-    // Held arrows are one edit.
-    bench.keys("kll");
-    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
-    assert_eq!(bench.app.history.edits.len(), 2);
-    assert_eq!(bench.app.history.edits[0].label, "search: is 60 % -> 50 %");
-    bench.keys("u");
-    assert_eq!(bench.app.pages.search.setup.goal.0, "percent_of_baseline");
-    assert!(bench.message().starts_with("undone: search: percent of baseline ->"));
-    bench.keys("u");
-    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 60.0_f64.to_bits());
-    bench.keys("<C-r><C-r>");
-    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
-    assert_eq!(bench.app.scene, scene);
+fn the_focus_belongs_to_the_tab() {
+    let mut bench = sweep::open("figure-9.2", 5, GlyphSet::Ascii, (80, 24));
+    bench.keys("2<Tab>");
+    assert_eq!(bench.app.pane(), explore::SETUP);
+    let before = Arc::clone(&bench.app.scene);
+    bench.keys("30ll");
+    assert_eq!(bench.app.pane(), cmra::tui::pages::limit::RESIDUAL);
+    assert_eq!(bench.app.scene, before);
+    bench.keys("2");
+    assert_eq!(bench.app.pane(), explore::SETUP, "each tab keeps its own");
 }
 
 #[test]
-fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
-    let mut bench = in_search((80, 24));
-    bench.keys("<Enter>50 %<Enter>");
-    bench.press("1/m_p<Enter><Enter>20<Enter>4");
-    search::answer(&mut bench);
-    bench.keys("<Enter>40 %<Enter>");
-    assert_eq!(bench.app.history.edits.len(), 3);
-    let state =
-        |bench: &Bench| (bench.app.pages.search.setup.goal.1, bench.app.scene.projectile.mass_kg);
-    for (edits, expected) in [(0, (60.0, 0.0295)), (3, (40.0, 0.02)), (1, (50.0, 0.0295))] {
-        bench.keys(":list of edits<Enter>");
-        bench.keys("g");
-        for _ in 0..edits {
-            bench.keys("j");
-        }
-        bench.keys("<Enter>");
-        assert_eq!(state(&bench), expected, "after {edits} edits");
+fn messages_never_move_the_panes() {
+    for size in [(60, 16), (80, 24), (120, 40)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        let before = bench.app.layout().body;
+        let long = "a message that is far too long for one row of any screen ".repeat(6);
+        bench.app.say(cmra::tui::app::notice::Severity::Warning, long);
+        assert_eq!(bench.app.layout().body, before);
+    }
+}
+
+/// `z` and Space in the Log leave the Run tab as it is.
+#[test]
+fn keys_do_not_change_another_tab() {
+    let mut bench = Bench::ascii(120, 40);
+    let before = bench.screen();
+    bench.keys("7z v<Esc>1");
+    assert_eq!(bench.screen(), before);
+    assert!(bench.app.pins.is_empty());
+}
+
+#[test]
+fn the_smallest_screens_cut_no_word() {
+    for size in [(20, 5), (25, 4), (12, 3), (40, 12)] {
+        let bench = Bench::ascii(size.0, size.1);
+        let screen = bench.screen();
+        assert!(screen.contains("60x16"), "{screen}");
+        assert!(!screen.contains("terminal la") || screen.contains("terminal larger"), "{screen}");
     }
 }
 
 #[test]
-fn ctrl_c_closes_the_field_of_a_search_and_does_not_leave() {
-    let mut bench = in_search((80, 24));
-    bench.keys("<Enter>50");
-    assert!(bench.app.field.is_some());
-    bench.keys("<C-c>");
+fn the_first_start_says_how_to_begin_until_the_first_edit() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.first_run = true;
+    let screen = bench.screen();
+    assert!(screen.contains("Move j/k, change h/l, type Enter, 2 explore"), "{screen}");
+    assert!(screen.contains(" gamma: mass ratio"), "the meaning stays: {screen}");
+    bench.keys("jjl");
+    assert!(!bench.screen().contains("Move j/k"), "{}", bench.screen());
+}
+
+/// From 100 columns a noun stands beside each symbol, whole.
+#[test]
+fn labels_of_variables_are_whole_nouns() {
+    for size in [(100, 60), (120, 60), (200, 80)] {
+        let bench = Bench::ascii(size.0, size.1);
+        let screen = bench.screen();
+        let list = screen.lines().filter_map(|line| line.get(..52)).collect::<Vec<_>>();
+        assert!(list.iter().all(|line| !line.contains("..")), "{screen}");
+        for row in ["h      plate thickness", "gamma  mass ratio", "k      stiffness"] {
+            assert!(list.iter().any(|line| line.contains(row)), "{row}: {screen}");
+        }
+    }
+}
+
+/// A terminal sends `Esc` with a key right behind it as that key with Alt: both count.
+#[test]
+fn a_key_in_the_same_read_as_an_escape_is_that_key() {
+    let alt = |c| Message::Key(KeyEvent::new(KeyCode::Char(c), KeyModifiers::ALT));
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("?");
+    bench.send(alt('2'));
+    assert!(bench.app.dialog.is_none());
+    assert_eq!(bench.app.tab, Tab::Explore);
+    bench.press("1<Enter>");
+    bench.send(alt('2'));
     assert!(bench.app.field.is_none());
-    assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })));
+    assert_eq!(bench.app.tab, Tab::Explore);
+}
+
+#[test]
+fn the_title_row_names_the_preset_in_full_as_far_as_it_has_room() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jjl");
+    let screen = bench.screen();
+    assert!(screen.lines().next().unwrap().ends_with(" thesis-baseline *"), "{screen}");
 }
 
 #[test]
@@ -85,35 +125,6 @@ fn a_key_of_another_pane_says_where_it_works() {
         bench.press(keys);
         assert!(bench.message().ends_with(said), "{}", bench.message());
     }
-}
-
-/// Things are found by their names and by what else people call them; what is in no name matches nothing.
-#[test]
-fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
-    for (typed, name, does) in [
-        ("pareto", "Pareto front", "Enter: pareto front"),
-        ("optimise", "Pareto front", "Enter: pareto front"),
-        ("v50", "Ballistic limit", "Enter: ballistic limit"),
-        ("cocking", "d  cocking distance", "Enter: type d, now 0"),
-        ("k", "k  stiffness", "Enter: type k"),
-        ("gamma", "gamma  mass ratio", "Enter: type gamma"),
-        ("limit", "Limit tab", "Enter: limit tab"),
-        ("efficiency", "Efficiency map", "Enter: efficiency map"),
-        ("worth", "Comparison at equal areal mass", "Enter: comparison"),
-        ("rigid", "rigid-mount", "show it in 1:Run"),
-        ("mouse", "Switch the mouse", "Enter: switch the mouse"),
-        ("largest stable", "Stability", "Enter: stability"),
-    ] {
-        let bench = Bench::ascii(80, 24);
-        let found = bench.app.palette(typed);
-        let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
-        assert_eq!(first.name(), name, "{typed}");
-        assert!(bench.app.palette_does(first).contains(does), "{}", bench.app.palette_does(first));
-    }
-    let mut bench = Bench::ascii(80, 24);
-    bench.press(":xqzt<Enter>");
-    assert!(bench.message().contains("nothing is called `xqzt`"), "{}", bench.message());
-    assert!(bench.app.history.edits.is_empty());
 }
 
 #[test]
@@ -198,39 +209,6 @@ fn the_summary_keeps_words_whole_and_says_once_how_the_run_ended() {
     let words: Vec<&str> = summary.split_whitespace().collect();
     assert!(words.join(" ").contains(&format!("outside validity: {warning}")), "{summary}");
     assert!(summary.lines().last().unwrap().starts_with("              "), "{summary}");
-}
-
-#[test]
-fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
-    for size in [(80, 24), (120, 40), (160, 45)] {
-        let mut bench = Bench::ascii(size.0, size.1);
-        let mut shown = bench.app.shown.clone().unwrap();
-        let run = Arc::make_mut(&mut shown.run);
-        run.max_plate_displacement_m = Some(9.178e-13);
-        run.final_penetration_m = Some(12_345.678);
-        run.peak_contact_force_n = Some(1.234_5e-9);
-        bench.app.shown = Some(shown);
-        bench.app.focus_on(run::RUNS);
-        let screen = bench.screen();
-        let line = screen.lines().find(|line| line.contains("*now")).unwrap();
-        let cells: Vec<&str> = line.split(['|', ' ']).collect();
-        // Each number stands by itself.
-        for wanted in [1.234_567_8e7, 9.178e-10_f64] {
-            let found = cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
-            let near = |value: f64| (value / wanted - 1.0).abs() < 0.05;
-            assert!(found.into_iter().any(near), "{size:?} {wanted}: {line}");
-        }
-    }
-}
-
-#[test]
-fn a_search_without_a_match_explains_how_to_open_a_file() {
-    let mut bench = Bench::ascii(80, 24);
-    bench.press("p");
-    bench.press("zzz");
-    bench.press("<Enter>");
-    assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
-    assert!(bench.app.dialog.is_some());
 }
 
 /// A variable that an edit takes out of the list leaves the selection to a row of the list.

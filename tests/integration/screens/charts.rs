@@ -1,0 +1,371 @@
+//! Charts, maps and their readouts: what is drawn, where the cursor stands, how numbers are written.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use super::bench::{Bench, done};
+use super::{limit, search, stability, sweep};
+use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
+use cmra::study::stability::map::{Axis, Cell, FixedStep};
+use cmra::tui::message::Message;
+use cmra::tui::pages::run;
+use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::plot_columns;
+use cmra::worker::Finding;
+
+/// Press keys and answer runs, sweeps and searches after each.
+fn keys(bench: &mut Bench, keys: &[&str]) {
+    for key in keys {
+        bench.keys(key);
+        sweep::answer(bench);
+        search::answer(bench);
+    }
+}
+
+/// The search tab with a goal seek that is done.
+fn sought(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(GlyphSet::Ascii, size);
+    bench.keys("4<Tab>");
+    search::answer(&mut bench);
+    bench
+}
+
+#[test]
+fn letters_of_events_stay_beside_pinned_runs() {
+    let mut bench = Bench::ascii(100, 40);
+    bench.keys(" jjl");
+    let marked = |screen: &str| {
+        screen
+            .lines()
+            .any(|line| line.contains(" a ") || line.contains("a|") || line.contains("*a"))
+    };
+    assert!(marked(&bench.screen()), "{}", bench.screen());
+}
+
+#[test]
+fn no_two_charts_show_the_same_quantity() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>z");
+    for _ in 0..9 {
+        bench.keys("v");
+        let mut shown: Vec<&str> =
+            bench.app.charts.quantities.iter().map(|it| it.title()).collect();
+        shown.sort_unstable();
+        shown.dedup();
+        assert_eq!(shown.len(), 3);
+    }
+}
+
+#[test]
+fn values_on_the_screen_have_six_digits_at_the_most() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/gamma<Enter><Enter>1/3<Enter>");
+    let label = &bench.app.history.edits[0].label;
+    assert_eq!(label, "gamma 1 -> 0.333333");
+}
+
+/// On a logarithmic time axis zoom and pan go by ratios: the middle of the view stays the middle in decades.
+#[test]
+fn zoom_on_a_logarithmic_axis_goes_by_decades() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>X");
+    let (from, to) = bench.app.time_range_s(0);
+    bench.keys("l+");
+    let cursor = bench.app.charts.cursor_s.unwrap();
+    let (near, far) = bench.app.time_range_s(0);
+    let decades = |a: f64, b: f64| (b / a).log10();
+    assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
+    let before = decades(from, cursor) / decades(from, to);
+    assert!((decades(near, cursor) / decades(near, far) - before).abs() < 1e-9);
+}
+
+/// Force over displacement is reached by `v`; it has the displacement across.
+#[test]
+fn v_in_a_chart_reaches_the_force_over_displacement() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>");
+    for _ in 0..6 {
+        bench.keys("v");
+        if bench.screen().contains("Mount force [kN]") {
+            assert!(bench.screen().contains("- mm +"), "{}", bench.screen());
+            return;
+        }
+    }
+    panic!("{}", bench.screen());
+}
+
+/// The line of a goal stands at its own value, not at that of the nearest label.
+#[test]
+fn a_goal_line_stands_at_its_value() {
+    for size in [(60, 16), (80, 24), (120, 36)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.press("4");
+        search::answer(&mut bench);
+        bench.press("<Tab>");
+        let screen = bench.screen();
+        let line = screen.lines().find(|line| line.contains("goal 60 %")).expect("a goal line");
+        let axis = line.find(['+', '|']).map_or("", |_| line);
+        let other = ["50+", "70+", "40+", "80+"].iter().any(|label| axis.contains(label));
+        assert!(!other && (axis.contains(" 60+") || !axis.contains('+')), "{size:?}: {screen}");
+    }
+}
+
+/// The map grows row by row; its labels are equally far apart and have a unit.
+#[test]
+fn the_map_of_stability_grows_and_its_labels_are_regular() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("55");
+    let study = bench.studies().pop().expect("a map");
+    let mut map = stability::map(FixedStep::Thesis, Axis::K);
+    let columns = map.dt_s.len();
+    map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
+    bench.part(study.id, (10, 19), Finding::new(map));
+    let screen = bench.screen();
+    assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
+    assert!(screen.contains("____") && screen.contains("k [N/m^n]"), "{screen}");
+    stability::answer(&mut bench);
+    for size in [(60, 16), (80, 24), (120, 40)] {
+        let mut bench = stability::open(GlyphSet::Ascii, size);
+        bench.send(Message::Resize(size.0, size.1));
+        let screen = bench.screen();
+        let labels: Vec<(usize, i32)> = screen
+            .lines()
+            .enumerate()
+            .filter_map(|(row, line)| {
+                let first = line.trim_start_matches('|').trim_start().split('+').next()?;
+                Some((row, first.strip_prefix("1e")?.parse().ok()?))
+            })
+            .collect();
+        assert!(labels.len() >= 3, "{screen}");
+        let apart: Vec<i32> = labels.windows(2).map(|pair| pair[0].1 - pair[1].1).collect();
+        assert!(apart.iter().all(|step| *step == apart[0]), "{screen}");
+    }
+}
+
+/// One press moves the crosshair by one column of the plot as it is drawn.
+#[test]
+fn the_crosshair_goes_column_by_column() {
+    for size in [(60, 16), (80, 24), (120, 40), (200, 60)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.keys("<Tab>l");
+        for _ in 0..30 {
+            bench.press("H");
+        }
+        let columns = plot_columns(&bench.app);
+        let (from, to) = bench.app.time_range_s(0);
+        assert_eq!(bench.app.charts.cursor_s, Some(from));
+        for _ in 1..columns {
+            assert!(bench.app.charts.cursor_s < Some(to));
+            bench.press("l");
+        }
+        assert_eq!(bench.app.charts.cursor_s, Some(to), "{size:?}");
+    }
+}
+
+/// The curve and the map of the Limit tab are high enough to be read at 80 by 24.
+#[test]
+fn the_charts_of_the_limit_tab_can_be_read() {
+    let bench = limit::open(GlyphSet::Ascii, (80, 24));
+    let screen = bench.screen();
+    let rows = screen.lines().skip_while(|line| !line.contains("Residual velocity"));
+    let rows = rows.take_while(|line| !line.starts_with("+--")).count();
+    assert!(rows >= 10, "{screen}");
+}
+
+/// The table of stiff scenes is drawn in the order that `S` sets.
+#[test]
+fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
+    let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
+    bench.keys("<Tab>");
+    stability::answer(&mut bench);
+    let mut names: Vec<String> = bench
+        .app
+        .pages
+        .numerics
+        .stability
+        .rows()
+        .iter()
+        .map(|row| row.case.name.to_string())
+        .collect();
+    bench.keys("S");
+    names.sort();
+    let screen = bench.screen();
+    let places: Vec<Option<usize>> =
+        names.iter().map(|name| screen.find(&format!("|{name} "))).collect();
+    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{screen}");
+}
+
+/// Pins of a slower and a faster shot beside the present, fastest one: the keys go by the rows as they stand.
+#[test]
+fn the_table_of_runs_is_sorted_and_the_keys_follow_its_order() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys(" L L<Tab><Tab>");
+    assert_eq!((bench.app.pins.len(), bench.app.run_order()), (2, vec![0, 1, 2]));
+    // By name, by outcome, then by the depth.
+    bench.keys("SSS");
+    assert_eq!(bench.app.run_order(), [1, 2, 0]);
+    assert!(bench.screen().contains("*depth mm"), "{}", bench.screen());
+    bench.keys("k");
+    assert_eq!(bench.app.selected_run, 2);
+    bench.keys("gV");
+    assert!(bench.app.selected_run == 1 && !bench.app.pins[0].visible);
+}
+
+#[test]
+fn charts_and_sentences_spell_microseconds_alike() {
+    let mut bench = Bench::open(GlyphSet::Braille, (120, 40));
+    bench.keys("<Tab>l");
+    let screen = bench.screen();
+    assert!(screen.contains(" us ") && !screen.contains('µ'), "{screen}");
+}
+
+#[test]
+fn the_map_of_mass_efficiency_names_its_axis_across() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("3");
+    let asked = bench.effects.clone();
+    limit::answer(&mut bench);
+    bench.effects = asked;
+    search::answer(&mut bench);
+    let screen = bench.screen();
+    let below = screen.lines().skip_while(|line| !line.contains("mass efficiency, up: gamma"));
+    assert!(below.clone().any(|line| line.contains(" v_i [")), "{screen}");
+}
+
+#[test]
+fn a_logarithmic_scale_of_less_than_a_decade_keeps_its_bands() {
+    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, &["2", "Y"]);
+    let screen = bench.screen();
+    assert!(screen.matches(" .. ").count() > 4, "{screen}");
+    assert!(screen.contains("Y: linear"), "{screen}");
+    assert!(!screen.contains("Y linear"), "{screen}");
+}
+
+#[test]
+fn the_contour_of_a_map_has_its_value_in_the_picture() {
+    let mut bench = sweep::open_map("figure-9.8", 5, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, &["2", "e", "<C-u>", "map.svg<Enter>"]);
+    let (_, svg, _) = bench.exported().expect("a picture");
+    let note = svg.split('>').find(|text| text.starts_with("— ")).expect("the contour's note");
+    assert!(note.contains(" %"), "{note}");
+}
+
+#[test]
+fn differences_to_a_pin_have_six_digits() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.keys("/gamma<Enter><Enter>0.9860000000000001<Enter> <Enter>1<Enter>");
+    bench.keys("<Tab><Tab>");
+    let text = bench.message();
+    assert!(text.contains("gamma 0.986 -> 1"), "{text}");
+}
+
+/// With dishing the law holds up to h/D of about 1: the first plate is thin enough, the one behind it, which is struck, is not.
+#[test]
+fn a_plate_of_a_stack_behind_the_first_marks_its_variable() {
+    let mut scene = Scene::default();
+    (scene.target.thickness_m, scene.projectile.velocity_m_s) = (0.004, 400.0);
+    scene.stack.base_thickness_m = Some(0.0254);
+    let scene = Arc::new(scene);
+    let mut bench = Bench::ascii(120, 40);
+    bench.app.scene = Arc::clone(&scene);
+    bench.press("r");
+    bench.send(Message::RunDue(bench.app.jobs.serial));
+    let is_marked = |bench: &Bench| {
+        let screen = bench.screen();
+        let row = screen.lines().find(|line| line.contains(" thickness ")).expect("the row of h");
+        row.contains("! 4 mm")
+    };
+    assert!(!is_marked(&bench), "{}", bench.screen());
+    let job = bench.jobs().remove(0);
+    let go_on = &mut |_| ControlFlow::Continue(());
+    bench.reply(job.id, done(simulate(&scene, &Settings::default(), go_on).unwrap()));
+    assert!(is_marked(&bench), "{}", bench.screen());
+}
+
+#[test]
+fn each_page_of_the_search_has_its_own_zoom_until_other_results_come() {
+    let mut bench = sought((80, 24));
+    bench.keys("+");
+    assert!(bench.app.pages.search.zoomed().is_some());
+    bench.keys("4");
+    search::answer(&mut bench);
+    assert_eq!(bench.app.pages.search.zoomed(), None);
+    bench.keys("444");
+    assert!(bench.app.pages.search.zoomed().is_some());
+    bench.keys("r");
+    search::answer(&mut bench);
+    assert!(bench.app.pages.search.zoomed().is_some(), "the same results");
+    bench.keys("1jjl4r");
+    search::answer(&mut bench);
+    assert_eq!(bench.app.pages.search.zoomed(), None);
+}
+
+#[test]
+fn the_histogram_of_the_samples_is_zoomed_and_another_quantity_is_shown_whole() {
+    let mut bench = sought((80, 24));
+    bench.keys("444");
+    search::answer(&mut bench);
+    let whole = bench.screen();
+    bench.keys("+");
+    let zoomed = bench.app.pages.search.zoomed().expect("a part");
+    assert_ne!(bench.screen(), whole);
+    bench.keys("]");
+    assert!(bench.app.pages.search.zoomed().expect("a part").lo() > zoomed.lo());
+    bench.keys("0");
+    assert_eq!(bench.screen(), whole);
+    bench.keys("+<Tab>/percent<Enter>l");
+    assert_eq!(bench.app.pages.search.zoomed(), None, "{}", bench.screen());
+}
+
+#[test]
+fn another_curve_of_the_limit_is_shown_whole() {
+    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
+    bench.keys("l++");
+    assert!(bench.app.pages.limit.zoomed.is_some());
+    bench.keys("r");
+    limit::answer(&mut bench);
+    assert!(bench.app.pages.limit.zoomed.is_some(), "the same curve");
+    bench.keys("r");
+    limit::end(&mut bench, |report| report.shots.truncate(20));
+    assert_eq!((bench.app.pages.limit.zoomed, bench.app.pages.limit.cursor), (None, None));
+}
+
+#[test]
+fn the_cursor_of_a_map_begins_again_on_a_map_of_another_scene() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("3");
+    search::answer(&mut bench);
+    bench.keys("<Tab><Tab>ll");
+    assert!(bench.app.pages.limit.map_cursor.is_some());
+    bench.keys("r");
+    search::answer(&mut bench);
+    assert!(bench.app.pages.limit.map_cursor.is_some(), "the same map");
+    bench.keys("1jjl3");
+    search::answer(&mut bench);
+    assert_eq!(bench.app.pages.limit.map_cursor, None);
+}
+
+#[test]
+fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
+    for size in [(80, 24), (120, 40), (160, 45)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        let mut shown = bench.app.shown.clone().unwrap();
+        let run = Arc::make_mut(&mut shown.run);
+        run.max_plate_displacement_m = Some(9.178e-13);
+        run.final_penetration_m = Some(12_345.678);
+        run.peak_contact_force_n = Some(1.234_5e-9);
+        bench.app.shown = Some(shown);
+        bench.app.focus_on(run::RUNS);
+        let screen = bench.screen();
+        let line = screen.lines().find(|line| line.contains("*now")).unwrap();
+        let cells: Vec<&str> = line.split(['|', ' ']).collect();
+        // Each number stands by itself.
+        for wanted in [1.234_567_8e7, 9.178e-10_f64] {
+            let found = cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
+            let near = |value: f64| (value / wanted - 1.0).abs() < 0.05;
+            assert!(found.into_iter().any(near), "{size:?} {wanted}: {line}");
+        }
+    }
+}

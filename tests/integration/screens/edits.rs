@@ -1,0 +1,270 @@
+//! Edits of the scene and of setups: what they change, and how they are undone.
+
+use std::sync::Arc;
+
+use super::bench::Bench;
+use super::{accuracy, limit, search, sweep};
+use cmra::files::library;
+use cmra::model::library::Library;
+use cmra::model::scene::PlateSize;
+use cmra::study::accuracy::method::Method;
+use cmra::study::quantities::named;
+use cmra::tui::message::PresetEntry;
+use cmra::tui::pages::explore;
+use cmra::tui::pages::explore::state::Picture;
+use cmra::tui::theme::GlyphSet;
+
+/// Press keys and answer runs, sweeps and searches after each.
+fn keys(bench: &mut Bench, keys: &[&str]) {
+    for key in keys {
+        bench.keys(key);
+        sweep::answer(bench);
+        search::answer(bench);
+    }
+}
+
+fn in_search(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::ascii(size.0, size.1);
+    bench.press("4");
+    search::answer(&mut bench);
+    bench
+}
+
+#[test]
+fn a_changed_goal_is_searched_for_before_enter_loads_anything() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("4");
+    search::answer(&mut bench);
+    let before = Arc::clone(&bench.app.scene);
+    bench.press("<Enter>50 %<Enter><Tab><Enter>");
+    assert_eq!(bench.app.scene, before, "the results of 60 % are stale");
+    assert!(bench.message().contains("press r"), "{}", bench.message());
+    search::answer(&mut bench);
+    bench.press("<Enter>");
+    assert_ne!(bench.app.scene, before);
+}
+
+#[test]
+fn redo_takes_away_the_run_that_was_unpinned_whatever_letter_it_has_now() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(" ");
+    let first = Arc::clone(&bench.app.pins[0].scene);
+    bench.keys("<Tab><Tab>j <S-Tab><S-Tab>jjl ");
+    let second = Arc::clone(&bench.app.pins[0].scene);
+    assert_ne!(first, second);
+    bench.keys("uu");
+    bench.keys("<C-r><C-r>");
+    assert_eq!(bench.app.pins.len(), 1);
+    assert_eq!(bench.app.pins[0].scene, second, "the other run stays");
+}
+
+#[test]
+fn a_horizon_set_by_hand_is_named_when_a_sweep_begins() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/horizon<Enter><Enter>0.5<Enter>");
+    bench.press("2");
+    assert!(bench.message().contains("horizon is set by hand"), "{}", bench.message());
+}
+
+/// The design under the cursor of the map of mass efficiency is not loaded where the scene is it already.
+#[test]
+fn a_design_that_is_the_scene_already_is_not_loaded_again() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("3");
+    search::answer(&mut bench);
+    bench.keys("<Tab><Tab>l");
+    let scene = Arc::new(bench.app.efficiency_design().expect("a map").scene);
+    bench.app.scene = Arc::clone(&scene);
+    bench.app.pages.limit.comparison.scene = scene;
+    let edits = bench.app.history.edits.len();
+    bench.keys("<Enter>");
+    assert!(bench.message().contains("is this design already"), "{}", bench.message());
+    assert_eq!(bench.app.history.edits.len(), edits);
+}
+
+#[test]
+fn enter_after_a_value_stays_on_its_row_in_every_form() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/gamma<Enter><Enter>2<Enter>");
+    assert_eq!(bench.app.editor.variable().symbol, "gamma");
+    bench.keys("<Esc><Enter>3<Down>");
+    assert_ne!(bench.app.editor.variable().symbol, "gamma");
+    keys(&mut bench, &["2", "<Tab>", "/from<Enter>", "<Enter>", "1<Enter>"]);
+    assert!(bench.screen().contains("> from"), "{}", bench.screen());
+}
+
+#[test]
+fn the_plates_face_is_set_in_the_run_tab() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/face<Enter>");
+    assert!(bench.screen().contains("> face   plate side     none"), "{}", bench.screen());
+    bench.keys("<Enter>150mm<Enter>");
+    let plate = bench.app.scene.plate;
+    assert_eq!(plate.size, PlateSize::Face(0.15));
+    // rho h face^2 / m_p
+    let exact = 2710.0 * 0.0254 * 0.15 * 0.15 / 0.0295;
+    assert!((plate.mass_ratio - exact).abs() < 1e-12 * exact);
+    // The axis of Explore is the face, from half to twice its value: gamma follows from it.
+    let plan = bench.app.sweep_plan(Picture::Line).expect("a plan");
+    assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.075, 0.3)));
+    bench.keys("/gamma<Enter><Enter>2<Enter>");
+    assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio);
+    // A step begins at the size there is: (2 m_p / (rho h))^(1/2) = 29.277 mm.
+    bench.keys("/face<Enter>l");
+    assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.0293));
+}
+
+#[test]
+fn two_sizes_of_the_plate_are_never_two_axes() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, &["2", "<Tab>", "/variable<Enter>", "<Enter>", "face<Enter>"]);
+    keys(&mut bench, &["/shown<Enter>", "l"]);
+    assert_eq!(bench.app.picture(), Picture::Surface);
+    let axes = |bench: &Bench| {
+        let plan = bench.app.sweep_plan(Picture::Surface).unwrap();
+        plan.axes().iter().map(|axis| axis.symbol().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(axes(&bench), ["face", "k"]);
+    // Nor by hand.
+    keys(&mut bench, &["G", "/variable<Enter>"]);
+    bench.app.pages.explore.row = explore::setup::SetupRow::Axis(1, explore::setup::Part::Name);
+    keys(&mut bench, &["<Enter>", "gamma<Enter>"]);
+    assert!(bench.screen().contains("both set the plate's size"), "{}", bench.screen());
+    keys(&mut bench, &["<Esc>"]);
+    // The axis replaces the scene's own size, and a design keeps it.
+    keys(&mut bench, &["<Tab>", "l", "<Enter>"]);
+    assert!(matches!(bench.app.scene.plate.size, PlateSize::Face(_)), "{}", bench.message());
+    assert!(!bench.app.sweep_is_old(Picture::Surface));
+}
+
+#[test]
+fn only_the_method_that_runs_a_scene_is_used_for_it() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("5");
+    accuracy::answer(&mut bench, Method::ALL.len());
+    assert_eq!(bench.app.pages.numerics.accuracy.method(), Method::Auto);
+    bench.keys("<Enter>");
+    assert_eq!(bench.app.history.edits.len(), 1, "{}", bench.message());
+    assert!(!bench.screen().contains("another scene"), "{}", bench.screen());
+    let kernel = Method::ALL.iter().position(|one| *one == Method::ContactKernel);
+    bench.app.pages.numerics.accuracy.selected = kernel;
+    let before = Arc::clone(&bench.app.scene);
+    bench.keys("<Enter>");
+    assert!(bench.message().contains("auto, which chooses"), "{}", bench.message());
+    assert_eq!(bench.app.scene, before);
+}
+
+#[test]
+fn another_spacing_keeps_the_cursor_at_its_value() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, &["2", "L"]);
+    let at = |bench: &Bench| {
+        let grid = &bench.app.pages.explore.found(Picture::Line).expect("a sweep").grid;
+        grid.coordinate(bench.app.cursor_point(grid), 0)
+    };
+    let before = at(&bench);
+    keys(&mut bench, &["X"]);
+    let after = at(&bench);
+    // The nearest of 101 points over a factor of 8.75.
+    assert!((after / before - 1.0).abs() < 0.012, "{before} {after}");
+    assert!(before > 1.2, "{before}");
+}
+
+#[test]
+fn a_goal_begins_at_the_value_of_the_scene() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, &["4", "k", "<Enter>", "stroke<Enter>"]);
+    let run = &bench.app.shown.as_ref().expect("a run").run;
+    let stroke = named("stroke_m").unwrap().value(run).unwrap();
+    let (name, goal) = bench.app.pages.search.setup.goal;
+    assert_eq!(name, "stroke_m");
+    assert!((goal / stroke - 1.0).abs() < 0.05, "{goal} {stroke}");
+}
+
+/// The curve of the limit and the map of mass efficiency hold at any impact velocity.
+#[test]
+fn a_shot_that_is_loaded_leaves_the_curve_and_the_map_as_they_are() {
+    let mut bench = limit::open(GlyphSet::Ascii, (120, 40));
+    bench.keys("<Tab>r");
+    search::answer(&mut bench);
+    bench.keys("<S-Tab>l<Enter>");
+    let velocity_m_s = bench.app.scene.projectile.velocity_m_s;
+    assert!((velocity_m_s - 232.9).abs() < 0.1, "{velocity_m_s}");
+    assert!(!bench.screen().contains("scene's results"), "{}", bench.screen());
+    // 232.3 m/s over 232.9 m/s.
+    assert!(bench.screen().contains("margin -0.3 %: 232.9 m/s perforates"), "{}", bench.screen());
+    bench.keys("<Tab>");
+    assert!(bench.screen().contains("another scene's results: press r"), "of another shot");
+    bench.keys("<Tab>h");
+    assert!(!bench.screen().contains("scene's results"), "{}", bench.screen());
+    assert!(bench.app.efficiency_design().is_ok());
+}
+
+/// The absorber that is compared with has its name in the table; loading it and taking that back keeps the comparison.
+#[test]
+fn an_absorber_that_is_loaded_and_undone_is_still_the_one_compared_with() {
+    let mut bench = limit::open(GlyphSet::Ascii, (120, 40));
+    let absorbers = library::list(None).0.into_iter().filter(|it| it.library == Library::Absorbers);
+    bench.app.presets.extend(absorbers.map(PresetEntry::of_part));
+    bench.keys("<Tab>v");
+    search::answer(&mut bench);
+    let name = bench.app.absorber().expect("an absorber").name.clone();
+    let is_current = |bench: &Bench| {
+        let screen = bench.screen();
+        assert!(screen.contains(&format!("pay? with {name} ---")), "{screen}");
+        assert!(screen.contains(&format!(" {name}  rigid mount")), "{screen}");
+        assert!(!bench.app.comparison_is_old());
+        assert!(bench.app.efficiency_design().is_ok());
+    };
+    is_current(&bench);
+    assert!(bench.screen().contains("Residual velocity, own spring"), "{}", bench.screen());
+    let before = bench.app.scene.clone();
+    bench.keys("<Enter>");
+    assert_ne!(bench.app.scene, before);
+    is_current(&bench);
+    bench.keys("u");
+    assert_eq!(bench.app.scene, before);
+    is_current(&bench);
+}
+
+#[test]
+fn the_search_setup_is_undone_and_redone_like_any_edit() {
+    let mut bench = in_search((80, 24));
+    let scene = bench.app.scene.clone();
+    bench.keys("<Enter>50 %<Enter>");
+    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 50.0_f64.to_bits());
+    // Held arrows are one edit.
+    bench.keys("kll");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.history.edits.len(), 2);
+    assert_eq!(bench.app.history.edits[0].label, "search: is 60 % -> 50 %");
+    bench.keys("u");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "percent_of_baseline");
+    assert!(bench.message().starts_with("undone: search: percent of baseline ->"));
+    bench.keys("u");
+    assert_eq!(bench.app.pages.search.setup.goal.1.to_bits(), 60.0_f64.to_bits());
+    bench.keys("<C-r><C-r>");
+    assert_eq!(bench.app.pages.search.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.scene, scene);
+}
+
+#[test]
+fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
+    let mut bench = in_search((80, 24));
+    bench.keys("<Enter>50 %<Enter>");
+    bench.press("1/m_p<Enter><Enter>20<Enter>4");
+    search::answer(&mut bench);
+    bench.keys("<Enter>40 %<Enter>");
+    assert_eq!(bench.app.history.edits.len(), 3);
+    let state =
+        |bench: &Bench| (bench.app.pages.search.setup.goal.1, bench.app.scene.projectile.mass_kg);
+    for (edits, expected) in [(0, (60.0, 0.0295)), (3, (40.0, 0.02)), (1, (50.0, 0.0295))] {
+        bench.keys(":list of edits<Enter>");
+        bench.keys("g");
+        for _ in 0..edits {
+            bench.keys("j");
+        }
+        bench.keys("<Enter>");
+        assert_eq!(state(&bench), expected, "after {edits} edits");
+    }
+}

@@ -1,0 +1,328 @@
+//! Lists and what is typed into them: the palette, presets, options, filters, help.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::bench::Bench;
+use super::{limit, search, stability, sweep};
+use cmra::tui::keymap::Keymap;
+use cmra::tui::message::{Message, PresetEntry};
+use cmra::tui::pages::{Tab, explore, run};
+use cmra::tui::theme::GlyphSet;
+
+/// Press keys and answer runs, sweeps and searches after each.
+fn keys(bench: &mut Bench, keys: &[&str]) {
+    for key in keys {
+        bench.keys(key);
+        sweep::answer(bench);
+        search::answer(bench);
+    }
+}
+
+/// The search tab with a goal seek that is done.
+fn sought(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(GlyphSet::Ascii, size);
+    bench.keys("4<Tab>");
+    search::answer(&mut bench);
+    bench
+}
+
+/// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
+#[test]
+fn the_palette_never_loads_a_scene_by_scattered_letters() {
+    let mut bench = Bench::ascii(80, 24);
+    let before = Arc::clone(&bench.app.scene);
+    bench.press(":pareto<Enter>");
+    assert_eq!(bench.app.tab, Tab::Search);
+    assert!(bench.screen().contains("[Pareto front]"), "{}", bench.screen());
+    assert_eq!(bench.app.scene, before);
+}
+
+#[test]
+fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
+    let mut bench = Bench::ascii(80, 24);
+    let problem = "mine.toml, line 3: unknown key `gama`".to_owned();
+    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), problem));
+    let before = Arc::clone(&bench.app.scene);
+    bench.press("pmine-too");
+    let screen = bench.screen();
+    assert!(screen.contains("!mine-too") && screen.contains("unknown key"), "{screen}");
+    bench.press("<Enter>");
+    assert_eq!(bench.app.scene, before);
+    assert!(bench.message().contains("cannot be loaded"), "{}", bench.message());
+    // A long error stands whole above the dialog.
+    let mut bench = Bench::ascii(80, 24);
+    let why = ["expected a length;"; 10].join(" ") + " write\nfor example 0.0295";
+    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), why.clone()));
+    bench.press("pmine-too<Enter>");
+    let screen = bench.screen();
+    let lines: Vec<&str> = screen.lines().skip(18).map(str::trim).collect();
+    let refusal = format!("mine-too cannot be loaded: {why}").replace('\n', "; ");
+    assert!(lines.join(" ").contains(&refusal), "{screen}");
+    // A text that no preset has loads none.
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("pzqx<Enter>");
+    assert!(bench.app.history.edits.is_empty());
+}
+
+#[test]
+fn the_exact_symbol_comes_first() {
+    for (typed, symbol) in [("k", "k"), ("d", "d"), ("h", "h"), ("gam", "gamma"), ("cock", "d")] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(&format!("/{typed}"));
+        assert_eq!(bench.app.editor.variable().symbol, symbol, "{typed}");
+        bench.keys("<Enter><Enter>");
+        assert!(bench.app.field.is_some(), "{typed}");
+    }
+}
+
+/// A preset that only sweeps says where it shows, and loading it opens Explore.
+#[test]
+fn a_preset_of_a_figure_opens_its_sweep() {
+    let mut bench = Bench::ascii(80, 24);
+    let scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
+    let (comment, part, problem) = (String::new(), None, None);
+    let name = "figure-9.8".to_owned();
+    bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part, problem });
+    bench.press("pfigure 9.8");
+    assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
+    bench.press("<Enter>");
+    assert_eq!(bench.app.tab, Tab::Explore);
+    assert_eq!(bench.sweeps().len(), 1);
+}
+
+#[test]
+fn options_are_a_menu_of_named_lines() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("o");
+    let screen = bench.screen();
+    for name in
+        ["characters", "colours", "mouse", "auto-run", "threads", "interface law", "contact model"]
+    {
+        assert!(screen.contains(name), "{name}: {screen}");
+    }
+    bench.press("jjjl");
+    assert!(!bench.app.auto_run);
+    bench.send(Message::Resize(80, 24));
+    bench.press("<Esc>");
+    assert!(bench.app.dialog.is_none());
+}
+
+/// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.
+#[test]
+fn quantities_are_named_as_the_screen_names_them() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("2<Tab>g<Enter>depth of snow<Enter>");
+    assert!(bench.message().contains("no quantity is called"), "{}", bench.message());
+    assert!(!bench.message().contains('_'), "{}", bench.message());
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("4k<Enter>");
+    let typed = bench.app.field.as_ref().expect("a field").text.value().to_owned();
+    assert_eq!(typed, "percent of baseline");
+    bench.press("penetration<Enter>");
+    assert!(bench.message().contains("final penetration"), "{}", bench.message());
+    assert!(!bench.message().contains('_'), "{}", bench.message());
+}
+
+#[test]
+fn threads_are_chosen_in_the_options_and_used() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("ojjjjl<Esc>");
+    assert_eq!(bench.app.threads, Some(1));
+    bench.press("2");
+    let sweeps = bench.sweeps();
+    assert!(matches!(sweeps[..], [(_, 1, _)]));
+    bench.press("ojjjjh<Esc>");
+    assert_eq!(bench.app.threads, None);
+}
+
+#[test]
+fn a_key_that_sorts_nothing_says_so() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("2S");
+    assert!(bench.message().contains("`S` does nothing here"), "{}", bench.message());
+}
+
+/// Each line of the options menu is found by its name.
+#[test]
+fn options_are_found_by_name() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(":threads<Enter>");
+    assert_eq!((bench.app.threads, bench.message()), (Some(1), "threads: 1".to_owned()));
+    bench.keys(":next contact<Enter>");
+    assert!(bench.message().starts_with("contact model: "), "{}", bench.message());
+    assert_ne!(bench.app.scene, bench.app.base.scene);
+}
+
+#[test]
+fn a_new_filter_begins_empty_and_what_it_hides_is_not_edited() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/gamma<Enter><Enter>2<Enter>/k<Enter><Enter>200<Enter>");
+    let scene = Arc::clone(&bench.app.scene);
+    assert_eq!(scene.plate.mass_ratio.to_bits(), 2.0_f64.to_bits());
+    assert_eq!(scene.mechanism.spring.coefficient.to_bits(), 2e5_f64.to_bits());
+    for key in ["<Enter>", "l", "L", ",", "<BS>", "D"] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(&format!("/zz<Enter>{key}"));
+        assert!(bench.screen().contains("no variable matches"), "{}", bench.screen());
+        assert!(bench.app.history.edits.is_empty() && bench.app.field.is_none(), "{key}");
+    }
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/zz<Enter>l");
+    assert!(bench.message().contains("Esc shows all"), "{}", bench.message());
+    bench.keys("<Esc>l");
+    assert_eq!(bench.app.history.edits.len(), 1);
+}
+
+#[test]
+fn words_on_the_screen_find_their_rows() {
+    let first = |filter: &str| {
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(&format!("/{filter}<Enter>"));
+        bench.app.editor.variable().symbol
+    };
+    for (typed, symbol) in [
+        ("stiffness", "k"),
+        ("k", "k"),
+        ("velocity", "v_i"),
+        ("mass ratio", "gamma"),
+        ("face", "face"),
+        ("plate mass", "m_2"),
+    ] {
+        assert_eq!(first(typed), symbol, "{typed}");
+    }
+    let bench = Bench::ascii(80, 24);
+    for (typed, kind, name) in [
+        ("stiffness", "variable", "k  stiffness"),
+        ("velocity", "variable", "v_i  impact velocity"),
+        ("stroke", "quantity", "stroke"),
+        ("mount force", "quantity", "peak mount force"),
+        ("spring force", "curve", "Spring force"),
+        ("quit", "action", "Quit"),
+        ("report", "action", "Export"),
+        ("html", "action", "Export"),
+    ] {
+        let found = bench.app.palette(typed);
+        let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
+        assert_eq!((first.kind(), first.name().as_str()), (kind, name), "{typed}");
+    }
+    assert!(bench.app.palette("quit").iter().all(|item| !item.name().starts_with("theta")));
+}
+
+#[test]
+fn a_quantity_that_is_found_is_shown() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, &[":stroke<Enter>"]);
+    assert_eq!(bench.app.pane(), explore::RESULTS);
+    assert!(bench.screen().contains("stroke [m"), "{}", bench.screen());
+    assert!(!bench.screen().contains("* k=0"), "a family that nobody chose");
+    keys(&mut bench, &[":spring force<Enter>"]);
+    assert_eq!(bench.app.pane(), run::CHARTS);
+    assert!(bench.screen().contains("Spring force, greatest"), "{}", bench.screen());
+}
+
+/// `config.toml` gives actions other keys: the texts name those.
+#[test]
+fn texts_name_the_keys_in_force() {
+    let mut bench = Bench::ascii(80, 24);
+    let keys = [("run", "F5"), ("undo", "U"), ("view", "F2")];
+    let keys = keys.map(|(action, key)| (action.to_owned(), vec![key.to_owned()]));
+    bench.app.keymap = Keymap::remapped(&BTreeMap::from(keys)).unwrap();
+    bench.keys("3");
+    limit::end(&mut bench, |report| report.is_complete = false);
+    assert!(bench.screen().contains("cancelled: press F5"), "{}", bench.screen());
+    bench.keys("<Tab>");
+    assert!(bench.message().contains("(F2: the next one"), "{}", bench.message());
+    bench.keys("1jjl ");
+    bench.keys("r");
+    assert!(bench.message().contains("`r` does nothing here"), "{}", bench.message());
+    bench.keys("2<Tab>g<Enter>zzz<Enter>");
+    assert!(bench.message().contains("l steps through all of them"), "{}", bench.message());
+}
+
+/// No text and no footer has a key of the table where `config.toml` gives the action another one or none.
+#[test]
+fn no_text_has_a_key_that_is_not_in_force() {
+    let mut bench = Bench::ascii(160, 50);
+    let mut keys = BTreeMap::new();
+    for (action, key) in [
+        ("next-event", vec!["F1"]),
+        ("previous-event", vec!["F2"]),
+        ("far-left", vec!["F3"]),
+        ("far-right", vec!["F4"]),
+        ("difference", vec!["F6"]),
+        ("tab-limit", vec!["F7"]),
+        ("window", vec![]),
+        ("mark", vec![]),
+    ] {
+        keys.insert(action.to_owned(), key.into_iter().map(str::to_owned).collect());
+    }
+    bench.app.keymap = Keymap::remapped(&keys).unwrap();
+    bench.keys("<Tab>");
+    let screen = bench.screen();
+    assert!(screen.contains(" F7:Limit "), "{screen}");
+    let footer = screen.lines().last().unwrap();
+    assert!(footer.contains(" F1/F2 event ") && !footer.contains("   "), "{footer}");
+    assert!(!footer.contains("whole") && !footer.contains("pin"), "{footer}");
+    bench.keys("?");
+    assert!(bench.screen().contains("(F3 F4 ten columns)"), "{}", bench.screen());
+}
+
+/// Help lists what works on the page: of Monte Carlo nothing can be loaded.
+#[test]
+fn help_leaves_out_what_a_page_has_not() {
+    let mut bench = sought((80, 24));
+    bench.keys("444");
+    search::answer(&mut bench);
+    bench.keys("?");
+    assert!(!bench.screen().contains("load this design"), "{}", bench.screen());
+}
+
+#[test]
+fn help_explains_the_words_of_the_comparison_and_of_the_stiff_scenes() {
+    let mut bench = limit::open(GlyphSet::Ascii, (80, 24));
+    bench.keys("<Tab>?");
+    assert!(bench.screen().contains("the plate is perforated above it"), "{}", bench.screen());
+    let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
+    bench.keys("<Tab>?");
+    assert!(bench.screen().contains("s: stored"), "{}", bench.screen());
+}
+
+/// Things are found by their names and by what else people call them; what is in no name matches nothing.
+#[test]
+fn the_palette_finds_by_name_and_synonym_and_describes_enter() {
+    for (typed, name, does) in [
+        ("pareto", "Pareto front", "Enter: pareto front"),
+        ("optimise", "Pareto front", "Enter: pareto front"),
+        ("v50", "Ballistic limit", "Enter: ballistic limit"),
+        ("cocking", "d  cocking distance", "Enter: type d, now 0"),
+        ("k", "k  stiffness", "Enter: type k"),
+        ("gamma", "gamma  mass ratio", "Enter: type gamma"),
+        ("limit", "Limit tab", "Enter: limit tab"),
+        ("efficiency", "Efficiency map", "Enter: efficiency map"),
+        ("worth", "Comparison at equal areal mass", "Enter: comparison"),
+        ("rigid", "rigid-mount", "show it in 1:Run"),
+        ("mouse", "Switch the mouse", "Enter: switch the mouse"),
+        ("largest stable", "Stability", "Enter: stability"),
+    ] {
+        let bench = Bench::ascii(80, 24);
+        let found = bench.app.palette(typed);
+        let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
+        assert_eq!(first.name(), name, "{typed}");
+        assert!(bench.app.palette_does(first).contains(does), "{}", bench.app.palette_does(first));
+    }
+    let mut bench = Bench::ascii(80, 24);
+    bench.press(":xqzt<Enter>");
+    assert!(bench.message().contains("nothing is called `xqzt`"), "{}", bench.message());
+    assert!(bench.app.history.edits.is_empty());
+}
+
+#[test]
+fn a_search_without_a_match_explains_how_to_open_a_file() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("p");
+    bench.press("zzz");
+    bench.press("<Enter>");
+    assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
+    assert!(bench.app.dialog.is_some());
+}
