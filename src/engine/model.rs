@@ -31,7 +31,8 @@
 //!    - `apply_transition` lets `handle` (`impact/events.rs`) decide by the contact model which mode follows.
 //! 5. `report::gather` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`]
 //!    has the range of validity of the model, and warns outside.
-//! 6. A second, tighter computation gives [`estimate::set`] the error of each result.
+//! 6. A second, tighter computation gives [`estimate::set`] the error of each result: by `hybrid`, an engine of its own with one
+//!    integrator for all (Radau collocation), where that knows the scene and comes to an end, else by this one with another order.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the

@@ -2,8 +2,8 @@
 //!
 //! The scripts m50, m200 and m300 are read as one loop. Each step: depth from the projectile's travel, area, one force; the
 //! projectile by the trapezoid of old and new force (its travel by forward Euler); the plate by one Runge-Kutta step with the
-//! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is on the
-//! model page, section 6, and named in [`Listing`]. Here is the contact; the whole run is in `listing`.
+//! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
+//! [`Listing`]. Here is the contact; the whole run is in `listing`.
 
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{ContactSolution, Ending, Refusal};

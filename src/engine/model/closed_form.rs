@@ -3,7 +3,7 @@
 //! Relative motion of two bodies that only push on each other is that of one body of the reduced mass mu (the projectile's own
 //! mass for a rigid plate). With V(q) the volume swept, d(u²)/dV = -2 (S + c u²)/mu, so that
 //! u² = [(S + c v²) exp(-2 c V/mu) - S]/c: the shot stops where V = mu/(2c) ln(1 + c v²/S), and has its ballistic limit at
-//! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. Model page, section 2.
+//! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature.
 
 use crate::model::contact::Geometry;
 use crate::model::mechanism::moving_plate_kg;

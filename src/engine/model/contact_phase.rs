@@ -12,7 +12,7 @@
 //! of the implicit method (`numerics::implicit::step`, in `radau`), the rule by which new steps come down on an event
 //! (`numerics::event`), and in `exact` the geometry and the closed form (`contact::Geometry`, `closed_form::Passage`). `fine` and
 //! `section` share none of them.
-//! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
+//! Must not know the engine, a screen or a clock.
 
 use crate::model::mechanism::{self, Mechanism, PowerLaw, moving_plate_kg};
 use crate::model::scene::Scene;

@@ -1,5 +1,5 @@
 //! Formulas a designer works with that need no simulation: ricochet, Stone's depth, collisions, effective thickness, and what a
-//! coil spring weighs. Thesis chapters 2, 4 and 9.5; model page, section 5.
+//! coil spring weighs. Thesis chapters 2, 4, 5 and 9.5.
 
 use crate::model::scene::{Scene, Wire};
 

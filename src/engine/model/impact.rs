@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::hybrid;
-use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Outcome, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -35,7 +35,7 @@ pub mod window;
 
 /// Order of the ordinary computation, plus one.
 const TERMS: usize = 17;
-/// Order of the second, tighter computation that the error estimate compares with, plus one.
+/// Order of the second, tighter computation that the error estimate compares with where `hybrid` does not serve, plus one.
 const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
@@ -62,7 +62,7 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     let mut run = report::gather(&problem, simulation, end);
     if settings.estimate && run.end.is_complete() {
         let is_closed = run.cost.steps == 0;
-        let second = second(&problem, is_closed, &mut |t_s| {
+        let second = second(&problem, &run, &mut |t_s| {
             window.show(|| run.clone());
             observer(t_s)
         });
@@ -94,13 +94,17 @@ fn compute<const N: usize>(simulation: &mut Simulation<'_>, observer: Observer<'
 }
 
 /// The same at a much tighter tolerance, by the other engine where that serves the scene and comes to an end, else by this one with
-/// another order; `None` when it was cancelled.
-fn second(problem: &Problem, is_closed: bool, observer: Observer<'_>) -> Option<Run> {
-    if !is_closed && let Some(run) = by_collocation(problem, observer) {
+/// another order; `None` when it was cancelled. An engine that decides nothing says nothing of one that does, and a closed form is
+/// compared with itself.
+fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run> {
+    if first.cost.steps > 0
+        && let Some(run) = by_collocation(problem, observer)
+    {
         if run.end == EndReason::Cancelled {
             return None;
         }
-        if run.end.is_complete() {
+        let decides = run.outcome != Outcome::Moving || first.outcome == Outcome::Moving;
+        if run.end.is_complete() && decides {
             return Some(run);
         }
     }

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The same form serves every mode: pulling out has a negative strength and no drag, free flight no area, a plate held by its
-//! stop no mobility, and a joined body the mass `m_2` + `m_p` cos² and no contact force. Model page, sections 2 and 3.
+//! stop no mobility, and a joined body the mass `m_2` + `m_p` cos² and no contact force.
 
 use crate::model::contact::AreaLaw;
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw};

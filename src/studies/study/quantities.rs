@@ -8,7 +8,7 @@
 use crate::model::mechanism::load;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::{Mount, Scene};
-use crate::model::units::{self, Bare, engineering};
+use crate::model::units::{self, Bare, Dimension, engineering};
 use crate::study::load::impulse_n_s;
 use crate::study::sweep::SweepError;
 use crate::study::sweep::kernel::KernelResult;
@@ -22,8 +22,10 @@ pub use names::{find, listing, named, nearest};
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
-    /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
+    /// Name in JSON, CSV and `[sweep] outputs`; with its unit at the end.
     pub name: &'static str,
+    /// The kind of its values, which says in what units they may be written.
+    kind: Dimension,
     /// Its meaning, in a few words.
     pub meaning: &'static str,
     source: Source,
@@ -43,6 +45,22 @@ pub struct Quantity {
     is_of_stack: bool,
     /// A count of the computation, which JSON has as a whole number.
     pub is_whole: bool,
+    /// A percentage.
+    is_percent: bool,
+    /// It describes the hole, which is as deep as the plate where that is perforated.
+    is_of_hole: bool,
+    /// It counts springs that are sized for one shot.
+    pub(in crate::study) counts_springs: bool,
+    /// It takes the error estimate of a run.
+    pub(in crate::study) is_estimate: bool,
+}
+
+/// The searches with many shots.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) enum Search {
+    Limit,
+    LimitIfSpringSurvives,
+    MassEfficiency,
 }
 
 /// Where a quantity comes from; `None` where it does not exist.
@@ -53,7 +71,7 @@ enum Source {
     /// From a run with its course in time, where the scene needs that.
     Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
     /// From a search with many shots, which the study of that search makes.
-    Search,
+    Search(Search),
 }
 
 /// How a quantity follows from the first contact of a shot that this decides.
@@ -95,22 +113,32 @@ impl PartialEq for Quantity {
     }
 }
 
-const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> Quantity {
+const fn quantity(
+    name: &'static str,
+    kind: Dimension,
+    meaning: &'static str,
+    source: Source,
+) -> Quantity {
     Quantity {
         name,
+        kind,
         meaning,
         source,
         from_contact: match source {
             Source::Scene(_) => FromContact::Scene,
-            Source::Run(_) | Source::Course(..) | Source::Search => FromContact::No,
+            Source::Run(_) | Source::Course(..) | Source::Search(_) => FromContact::No,
         },
         lower_bound: None,
         short: "",
         absence: "does not exist here",
         is_of_perforation: false,
         is_of_computation: false,
-        is_of_stack: matches!(source, Source::Search),
+        is_of_stack: matches!(source, Source::Search(Search::Limit)),
         is_whole: false,
+        is_percent: false,
+        is_of_hole: false,
+        counts_springs: false,
+        is_estimate: false,
     }
 }
 
@@ -147,8 +175,25 @@ impl Quantity {
     const fn of_stack(self) -> Self {
         Self { is_of_stack: true, ..self }
     }
+
+    const fn percent(self) -> Self {
+        Self { is_percent: true, ..self }
+    }
+
+    const fn of_hole(self) -> Self {
+        Self { is_of_hole: true, ..self }
+    }
+
+    const fn with_springs(self) -> Self {
+        Self { counts_springs: true, ..self }
+    }
+
+    const fn estimate(self) -> Self {
+        Self { is_estimate: true, ..self }
+    }
 }
 
+use Dimension::{ArealMass, Energy, Force, Impulse, Length, Mass, Number, Time, Velocity};
 use FromContact::{Displacement, End, WithScene};
 
 /// Why there is no displacement, and no percentage.
@@ -161,106 +206,82 @@ const GRIPLESS: f64 = 1e6;
 /// Every quantity, in the order of files.
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
-    quantity("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
+    quantity("first_arrest_penetration_m", Length, "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
         .by_contact(End(|it| Some(it.arrest()?.penetration_m))),
-    quantity("first_arrest_time_s", "time of the first arrest", Source::Run(|run| Some(run.first_arrest?.t_s)))
+    quantity("first_arrest_time_s", Time, "time of the first arrest", Source::Run(|run| Some(run.first_arrest?.t_s)))
         .by_contact(End(|it| Some(it.arrest()?.t_s))),
-    quantity("first_arrest_plate_displacement_m", "plate displacement at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
+    quantity("first_arrest_plate_displacement_m", Length, "plate displacement at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))),
-    quantity("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
+    quantity("first_arrest_plate_velocity_m_s", Velocity, "common velocity at the first arrest", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
-    quantity("final_penetration_m", "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
+    quantity("final_penetration_m", Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
-        .at_least(|run| run.at_least.penetration_m).short("depth").of_stack(),
-    quantity("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
+        .at_least(|run| run.at_least.penetration_m).short("depth").of_stack().of_hole(),
+    quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
-        .short("of baseline").absent(NO_BASELINE),
-    quantity("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
+        .short("of baseline").absent(NO_BASELINE).of_hole().percent(),
+    quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
-    quantity("peak_contact_force_n", "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
-    quantity("max_plate_displacement_m", "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
+    quantity("peak_contact_force_n", Force, "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
+    quantity("max_plate_displacement_m", Length, "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
         .by_contact(Displacement(|it| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
-    quantity("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
+    quantity("stroke_m", Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
         .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
-    quantity("residual_velocity_m_s", "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().of_stack(),
-    quantity("exit_time_s", "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
-    quantity("separation_time_s", "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
-    quantity("separation_velocity_m_s", "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
-    quantity("interface_demand_ratio", "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
-    quantity("interface_tension_ratio", "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension"),
-    quantity("energy_residual", "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().of_stack(),
-    quantity("error_estimate", "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().of_stack(),
-    quantity("stored_energy_j", "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
-    quantity("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
-    quantity("added_inertia_kg", "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
-    quantity("spring_mass_kg", "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
-    quantity("rotational_energy_j", "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
-    quantity("peak_mount_force_n", "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
+    quantity("residual_velocity_m_s", Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).of_perforation().of_stack(),
+    quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).of_perforation(),
+    quantity("separation_time_s", Time, "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
+    quantity("separation_velocity_m_s", Velocity, "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
+    quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).short("demand"),
+    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carried up to the end of the run, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(GRIPLESS)))).short("tension"),
+    quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).of_computation().of_stack(),
+    quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| Some(run.error_estimate?.relative))).of_computation().of_stack().estimate(),
+    quantity("stored_energy_j", Energy, "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
+    quantity("yield_margin", Number, "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
+    quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
+    quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
+    quantity("rotational_energy_j", Energy, "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
+    quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Course(mount::peak_force_n, mount::needs_course))
         .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::least_peak_n).short("mount force"),
-    quantity("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
-    quantity("travel_margin", "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
-    quantity("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
-    quantity("plate_mass_kg", "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
-    quantity("least_spring_mass_kg", "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
-    quantity("system_mass_kg", "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system"),
-    quantity("areal_mass_kg_m2", "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))),
-    quantity("plate_face_m", "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
-    quantity("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
-    quantity("thickness_over_diameter", "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
-    quantity("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
-    quantity("limit_velocity_m_s", "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search).short("limit"),
-    quantity("limit_if_spring_survives_m_s", "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search).short("spring survives"),
-    quantity("mass_efficiency", "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search).short("efficiency"),
-    quantity("steps", "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
-    quantity("rejected", "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
-    quantity("rhs_evaluations", "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
-];
-
-/// How names end, and the kind that means; a longer ending stands before its own end.
-const ENDINGS: [(&str, units::Dimension); 8] = [
-    ("_kg_m2", units::Dimension::ArealMass),
-    ("_m_s", units::Dimension::Velocity),
-    ("_n_s", units::Dimension::Impulse),
-    ("_m", units::Dimension::Length),
-    ("_s", units::Dimension::Time),
-    ("_n", units::Dimension::Force),
-    ("_j", units::Dimension::Energy),
-    ("_kg", units::Dimension::Mass),
+    quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true)),
+    quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
+    quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
+    quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
+    quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m)))
+        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))).with_springs(),
+    quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
+        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").with_springs(),
+    quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
+        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).with_springs(),
+    quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| sprung(scene).then(|| scene.plate_face_m()))),
+    quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
+    quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
+    quantity("nose_pressure_ratio", Number, "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
+    quantity("limit_velocity_m_s", Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit"),
+    quantity("limit_if_spring_survives_m_s", Velocity, "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search(Search::LimitIfSpringSurvives)).short("spring survives"),
+    quantity("mass_efficiency", Number, "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search(Search::MassEfficiency)).short("efficiency"),
+    quantity("steps", Number, "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).of_computation().whole(),
+    quantity("rejected", Number, "rejected steps", Source::Run(|run| Some(run.cost.rejected as f64))).of_computation().whole(),
+    quantity("rhs_evaluations", Number, "evaluations of the equations of motion", Source::Run(|run| Some(run.cost.rhs_evaluations as f64))).of_computation().whole(),
 ];
 
 impl Quantity {
-    /// The unit its name ends in; `%` for a percentage, empty for a pure number.
+    /// Its unit; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
-        if self.name.starts_with("percent") {
-            return "%";
-        }
-        self.kind().unit()
-    }
-
-    /// The kind of its values, which says in what units they may be written.
-    fn kind(&self) -> units::Dimension {
-        self.ending().map_or(units::Dimension::Number, |(_, kind)| kind)
+        if self.is_percent { "%" } else { self.kind.unit() }
     }
 
     /// Its name in words, without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
-        let ending = self.ending().map_or("", |(end, _)| end);
-        self.name.strip_suffix(ending).unwrap_or(self.name).replace('_', " ")
+        let end = format!("_{}", self.kind.unit().to_lowercase().replace(['/', ' '], "_"));
+        self.name.strip_suffix(&end).unwrap_or(self.name).replace('_', " ")
     }
 
     /// Its name in a word or two.
     pub fn heading(&self) -> String {
         if self.short.is_empty() { self.title() } else { self.short.to_owned() }
-    }
-
-    fn ending(&self) -> Option<(&'static str, units::Dimension)> {
-        ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
     }
 
     /// The computation it needs.
@@ -269,7 +290,7 @@ impl Quantity {
             Source::Scene(_) => Needs::Scene,
             Source::Run(_) => Needs::Run,
             Source::Course(..) => Needs::Course,
-            Source::Search => Needs::Limit,
+            Source::Search(_) => Needs::Limit,
         }
     }
 
@@ -303,7 +324,7 @@ impl Quantity {
     /// The error of the text, in words.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
-        units::parse(bare, self.kind(), Bare::Si).map_err(|problem| problem.to_string())
+        units::parse(bare, self.kind, Bare::Si).map_err(|problem| problem.to_string())
     }
 
     /// Its lower bound, if a run ended before it was final; `None` if it is final or unknown.
@@ -317,7 +338,7 @@ impl Quantity {
         let own = || match self.source {
             Source::Scene(get) => get(&run.scene),
             Source::Run(get) | Source::Course(get, _) => get(run),
-            Source::Search => None,
+            Source::Search(_) => None,
         };
         let has = self.is_of_stack || run.stack.is_none();
         own().filter(|value| has && value.is_finite())
@@ -347,6 +368,11 @@ impl Quantity {
         }
     }
 
+    /// The search that finds it, if one has to.
+    pub(in crate::study) fn search(&self) -> Option<Search> {
+        if let Source::Search(search) = self.source { Some(search) } else { None }
+    }
+
     /// Whether a run of a scene has to keep its course in time for it.
     pub(in crate::study) fn needs_course(&self, scene: &Scene) -> bool {
         matches!(self.source, Source::Course(_, is_needed) if is_needed(scene))
@@ -354,13 +380,13 @@ impl Quantity {
 
     /// Whether it has a value where the plate is perforated: the depth is the plate's thickness there.
     pub(in crate::study) fn exists_in_perforation(&self) -> bool {
-        !matches!(self.name, "final_penetration_m" | "percent_of_baseline")
+        !self.is_of_hole
     }
 
     /// Whether designs that are perforated may be compared by it.
     pub(in crate::study) fn tells_of_perforation(&self) -> bool {
         // What does not depend on the outcome of the shot does.
-        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Search)
+        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Search(_))
     }
 }
 

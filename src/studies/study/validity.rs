@@ -10,7 +10,7 @@ use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
-use crate::study::quantities::Quantity;
+use crate::study::quantities::{Quantity, Search};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::grid::counts;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
@@ -104,14 +104,11 @@ pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, String)> {
     new.map(|(place, breach)| (breach.check, format!("{place}: {breach}"))).collect()
 }
 
-/// The quantities that count springs which are sized for one shot.
-const WITH_SPRINGS: [&str; 3] = ["areal_mass_kg_m2", "system_mass_kg", "least_spring_mass_kg"];
-
 /// That a limit velocity is not that of the springs whose mass stands beside it; `None` where only one of both was requested, or
 /// neither the scene nor the upper ends of its axes have springs.
 pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> Option<String> {
-    let has = |name: &str| measures.iter().any(|it| it.name == name);
-    let mass = WITH_SPRINGS.into_iter().find(|name| has(name) && has("limit_velocity_m_s"))?;
+    let has_limit = measures.iter().any(|it| matches!(it.search(), Some(Search::Limit)));
+    let mass = measures.iter().find(|it| has_limit && it.counts_springs)?.name;
     let ends: Vec<f64> = axes.iter().map(|axis| axis.ends().1).collect();
     let is_sprung = |scene: &Scene| !scene.is_rigid() && scene.mechanism.has_springs();
     (is_sprung(scene) || is_sprung(&scene_with(scene, axes, &ends))).then(|| {

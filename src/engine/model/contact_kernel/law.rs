@@ -201,13 +201,3 @@ fn product_from<const N: usize, const J: usize, const FROM: usize>(
 pub(super) fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
     if const { J == 0 } { a[0] * a[0] } else { square_before::<N, J>(a) + a[0] * a[J] * 2.0 }
 }
-
-/// Coefficient J of a·b.
-#[inline(always)]
-pub(super) fn product_at<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    if const { J == 0 } {
-        a[0] * b[0]
-    } else {
-        product_before::<N, J>(a, b) + a[J] * b[0] + a[0] * b[J]
-    }
-}

@@ -1,4 +1,4 @@
-//! The hydrodynamic model, F = A (S + c u²), with the interface law of model page section 3: a hole that is closed again rubs
+//! The hydrodynamic model, F = A (S + c u²), with the interface law of `impact/events.rs`: a hole that is closed again rubs
 //! with g A S, and so does a projectile that is pulled out.
 
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! The limits each model has by itself, and the numbers of the model page for the listing.
+//! The limits each model has by itself, and the listing's numbers by an independent port of it.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -214,9 +214,9 @@ fn listed(pairs: &str, listing: Listing) -> Run {
     run_of(&scene)
 }
 
-/// The model page, and the ladder of time steps of an independent port.
+/// The ladder of time steps of an independent port.
 #[test]
-fn valid_the_listing_gives_the_baselines_of_the_model_page() {
+fn valid_the_listing_gives_the_baselines_of_an_independent_port() {
     for (pairs, expected_mm) in [
         ("rho=2710 dt=1e-6", 7.1547),
         ("rho=2710 dt=1e-7", 7.1288),
@@ -255,7 +255,7 @@ fn valid_the_error_of_the_printed_coupling() {
 }
 
 #[test]
-fn valid_the_listing_as_printed_is_the_case_of_the_critique() {
+fn valid_the_listing_as_printed_is_the_case_of_an_independent_port() {
     // m_2 = 0.1 kg, rho = 2780, nothing on the plate: 6.8806 mm at 0.151 ms, 19.257 kN, 22.67 against 22.91 m/s.
     let run = listing("m_2=0.1 k=0 rho=2780");
     assert!((depth_mm(&run) - 6.8806).abs() < 1e-3);

@@ -6,7 +6,7 @@
 //! singular at zero (an exponent other than one) is omitted for an instant there, 1e-20 of the contact's scale: what its impulse
 //! would have done is of the order of that instant squared at first contact, and of its power 1 + n later.
 //!
-//! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
+//! Must not know the engine, a screen or a clock.
 
 use crate::model::contact_phase::{ContactSolution, Ending, Refusal};
 use crate::model::scene::Scene;

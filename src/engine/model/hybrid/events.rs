@@ -123,9 +123,11 @@ mod tests {
         assert_eq!(Events::of(&setup, &mode).list(), [Event::PieceEnd, Event::SlipZero]);
     }
 
-    /// States (q, u, x, w) before and beyond an event.
+    /// Scene, contact and event, and states (q, u, x, w) before and beyond it.
+    type Case = (&'static str, Contact, Event, [f64; 4], [f64; 4]);
+
     #[rustfmt::skip]
-    const GAPS: [(&str, Contact, Event, [f64; 4], [f64; 4]); 9] = [
+    const GAPS: [Case; 9] = [
         ("k=1e5", Contact::Deepening, Event::PieceEnd, [1e-3, 9.0, 0.0, 1.0], [2e-2, 9.0, 0.0, 1.0]),
         ("k=1e5", Contact::Deepening, Event::SlipZero, [1e-3, 9.0, 0.0, 1.0], [1e-3, -9.0, 0.0, 1.0]),
         ("k=1e5", Contact::PullingOut, Event::SlipZero, [1e-3, -9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),

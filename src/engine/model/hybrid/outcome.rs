@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn an_outcome_is_decided_where_no_energy_is_left_to_change_it() {
         for (pairs, contact, state, expected) in OUTCOMES {
-            let found = look(pairs, contact, state, |equations, state| equations.outcome(state));
+            let found = look(pairs, contact, state, |it, state| (it.outcome(state), ())).0;
             assert_eq!(found, expected, "{pairs} {contact:?} {state:?}");
         }
     }
@@ -349,7 +349,7 @@ mod tests {
         assert_eq!(far("k=0 b=100 x_stop=1mm"), Farthest::Pending);
     }
 
-    /// k x²/2 + k_stop (x - x_stop)²/2 = E.
+    /// The energy is that of spring and stop, each half of stiffness times the square of its way.
     #[test]
     fn valid_an_elastic_stop_takes_what_the_spring_does_not() {
         let pairs = "k=1e5 x_stop=1mm stop_kind=elastic k_stop=1e6";

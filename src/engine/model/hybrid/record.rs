@@ -20,7 +20,7 @@ pub(super) struct Record {
     pub(super) steps: usize,
     pub(super) events: usize,
     pub(super) evaluations: usize,
-    /// Half-oscillations forwards of the joined body: begun, and ended.
+    /// Ways forward of the joined body that have ended.
     pub(super) swings: usize,
 }
 
@@ -42,8 +42,8 @@ impl Record {
             Contact::Joined => {
                 let known_n = self.demand_ratio.unwrap_or(0.0) * equations.strength_n(&end);
                 let carried = |theta: f64| equations.carried_n(&at(theta));
-                let most_n = if equations.setup.damper.is_absent() && equations.is_undamped() {
-                    // The spring's force is greatest at an end: the plate turns only there.
+                let most_n = if equations.is_undamped() {
+                    // Spring and stop push most at an end: the plate turns only there.
                     larger(carried(0.0), carried(1.0))
                 } else {
                     greatest(0.0, 1.0, known_n, carried)

@@ -1,6 +1,6 @@
 //! Transitions after events: the interface law and the stop.
 //!
-//! One rule serves every mode (model page, section 3). u > 0 at the bottom of the hole: the hole deepens. u > 0 above it:
+//! One rule serves every mode. u > 0 at the bottom of the hole: the hole deepens. u > 0 above it:
 //! the gap closes against friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as
 //! the force the interface must carry stays within its limits.
 

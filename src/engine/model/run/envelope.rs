@@ -1,4 +1,4 @@
-//! Envelope of validity: what the model is good for (model page, section 8). One check for every command, page and study.
+//! Envelope of validity: what the model is good for. One check for every command, page and study.
 //!
 //! Each [`Breach`] gives the number, what it means, and on which side the answer errs. Breaches that follow from the scene are
 //! found by [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so
@@ -541,7 +541,7 @@ mod tests {
         }
     }
 
-    /// Model page, section 8: gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm².
+    /// gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm².
     #[test]
     fn a_face_smaller_than_the_nose_is_a_breach() {
         let mut scene = Scene::default();
@@ -580,7 +580,7 @@ mod tests {
         assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
         light.mechanism.stop.position_m = Some(0.001);
         assert!(checks(&of_run(&run(&light))).contains(&Check::Stop));
-        // Model page, section 3: cocked by 0.5 m the interface must carry 25.1 kN and carries 8.7 kN.
+        // Cocked by 0.5 m the interface must carry 25.1 kN and carries 8.7 kN.
         light.mechanism.stop.position_m = None;
         light.plate.cocking_m = 0.5;
         let found = of_run(&run(&light));
@@ -615,7 +615,7 @@ mod tests {
         assert!(remarks(&stack).iter().all(|it| !it.contains(&Warning::NoBaseline.to_string())));
     }
 
-    /// Thesis critique: half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.
+    /// Half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves.
     #[test]
     fn a_springs_own_mass_that_is_omitted_is_a_breach() {
         let text_of = |changes: &str| {

@@ -27,11 +27,6 @@ impl Run {
         std::iter::once(self).chain(behind.map(|run| &**run))
     }
 
-    /// The same without the base plate.
-    pub fn elements(&self) -> impl Iterator<Item = &Self> {
-        self.plates().take(self.stack.as_ref().map_or(1, |stack| stack.elements))
-    }
-
     /// The depth of the whole shot: into a stack, all thickness perforated and the depth in what stopped it, m.
     pub fn shot_depth_m(&self) -> Option<f64> {
         self.stack.as_ref().map_or(self.final_penetration_m, |stack| stack.penetration_m)

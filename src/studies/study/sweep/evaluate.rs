@@ -14,7 +14,7 @@ use crate::model::simulate::{self, Settings};
 use crate::study::compare::{self, Absence, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
-use crate::study::quantities::Quantity;
+use crate::study::quantities::{Quantity, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 
@@ -161,7 +161,7 @@ pub struct Evaluator<'p> {
 impl<'p> Evaluator<'p> {
     /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
     pub fn new(plan: &'p Plan, stop: &'p CancelFlag) -> Self {
-        let estimate = plan.outputs().iter().any(|output| output.name == "error_estimate");
+        let estimate = plan.outputs().iter().any(|output| output.is_estimate);
         Self {
             plan,
             stop,
@@ -278,13 +278,13 @@ impl<'p> Evaluator<'p> {
 
 /// An output of a run; why not, where a search with many shots does not give it, and empty where there is nothing to say.
 fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
-    match output.name {
-        "limit_velocity_m_s" => limit::velocity_m_s(&run.scene),
-        "limit_if_spring_survives_m_s" => compare::limit_if_spring_survives_m_s(&run.scene),
-        "mass_efficiency" => {
+    match output.search() {
+        Some(Search::Limit) => limit::velocity_m_s(&run.scene),
+        Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
+        Some(Search::MassEfficiency) => {
             let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
             found.map_err(Absence::words)
         }
-        _ => output.value(run).ok_or_else(String::new),
+        None => output.value(run).ok_or_else(String::new),
     }
 }
