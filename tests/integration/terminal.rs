@@ -404,7 +404,7 @@ fn the_size_is_asked_after_a_stop_and_on_a_redraw() {
 #[test]
 fn a_paste_is_text_and_what_is_no_key_is_swallowed() {
     let mut terminal = started();
-    terminal.send("jj\r");
+    terminal.send("gjjjjjjj\r");
     terminal.send("\x1b[200~150\x1b[201~\r");
     terminal.wait_until("the pasted velocity", |screen| {
         screen.hide_cursor() && screen.contents().contains(" 150 m/s")

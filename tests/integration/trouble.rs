@@ -50,8 +50,9 @@ fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
         pipe(&home.path().join(name));
     }
     let environment = &[("CMRA_LOG", "bogus")];
-    let mut terminal = started(Start { home: Some(home), environment, ..Start::default() });
-    assert!(terminal.screen().contents().contains("session cannot be read"));
+    let start = Start { home: Some(home), environment, ..Start::default() };
+    let mut terminal = Terminal::start_with(start);
+    terminal.wait_for("session cannot be read");
     shoot_at(&mut terminal, "150");
     // The list of presets comes all the same.
     terminal.send("p");
