@@ -13,6 +13,7 @@ pub mod library;
 pub mod paths;
 pub mod preset;
 pub mod read;
+pub mod recent;
 pub mod report;
 pub mod session;
 pub mod sweep;

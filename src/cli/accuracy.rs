@@ -114,8 +114,9 @@ fn page_of(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "{}", advice(report));
     }
     if let Some(printed) = printed_scheme(report) {
-        let _ = writeln!(page, "{printed}; T is the error of its step\n");
+        let _ = writeln!(page, "{printed}; T is the error of its step");
     }
+    page.push('\n');
     page.push_str(&chart(report));
     page.push_str(&table_of(report));
     if !report.is_complete {

@@ -54,9 +54,9 @@ impl Paths {
         self.state.join("session.toml")
     }
 
-    /// A session backed up because the program was started on something else.
-    pub fn previous_session_file(&self) -> PathBuf {
-        self.state.join("session.previous.toml")
+    /// The folder of the scenes that were left unsaved.
+    pub fn recent_folder(&self) -> PathBuf {
+        self.state.join("recent")
     }
 
     /// The log.

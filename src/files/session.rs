@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::read::{self, Accepts};
-use crate::files::write;
+use crate::files::{recent, write};
 use crate::model::scene::Scene;
 
 /// How many recent files are kept.
@@ -123,11 +123,7 @@ pub fn save(
         return Ok(None);
     }
     let aside = match there {
-        Some(there) if known.text.as_ref() != Some(&there) => {
-            let aside = aside(path, &there, &writer);
-            atomic::write(&aside, there.as_bytes(), Existing::Replace)?;
-            Some(aside)
-        }
+        Some(there) if known.text.as_ref() != Some(&there) => Some(aside(path, &there)?),
         Some(_) | None => None,
     };
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
@@ -172,7 +168,7 @@ pub fn load(path: &Path) -> Loaded {
         Err(error) => (None, (None, vec![error.to_string()])),
     };
     let notice = (!problems.is_empty()).then(|| {
-        let aside = free_name(path);
+        let aside = broken_name(path);
         let kept = match fs::rename(path, &aside) {
             Ok(()) => format!("it was kept as `{}`", aside.display()),
             Err(error) => format!("and it could not be backed up: {error}"),
@@ -206,46 +202,22 @@ fn body(text: &str) -> &str {
     text.split_once('\n').map_or(text, |(_, body)| body)
 }
 
-/// Where the session of another workbench goes: over an older one of the same, or of this one, which is about to keep a newer; else
-/// where there is none, and over the oldest when there are many.
-fn aside(path: &Path, there: &str, own: &str) -> PathBuf {
-    let theirs = writer_of(there);
-    let is_outdated = |path: &&PathBuf| {
-        let text = read::text_file(path, Accepts::Ordinary, BYTES_MAX).ok();
-        let writer = text.as_deref().and_then(writer_of);
-        writer.is_some() && (writer == theirs || writer == Some(own))
-    };
-    let age = |path: &PathBuf| fs::symlink_metadata(path).and_then(|found| found.modified()).ok();
-    let names = numbered(|ending| path.with_file_name(format!("session.other{ending}.toml")));
-    let free = || names.iter().find(|path| fs::symlink_metadata(path).is_err());
-    let chosen = names.iter().find(is_outdated).or_else(free);
-    let chosen = chosen.or_else(|| names.iter().min_by_key(|path| age(path)));
-    chosen.unwrap_or(&names[0]).clone()
+/// Keep the scene of another workbench's session; one that cannot be read is kept as it is.
+fn aside(path: &Path, there: &str) -> Result<PathBuf, FileError> {
+    if let Some(session) = parse(there).0 {
+        let owner = writer_of(there).unwrap_or("another");
+        return recent::keep(&path.with_file_name("recent"), &session.scene, Some(owner));
+    }
+    let broken = broken_name(path);
+    atomic::write(&broken, there.as_bytes(), Existing::Replace)?;
+    Ok(broken)
 }
 
-/// Names with an ending from none to nine.
-fn numbered(named: impl Fn(&str) -> PathBuf) -> [PathBuf; 9] {
-    ["", "-2", "-3", "-4", "-5", "-6", "-7", "-8", "-9"].map(named)
-}
-
-/// Where a damaged session goes: beside it, over no earlier one as long as there are few.
-fn free_name(path: &Path) -> PathBuf {
-    let names = numbered(|ending| {
-        let mut name = path.as_os_str().to_owned();
-        name.push(format!(".broken{ending}"));
-        PathBuf::from(name)
-    });
-    let free = names.iter().find(|path| fs::symlink_metadata(path).is_err());
-    free.unwrap_or(&names[0]).clone()
-}
-
-/// Copy a session aside before another one takes its place.
-///
-/// # Errors
-/// [`FileError`].
-pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
-    let text = read::text_file(from, Accepts::Ordinary, BYTES_MAX)?;
-    atomic::write(to, text.as_bytes(), Existing::Replace)
+/// Where a damaged session goes.
+fn broken_name(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".broken");
+    PathBuf::from(name)
 }
 
 /// The readable part of a session, and the errors.
@@ -303,14 +275,22 @@ mod tests {
     }
 
     #[test]
-    fn the_session_of_another_program_is_backed_up() {
+    fn the_scene_of_another_workbench_is_kept() {
         let place = tempfile::tempdir().unwrap();
-        let (path, aside) =
-            (place.path().join("session.toml"), place.path().join("session.other.toml"));
+        let path = place.path().join("session.toml");
         let of = |ratio: f64| {
             let mut session = example();
             session.scene.plate.mass_ratio = ratio;
             session
+        };
+        let kept = || -> Vec<f64> {
+            let files = recent::list(&place.path().join("recent"));
+            let scene =
+                |path: &PathBuf| read::text_file(path, Accepts::Ordinary, BYTES_MAX).unwrap();
+            let scenes = files.iter().map(|path| read::scene(&scene(path), "kept").unwrap());
+            let mut ratios: Vec<f64> = scenes.map(|scene| scene.plate.mass_ratio).collect();
+            ratios.sort_by(f64::total_cmp);
+            ratios
         };
         save(&path, &of(1.0), &mut Known::default()).unwrap();
         let (mut first, mut second) = (load(&path).known, load(&path).known);
@@ -318,31 +298,18 @@ mod tests {
         assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
         assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
         assert_eq!(load(&path).session, Some(of(2.0)));
-        assert!(!aside.exists());
-        // Both go on working.
-        assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), Some(aside.clone()));
-        assert_eq!(load(&aside).session, Some(of(2.0)));
-        assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), Some(aside.clone()));
-        assert_eq!(load(&aside).session, Some(of(3.0)));
-        assert_eq!(load(&path).session, Some(of(4.0)));
-        // A third one: nothing of the other two is lost.
-        let mut third = load(&path).known;
-        assert_eq!(save(&path, &of(5.0), &mut third).unwrap(), None);
-        assert_eq!(
-            save(&path, &of(6.0), &mut second).unwrap(),
-            Some(aside.with_file_name("session.other-2.toml"))
-        );
-        let kept = |name: &str| load(&place.path().join(name)).session;
-        assert_eq!(
-            (kept("session.other.toml"), kept("session.other-2.toml")),
-            (Some(of(3.0)), Some(of(5.0)))
-        );
-        assert_eq!(load(&path).session, Some(of(6.0)));
+        assert!(kept().is_empty());
+        // Both go on working: each has one scene among those that are kept.
+        assert!(save(&path, &of(3.0), &mut first).unwrap().is_some());
+        assert_eq!(kept(), [2.0]);
         save(&path, &of(4.0), &mut second).unwrap();
+        save(&path, &of(5.0), &mut first).unwrap();
+        assert_eq!(kept(), [3.0, 4.0]);
+        assert_eq!(load(&path).session, Some(of(5.0)));
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
-        assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), None);
-        assert_eq!(load(&path).session, Some(of(4.0)));
+        assert_eq!(save(&path, &of(5.0), &mut first).unwrap(), None);
+        assert_eq!(load(&path).session, Some(of(5.0)));
     }
 
     /// Each round, two that began on the same session save at the same moment: one of them is backed up.
@@ -365,9 +332,9 @@ mod tests {
                     });
                 }
             });
-            let kept = |name: &str| load(&place.path().join(name)).session.unwrap().scene.plate;
-            let (here, aside) = (kept("session.toml"), kept("session.other.toml"));
-            let both = here.mass_ratio + aside.mass_ratio;
+            let here = load(&path).session.unwrap().scene.plate.mass_ratio;
+            let aside = fs::read_to_string(place.path().join("recent/unsaved-1.toml")).unwrap();
+            let both = here + read::scene(&aside, "kept").unwrap().plate.mass_ratio;
             assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
         }
     }
@@ -400,10 +367,6 @@ mod tests {
         assert!(notice.contains("session.toml.broken"), "{notice}");
         assert!(!path.exists());
         let broken = place.path().join("session.toml.broken");
-        assert!(broken.exists());
-        // A second one does not cost the first.
-        fs::write(&path, "format = 2\n").unwrap();
-        assert!(load(&path).notice.unwrap().contains("session.toml.broken-2"));
         assert!(fs::read_to_string(broken).unwrap().contains("scene = 3"));
     }
 

@@ -22,6 +22,7 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read::Accepts;
 use crate::files::read_table;
+use crate::files::recent;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
@@ -255,7 +256,7 @@ fn drop_outdated(waiting: &mut VecDeque<Request>) {
 /// The message about another session found in place of ours.
 pub(super) fn of_another(aside: &Path) -> String {
     format!(
-        "another workbench has kept its session meanwhile: it was backed up as {}",
+        "another workbench has kept its session meanwhile: its scene is kept as {}",
         aside.display()
     )
 }
@@ -283,14 +284,18 @@ fn export(to: Destination, content: &Content) -> ExportOutcome {
     }
 }
 
-fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
+fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     let preset::List { presets, unreadable } = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
     for error in unreadable.iter().map(|one| &one.error).chain(&wrong_parts) {
         log::warn!("{error}");
     }
     // A recent file that is gone or broken is omitted: loading it says why.
-    let recent = recent.iter().filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
+    let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
+    let recent = unsaved
+        .iter()
+        .chain(opened)
+        .filter_map(|path| preset::from_file(path, Accepts::Ordinary).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,

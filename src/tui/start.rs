@@ -10,7 +10,7 @@ use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
-use crate::files::{atomic, config};
+use crate::files::{atomic, config, recent};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
@@ -119,7 +119,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     }
 }
 
-/// Back up the last session where another start would lose something of it: pins, or an edited scene. What to say of it.
+/// Keep the scenes of the last session where another start would lose them: of pins, and an edited one. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let untouched = *base_of_session(last, Some(paths)).scene == last.scene
         && last
@@ -129,12 +129,18 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     if untouched && last.pins.is_empty() {
         return None;
     }
-    let to = paths.previous_session_file();
+    let folder = paths.recent_folder();
+    // The scene last: it is the newest.
+    let scenes =
+        last.pins.iter().map(|(_, scene)| scene).chain((!untouched).then_some(&last.scene));
+    let kept =
+        scenes.map(|scene| recent::keep(&folder, scene, None)).collect::<Result<Vec<_>, _>>();
     let pins = counted_pins(last.pins.len());
-    Some(match session::put_aside(&paths.session_file(), &to) {
-        Ok(()) => {
+    Some(match kept {
+        Ok(_) => {
             let name = last.preset.as_deref().unwrap_or("a scene");
-            let text = format!("the last session ({name}{pins}) is kept as {}", to.display());
+            let text =
+                format!("the last session ({name}{pins}) is kept: <presets> lists it as recent");
             (Severity::Note, text)
         }
         Err(error) => (Severity::Warning, format!("the last session is not kept: {error}")),
@@ -306,10 +312,11 @@ mod tests {
     #[test]
     fn a_setup_that_comes_back_is_no_edit_of_the_scene() {
         let mut app = state();
-        let kept = |title: &str| [("Explore: quantity".to_owned(), title.to_owned())].into();
-        app.restore_setups(&kept("system mass"));
+        let kept =
+            |name: &str| [("Explore".to_owned(), format!(r#"{{ "output": "{name}" }}"#))].into();
+        app.restore_setups(&kept("system_mass_kg"));
         assert!(!app.is_modified());
-        app.restore_setups(&kept("max plate displacement"));
+        app.restore_setups(&kept("max_plate_displacement_m"));
         assert_eq!((app.pages.explore.output, app.is_modified()), (1, false));
     }
 
@@ -319,7 +326,6 @@ mod tests {
         press(&mut app, "44/gamma<Enter><Enter>1..5<Enter>l");
         app.pages.limit.absorber = Some("some foam".to_owned());
         let kept = app.setups();
-        assert_eq!(kept["Pareto front: gamma"], "1..5 off");
         let mut again = state();
         again.restore_setups(&kept);
         assert_eq!(again.pages.search.setup, app.pages.search.setup);
@@ -368,19 +374,12 @@ mod tests {
         );
         press(&mut app, "4/depth<Enter>l/gamma<Enter><Enter>1..5<Enter>/k<Enter>l");
         let kept = session(&app);
-        for (row, text) in [
-            ("Explore: shown as", "map"),
-            ("Goal seek: is", "45 %"),
-            ("Goal seek: variable", "k"),
-            ("Goal seek: from", "8e6"),
-            ("Pareto front: depth", "no"),
-            ("Pareto front: gamma", "1..5"),
-        ] {
-            assert_eq!(kept.setup.get(row).map(String::as_str), Some(text), "{row}");
+        assert!(kept.setup["Explore"].contains(r#""is_map":true"#), "{kept:?}");
+        // A variable that is held keeps its range.
+        let search = &kept.setup["Search"];
+        for part in ["k=8e6..9e6:65", "percent_of_baseline=45", "gamma=1..5:2", "k=0..7.5e6:2"] {
+            assert!(search.contains(part), "{part}: {search}");
         }
-        // One that is held keeps its range.
-        assert!(kept.setup["Pareto front: k"].ends_with(" off"), "{kept:?}");
-        assert!(kept.setup["Pareto front: k"].contains(".."), "{kept:?}");
         let mut again = state();
         restore(&mut again, kept.clone(), None);
         assert_eq!(again.scene, app.scene);
@@ -442,16 +441,16 @@ mod tests {
         let (state, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(state.recent, last.recent);
-        assert!(!paths.previous_session_file().exists());
+        assert!(recent::list(&paths.recent_folder()).is_empty());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
         let (state, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.log.last().unwrap().text.clone();
-        assert!(text.contains("1 pinned run") && text.contains("session.previous.toml"), "{text}");
-        let kept = session::load(&paths.previous_session_file()).session;
-        assert_eq!(kept, Some(last));
+        assert!(text.contains("1 pinned run") && text.contains("as recent"), "{text}");
+        let kept = recent::list(&paths.recent_folder());
+        assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);
     }
 
     #[test]

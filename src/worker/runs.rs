@@ -88,9 +88,9 @@ pub(super) fn run(
     run.cost.took_s = Some(took.as_secs_f64());
     if run.end.is_complete() {
         let mut left = PLASTIC_STEPS;
-        let mut observer = |t_s| {
+        let mut observer = |_| {
             left = left.saturating_sub(1);
-            if left == 0 { ControlFlow::Break(()) } else { observer(t_s) }
+            if left == 0 { ControlFlow::Break(()) } else { reporter.goes_on() }
         };
         run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
     }

@@ -81,7 +81,7 @@ fn two_workbenches_at_once_lose_nothing_of_each_other() {
     let shared = tempfile::tempdir().unwrap();
     let state = shared.path().to_str().unwrap();
     let session = shared.path().join("cmra/session.toml");
-    let other = shared.path().join("cmra/session.other.toml");
+    let recent = |number: u32| shared.path().join(format!("cmra/recent/unsaved-{number}.toml"));
     let environment = &[("XDG_STATE_HOME", state)];
     let mut first = started(Start { environment, ..Start::default() });
     let mut second = started(Start { environment, ..Start::default() });
@@ -91,12 +91,12 @@ fn two_workbenches_at_once_lose_nothing_of_each_other() {
     second.send("q");
     assert_eq!(second.wait_exit().exit_code(), 0);
     wait_for_text(&session, "125.0");
-    wait_for_text(&other, "150.0");
+    wait_for_text(&recent(1), "150.0");
     // The first one goes on, and says what it has found.
     shoot_at(&mut first, "175");
     first.wait_for("another workbench");
     wait_for_text(&session, "175.0");
-    wait_for_text(&other, "125.0");
+    wait_for_text(&recent(2), "125.0");
     first.send("q");
     assert_eq!(first.wait_exit().exit_code(), 0);
 }

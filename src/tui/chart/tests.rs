@@ -266,15 +266,15 @@ fn charts_in_one_box_share_the_axis_in_its_lower_line() {
     charts[0].title = "Depth 4 m".into();
     charts[0].note = "A = now".into();
     let lines = charts.each_ref().map(|chart| chart.to_lines(29, 6, Theme::PLAIN));
-    assert_eq!(lines[0][0], "+- Depth 4 m ---- A = now --+");
+    assert_eq!(lines[0][0], "+- Depth 4 m ------ A = now +");
     assert_eq!(layout_of(&charts[0], Rect::new(0, 0, 29, 6)).plot.height, 5);
     assert_eq!(lines[1][0], "+- y [m] -------------------+");
-    assert_eq!(lines[1][5], "+---+0---5---10---15---- s -+");
+    let axis = &lines[1][5];
+    assert!(axis.starts_with("+---+0") && axis.ends_with(" s +"), "{axis}");
     let below = layout_of(&charts[1], Rect::new(0, 0, 29, 6));
-    for (value, at) in [(5.0, lines[1][5].find('5')), (10.0, lines[1][5].find("10"))] {
-        let column = below.x.cell(value).map(|cell| usize::from(below.plot.x + cell));
-        assert!(column.zip(at).is_some_and(|(column, at)| column - at <= 1), "{column:?} {at:?}");
-    }
+    let column = below.x.cell(10.0).map(|cell| usize::from(below.plot.x + cell));
+    // Of two digits the second stands at the value.
+    assert_eq!(axis.find("10").map(|at| at + 1), column, "{axis}");
 }
 
 #[test]

@@ -119,7 +119,7 @@ impl App {
         let explore = self.pages.explore.found(self.picture());
         let explore = explore.map_or(&[][..], |found| &found.grid.outside_at_ends);
         let search = self.pages.search.shown();
-        let search = search.map_or(&[][..], |found| found.answer.outside_at_ends());
+        let search = search.map_or(&[][..], |found| found.answer.answer().outside_at_ends());
         for (heading, ends) in [("Explore", explore), ("Search", search)] {
             if !ends.is_empty() {
                 let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));

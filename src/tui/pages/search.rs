@@ -1,12 +1,17 @@
 //! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
+pub(crate) mod answer;
 pub(crate) mod draw;
+mod front;
+pub(crate) mod kept;
+mod monte_carlo;
+mod seek;
+mod sensitivity;
 pub mod setup;
 pub mod state;
-pub(crate) mod words;
 
 use crate::study::quantities::{Needs, named};
-use crate::study::search::front;
+use crate::study::search::front::SAMPLES as DESIGNS;
 use crate::study::search::seek::SCAN;
 use crate::study::sweep::Axis;
 use crate::tui::app::history::{Snapshot, Stepping};
@@ -16,8 +21,8 @@ use crate::tui::dialogs::{ask, wrap};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::run::steps::{Input, Press};
-use crate::tui::pages::search::setup::{Bound, Setup, brief, read_bound};
-use crate::tui::pages::search::state::{Request, Row, StudyResult, completeness};
+use crate::tui::pages::search::setup::{Bound, Setup, read_bound};
+use crate::tui::pages::search::state::{Request, Row};
 use crate::tui::update::act::{along, move_by};
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, percent, quantity_after};
@@ -132,34 +137,7 @@ impl Page for SearchTab {
         if let Some(problem) = tab.problem() {
             return note(Some(problem.clone()));
         }
-        note(match &*tab.shown()?.answer {
-            StudyResult::Seek(report) => {
-                let solution = report.solutions().nth(tab.chosen()?)?;
-                let at = report.axis.show(solution.place.at, 5);
-                let value = report.measure.show(solution.place.value, 4);
-                let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
-                Some(format!("{} {at}: {value}{loads}", report.axis.symbol()))
-            }
-            StudyResult::Front(front) => {
-                let design = *tab.designs().get(tab.selected())?;
-                let request = &front.request;
-                let values = request.over.iter().zip(&design.values);
-                let values = values
-                    .map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)));
-                let values: Vec<String> = values.collect();
-                let results = design.measures.iter().zip(request.measures());
-                let results = results.filter_map(|(value, column)| {
-                    Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
-                });
-                let (at, count) = (tab.selected() + 1, tab.choices());
-                let results = results.collect::<Vec<String>>().join(", ");
-                let knee =
-                    if tab.selects_knee() { words::of_knee(tab, front) } else { String::new() };
-                Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
-            }
-            StudyResult::Sensitivity(_) => Some("+- is the 95 % confidence interval".to_owned()),
-            StudyResult::MonteCarlo(_) => None,
-        })
+        note(tab.answer()?.readout(app))
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -175,9 +153,9 @@ impl Page for SearchTab {
             (Some((_, false)), _) => Progress::Running("another search is running".to_owned()),
             (None, Some(_)) if app.search_is_old() => Progress::Old("setup"),
             (None, Some(found)) => {
-                let (is_complete, runs) = completeness(&found.answer);
-                count = runs;
-                if is_complete {
+                let answer = found.answer.answer();
+                count = answer.effort();
+                if answer.is_complete() {
                     Progress::Done("done".to_owned())
                 } else {
                     Progress::Cut(String::new())
@@ -189,10 +167,10 @@ impl Page for SearchTab {
         let refused = || part(Severity::Error, "this cannot be searched for");
         let first = if problem { refused() } else { progress.part() };
         let count = count.map(|runs| part(Severity::Note, runs));
-        let answer = tab.shown().filter(|_| running.is_none()).map(|found| &*found.answer);
-        let validity = words::validity_of(app, answer);
+        let answer = tab.answer().filter(|_| running.is_none());
+        let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
         let found = tab.shown().filter(|_| running.is_none() && !app.search_is_old());
-        let ends = found.into_iter().flat_map(|found| found.answer.outside_at_ends());
+        let ends = found.into_iter().flat_map(|found| found.answer.answer().outside_at_ends());
         let ends = self::validity(ends.map(|it| it.0), " at the ends", " (<tab-log>:Log)");
         std::iter::once(first).chain(ends).chain(validity).chain(count).collect()
     }
@@ -228,7 +206,7 @@ impl Page for SearchTab {
         let found = app.pages.search.shown()?.clone();
         let (scene, is_complete, command) =
             (Arc::clone(&found.scene), found.is_complete(), found.request.command());
-        let listed = words::listed_rows(&app.pages.search);
+        let listed = app.pages.search.listed_rows();
         let csv = move |name: &str| found.csv(name, listed.as_deref());
         let table = PageTable::new("Export the results to CSV", file, is_complete, csv);
         Some(table.of(app, &scene, &command))
@@ -287,7 +265,7 @@ impl Page for SearchTab {
             return None;
         }
         let tab = &mut app.pages.search;
-        let (x, about) = draw::across(tab)?;
+        let (x, about) = tab.answer()?.across(tab)?;
         Some(Across::of(&mut tab.zoomed[tab.page as usize], x.view, x.scale, about))
     }
 
@@ -439,7 +417,7 @@ fn step_number(setup: &mut Setup, row: Row, press: Press) {
         Row::Stroke => setup.stroke_m = press.up.then(|| setup.stroke_m.unwrap_or(1.0)),
         Row::Designs => {
             let tried = if press.up { 2 * setup.designs } else { setup.designs / 2 };
-            setup.designs = tried.clamp(*front::SAMPLES.start(), *front::SAMPLES.end());
+            setup.designs = tried.clamp(*DESIGNS.start(), *DESIGNS.end());
         }
         Row::Percent => {
             setup.percent = (setup.percent + 0.5 * press.by() as f64).clamp(0.5, 50.0);
@@ -468,7 +446,7 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             let bounds = text.split(',').filter(|_| text != "none").map(str::parse);
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
-        Row::Designs => setup.designs = whole(text, &front::SAMPLES)?,
+        Row::Designs => setup.designs = whole(text, &DESIGNS)?,
         Row::Percent => setup.percent = percent(text, 1e-3..=100.0)?,
         Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
         _ => {}

@@ -133,7 +133,7 @@ impl App {
 }
 
 /// How many curves a family may have.
-const CURVES: RangeInclusive<u64> = 2..=7;
+pub(crate) const CURVES: RangeInclusive<u64> = 2..=7;
 
 /// What an action does to a held variable beside typing a number; `None` where it means nothing of its own.
 pub(crate) fn act(app: &mut App, action: Action) -> bool {

@@ -113,7 +113,8 @@ impl App {
     pub fn name_of(&self, scene: &Scene) -> String {
         let differing = Self::differing(scene, &self.base.scene);
         if differing.is_empty() {
-            return self.base.name.clone();
+            // Of a path, the file.
+            return self.base.name.rsplit('/').next().unwrap_or_default().to_owned();
         }
         let shown = |index: usize| {
             let variable = &VARIABLES[index];

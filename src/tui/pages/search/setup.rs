@@ -3,15 +3,14 @@
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, Group, Value, Variable};
-use crate::study::monte_carlo::{self, USUAL_DEVIATION, usual_tolerances};
-use crate::study::quantities::{self, Quantity, named};
-use crate::study::search::front::{self, Constraint, Objective, USUAL};
-use crate::study::search::seek::{self, Goal, SCAN, SCAN_USUAL};
-use crate::study::sensitivity;
+use crate::study::quantities::{Quantity, named};
+use crate::study::search::front::{Constraint, USUAL};
+use crate::study::search::seek::SCAN_USUAL;
 use crate::study::sweep::usual::thesis_axes;
 use crate::study::sweep::{Axis, COUNTS, Spacing};
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::state::{Page, Request};
+use crate::tui::pages::search::{front, monte_carlo, seek, sensitivity};
 use crate::tui::widgets::axis::{Part, meaning, numeric, over};
 use crate::tui::widgets::form::{Form, FormRow, quantity_meaning};
 
@@ -57,7 +56,7 @@ impl Default for Setup {
             stroke_m: Some(1.0),
             subject_to: Vec::new(),
             feasible: true,
-            designs: front::Request::default().samples,
+            designs: crate::study::search::front::Request::default().samples,
             axes: (0, 1),
             output: "percent_of_baseline",
             percent: 2.0,
@@ -136,35 +135,12 @@ impl App {
     /// The rows of the setup of a page, headings included.
     fn search_rows(&self, page: Page) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
-        let mut rows = Vec::new();
         match page {
-            Page::Seek => {
-                rows.extend([Row::Heading("Goal"), Row::Result, Row::Goal]);
-                rows.push(Row::Heading("Vary"));
-                let parts = [Part::Name, Part::From, Part::To, Part::Spacing, Part::Points];
-                rows.extend(parts.map(Row::Axis));
-            }
-            Page::Front => {
-                rows.push(Row::Heading("Minimise"));
-                rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-                rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
-                rows.extend(bounds());
-                rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
-                rows.extend([Row::Heading("Effort"), Row::Designs]);
-            }
-            Page::Sensitivity => {
-                rows.extend([Row::Heading("Of"), Row::Output, Row::Heading("Vary")]);
-                rows.extend(bounds());
-            }
-            Page::MonteCarlo => rows.extend([
-                Row::Heading("Every input"),
-                Row::Percent,
-                Row::Samples,
-                Row::Heading("Show"),
-                Row::Output,
-            ]),
+            Page::Seek => seek::rows(),
+            Page::Front => front::rows(bounds()),
+            Page::Sensitivity => sensitivity::rows(bounds()),
+            Page::MonteCarlo => monte_carlo::rows(),
         }
-        rows
     }
 
     /// The rows that can be selected.
@@ -265,49 +241,10 @@ impl App {
             Ok(varied)
         };
         Ok(match page {
-            Page::Seek => {
-                let over = Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
-                let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
-                Request::Seek(seek::Request { over, goal: Goal { measure, target: setup.goal.1 } })
-            }
-            Page::Front => Request::Front(self.front_request(axes()?)?),
-            Page::Sensitivity => {
-                let output = named(setup.output).map_err(|error| error.to_string())?;
-                let output = Some(output).filter(|it| it.name != quantities::usual_of(&self.scene));
-                let usual = sensitivity::Request::default();
-                Request::Sensitivity(sensitivity::Request { over: axes()?, output, ..usual })
-            }
-            Page::MonteCarlo => {
-                let usual = monte_carlo::Request::default();
-                let deviation = setup.percent / 100.0;
-                let is_usual = (deviation - USUAL_DEVIATION).abs() < 1e-12;
-                let vary = (!is_usual).then(|| usual_tolerances(&self.scene, deviation));
-                let samples = Some(setup.samples).filter(|it| *it != Setup::default().samples);
-                let vary = vary.unwrap_or_default();
-                Request::MonteCarlo(monte_carlo::Request { vary, samples, ..usual })
-            }
-        })
-    }
-
-    fn front_request(&self, over: Vec<Axis>) -> Result<front::Request, String> {
-        let setup = &self.pages.search.setup;
-        let chosen = self.chosen_objectives().into_iter();
-        let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
-        let objectives: Vec<Objective> =
-            objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
-        if objectives.is_empty() {
-            return Err(
-                "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
-            );
-        }
-        let stroke = setup.stroke_m.zip(named("stroke_m").ok());
-        let stroke = stroke.map(|(bound, measure)| Constraint { measure, at_most: true, bound });
-        Ok(front::Request {
-            over,
-            objectives,
-            subject_to: stroke.into_iter().chain(setup.subject_to.iter().copied()).collect(),
-            is_feasible: setup.feasible,
-            samples: setup.designs,
+            Page::Seek => Request::Seek(seek::request(setup)?),
+            Page::Front => Request::Front(front::request(self, axes()?)?),
+            Page::Sensitivity => Request::Sensitivity(sensitivity::request(self, axes()?)?),
+            Page::MonteCarlo => Request::MonteCarlo(monte_carlo::request(self)),
         })
     }
 }

@@ -1,19 +1,15 @@
 //! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
 
-use crate::model::run::envelope::Check;
 use crate::numerics::statistics::ascending;
-use crate::report;
-use crate::report::table::{Cells, Table};
-use crate::study::monte_carlo::{self, Summary};
+use crate::study::monte_carlo;
 use crate::study::search::front::{self, Design, Front};
 use crate::study::search::seek;
 use crate::study::sensitivity;
-use crate::study::validity;
 use crate::tui::app::layout::CHART_ROWS;
-use crate::tui::pages::explore::state::{copy_value, placed};
+use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::prelude::*;
 use crate::tui::pages::search::PAGES;
-use crate::tui::pages::search::words::design_cells;
+use crate::tui::pages::search::answer::Answer;
 use crate::tui::widgets::table::{Listing, Sorting};
 
 pub use crate::tui::pages::search::setup::Bound;
@@ -97,16 +93,6 @@ impl Searching {
         }
     }
 
-    /// The measure that the Monte Carlo page draws, with its values.
-    pub(super) fn sampled(&self) -> Option<&Summary> {
-        let found = self.found[Page::MonteCarlo as usize].as_ref();
-        let Some(StudyResult::MonteCarlo(report)) = found.map(|found| &*found.answer) else {
-            return None;
-        };
-        let name = self.setup.output;
-        report.summaries.iter().find(|summary| summary.measure.name == name)
-    }
-
     /// The measure that the table of the front is sorted by, by its place.
     pub fn sorted(&self, front: &Front) -> usize {
         let by = self.listing[Page::Front as usize].sorting.0;
@@ -127,24 +113,20 @@ impl Searching {
         ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
     }
 
+    /// The result of the page shown.
+    pub(crate) fn answer(&self) -> Option<&dyn Answer> {
+        Some(self.shown()?.answer.answer())
+    }
+
     /// The places of the designs or solutions that are listed, in the order of the table.
     pub fn order(&self) -> Vec<usize> {
-        match self.shown().map(|found| &*found.answer) {
-            Some(StudyResult::Seek(report)) => {
-                let solutions = report.solutions().zip(&report.checked);
-                let texts =
-                    solutions.map(|(it, checked)| report::seek::solution(report, it, checked));
-                let cells: Vec<String> = texts.collect();
-                let places = (0..cells.len()).collect();
-                let column = Cells { head: String::new(), is_text: true, cells };
-                self.listing().matching(places, || vec![column])
-            }
-            Some(StudyResult::Front(front)) => {
-                let sorted = self.sorted_places(front);
-                self.listing().matching(sorted, || design_cells(self, front))
-            }
-            Some(StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_)) | None => Vec::new(),
-        }
+        self.answer().map_or_else(Vec::new, |answer| answer.order(self))
+    }
+
+    /// The places in the exported table of the rows that are listed; `None` where all are.
+    pub(super) fn listed_rows(&self) -> Option<Vec<usize>> {
+        let answer = self.answer().filter(|_| !self.listing().filter.is_empty())?;
+        Some(answer.listed(self))
     }
 
     /// Whether only some designs or solutions are listed.
@@ -177,15 +159,7 @@ impl Searching {
 
     /// Whether there is something to draw on the page shown.
     fn draws(&self) -> bool {
-        match self.shown().map(|found| &*found.answer) {
-            Some(StudyResult::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
-            Some(StudyResult::Front(front)) => !front.designs.is_empty(),
-            Some(StudyResult::MonteCarlo(report)) => {
-                let drawn = |it: &&Summary| it.measure.name == self.setup.output;
-                report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
-            }
-            Some(StudyResult::Sensitivity(_)) | None => false,
-        }
+        self.answer().is_some_and(|answer| answer.draws(self))
     }
 
     /// Whether a right pane of this height has no room for a chart and this many lines of text: then z shows the text alone.
@@ -271,6 +245,12 @@ fn words_rows(lines: usize) -> u16 {
 }
 
 impl App {
+    /// What the page shown says in words, without what its chart draws.
+    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
+        let answer = self.pages.search.answer();
+        answer.map_or_else(Vec::new, |answer| answer.lines(self, width))
+    }
+
     /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do not
     /// count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
@@ -278,11 +258,7 @@ impl App {
         let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
-        let over = match &*found.answer {
-            StudyResult::Seek(report) => std::slice::from_ref(&report.axis),
-            StudyResult::Front(front) => &front.request.over,
-            StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_) => &[],
-        };
+        let over = found.answer.answer().over();
         over.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
         *found.scene != scene || request.as_ref() != Some(&found.request)
     }
@@ -296,78 +272,18 @@ impl App {
         if self.search_is_old() {
             return Err(old("setup"));
         }
-        let scene = (*self.scene).clone();
-        match &*found.answer {
-            StudyResult::Seek(report) => {
-                let Some(solution) = tab.chosen().and_then(|at| report.solutions().nth(at)) else {
-                    return Err("no solution to load: change the goal or the range".to_owned());
-                };
-                Ok(placed(scene, [(&report.axis, solution.place.at)]))
-            }
-            StudyResult::Front(front) => {
-                let designs = tab.designs();
-                let Some(design) = designs.get(tab.selected()) else {
-                    return Err("no design to load: relax a constraint or a bound".to_owned());
-                };
-                let values = front.request.over.iter().zip(design.values.iter().copied());
-                let sorted = tab.sorted_places(front);
-                let number = sorted.iter().position(|at| Some(*at) == tab.chosen());
-                let label = format!("design {} of the front", number.unwrap_or(0) + 1);
-                Ok(LabelledScene { label, ..placed(scene, values) })
-            }
-            StudyResult::Sensitivity(_) | StudyResult::MonteCarlo(_) => {
-                Err("no design to load here: goal seek and the Pareto front have some".to_owned())
-            }
-        }
+        found.answer.answer().design(self)
     }
 }
 
 impl SearchResult {
     /// The results as a table; the scene has this name. Of listed results it has the rows that are listed.
     pub fn csv(&self, name: &str, listed: Option<&[usize]>) -> String {
-        let scene = &self.scene;
-        match &*self.answer {
-            StudyResult::Seek(it) => {
-                only(report::seek::table(name, it), listed, &report::seek::warnings(scene, it))
-            }
-            StudyResult::Front(front) => {
-                only(report::front::table(name, front), listed, &report::front::warnings(front))
-            }
-            StudyResult::Sensitivity(it) => {
-                let warnings = validity::of_axes(scene, &it.axes);
-                only(report::sensitivity::table(name, it), listed, &warnings)
-            }
-            StudyResult::MonteCarlo(it) => {
-                let warnings = report::monte_carlo::warnings(scene, it);
-                only(report::monte_carlo::table(name, it), listed, &warnings)
-            }
-        }
+        self.answer.answer().csv(&self.scene, name, listed)
     }
 
     pub fn is_complete(&self) -> bool {
-        completeness(&self.answer).0
-    }
-}
-
-/// A table with the rows at some places and with warnings, as CSV; with all rows where none are named.
-fn only<R>(mut table: Table<'_, R>, listed: Option<&[usize]>, warnings: &[String]) -> String {
-    let mut at = 0..;
-    table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
-    table.with_warnings(warnings).csv()
-}
-
-/// Whether an answer is whole, and how much went into it.
-pub(super) fn completeness(answer: &StudyResult) -> (bool, Option<String>) {
-    match answer {
-        StudyResult::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
-        StudyResult::Front(front) => {
-            let text = format!("{} designs after {} runs", front.designs.len(), front.runs);
-            (front.is_complete, Some(text))
-        }
-        StudyResult::Sensitivity(report) => (report.sobol.is_some(), None),
-        StudyResult::MonteCarlo(report) => {
-            (report.is_complete, Some(format!("{} samples", report.samples)))
-        }
+        self.answer.answer().is_complete()
     }
 }
 
@@ -410,16 +326,6 @@ pub enum StudyResult {
     Front(Box<Front>),
     Sensitivity(sensitivity::Report),
     MonteCarlo(monte_carlo::Report),
-}
-
-impl StudyResult {
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
-    pub fn outside_at_ends(&self) -> &[(Check, String)] {
-        match self {
-            Self::Sensitivity(report) => &report.outside_at_ends,
-            Self::Seek(_) | Self::Front(_) | Self::MonteCarlo(_) => &[],
-        }
-    }
 }
 
 impl Study for Request {

@@ -1,0 +1,88 @@
+//! The last five scenes that were left unsaved: scene files in a folder of their own, which the list of presets shows as recent.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use crate::files::atomic::{self, Existing};
+use crate::files::error::FileError;
+use crate::files::read::{self, Accepts};
+use crate::files::write;
+use crate::model::scene::Scene;
+
+/// How many scenes are kept.
+const KEPT: u32 = 5;
+
+/// Keep a scene of a workbench, and give its file: over an older one of the same scene or owner, else where there is none, else over
+/// the oldest. Without an owner every other scene is kept by itself.
+///
+/// # Errors
+/// [`FileError`].
+pub fn keep(folder: &Path, scene: &Scene, owner: Option<&str>) -> Result<PathBuf, FileError> {
+    let text = write::fresh(scene);
+    let head = format!("# left unsaved by workbench {}\n", owner.unwrap_or("of the last session"));
+    let files = (1..=KEPT).map(|number| folder.join(format!("unsaved-{number}.toml")));
+    let files: Vec<PathBuf> = files.collect();
+    let is_outdated = |path: &&PathBuf| {
+        let there = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).unwrap_or_default();
+        owner.is_some() && there.starts_with(&head) || there.ends_with(&text)
+    };
+    let free = || files.iter().find(|path| fs::symlink_metadata(path).is_err());
+    let oldest = || files.iter().min_by_key(|path| modified(path));
+    let chosen = files.iter().find(is_outdated).or_else(free).or_else(oldest);
+    let path = chosen.cloned().unwrap_or_else(|| folder.join("unsaved-1.toml"));
+    atomic::make_folder_of(&path)?;
+    atomic::write(&path, (head + &text).as_bytes(), Existing::Replace)?;
+    Ok(path)
+}
+
+/// The files that are kept, newest first.
+pub fn list(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    files.sort_by_key(|path| std::cmp::Reverse((modified(path), path.clone())));
+    files
+}
+
+fn modified(path: &Path) -> Option<SystemTime> {
+    fs::symlink_metadata(path).and_then(|found| found.modified()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::preset;
+
+    #[test]
+    fn five_scenes_are_kept_and_open_by_their_paths() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path().join("recent");
+        let of = |ratio: f64| {
+            let mut scene = Scene::default();
+            scene.plate.mass_ratio = ratio;
+            scene
+        };
+        let scene_in = |path: &Path| preset::from_file(path, Accepts::Ordinary).unwrap().scene;
+        for ratio in [1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 6.0] {
+            let path = keep(&folder, &of(ratio), None).unwrap();
+            assert_eq!(scene_in(&path), of(ratio));
+        }
+        assert_eq!(list(&folder).len(), 5);
+        let kept: Vec<Scene> = list(&folder).iter().map(|path| scene_in(path)).collect();
+        assert!((2..=6).all(|ratio| kept.contains(&of(f64::from(ratio)))), "{kept:?}");
+    }
+
+    #[test]
+    fn a_workbench_that_goes_on_has_one_of_them() {
+        let place = tempfile::tempdir().unwrap();
+        for tolerance in [1e-6, 1e-7, 1e-8] {
+            let mut scene = Scene::default();
+            scene.run.tolerance = tolerance;
+            keep(place.path(), &scene, Some("A")).unwrap();
+        }
+        assert_eq!(list(place.path()).len(), 1);
+    }
+}

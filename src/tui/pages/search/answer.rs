@@ -1,0 +1,122 @@
+//! What the page of a study has to say of its result.
+
+use crate::model::run::envelope::Check;
+use crate::report::Remark;
+use crate::report::table::Table;
+use crate::study::sweep;
+use crate::tui::chart::Axis;
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::state::{Searching, StudyResult};
+use crate::tui::widgets::table::{Grid, Listing, NO_MATCH};
+
+/// The result of a study of the tab, as its page shows it.
+pub(crate) trait Answer {
+    /// The axes that a design of it is a point of.
+    fn over(&self) -> &[sweep::Axis] {
+        &[]
+    }
+
+    fn is_complete(&self) -> bool;
+
+    /// How much went into it.
+    fn effort(&self) -> Option<String> {
+        None
+    }
+
+    /// The places of the designs or solutions that are listed, in the order of the table.
+    fn order(&self, _tab: &Searching) -> Vec<usize> {
+        Vec::new()
+    }
+
+    /// The design under the cursor, as a change of a scene.
+    fn design(&self, _app: &App) -> Result<LabelledScene, String> {
+        Err("no design to load here: goal seek and the Pareto front have some".to_owned())
+    }
+
+    /// What is under the cursor.
+    fn readout(&self, _app: &App) -> Option<String> {
+        None
+    }
+
+    /// What of its designs is outside validity; of the scene, where it has no designs.
+    fn validity(&self, app: &App) -> Option<StatusPart> {
+        app.validity_part()
+    }
+
+    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    fn outside_at_ends(&self) -> &[(Check, String)] {
+        &[]
+    }
+
+    /// What it says in words, without what its chart draws.
+    fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
+
+    /// The places in the exported table of the rows that are listed.
+    fn listed(&self, tab: &Searching) -> Vec<usize>;
+
+    /// The results of a scene of this name as a table; of listed results it has the rows that are listed.
+    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String;
+
+    /// Whether there is something to draw.
+    fn draws(&self, _tab: &Searching) -> bool {
+        false
+    }
+
+    /// The axis across of the chart, all of it, and where the selected point is on it.
+    fn across(&self, _tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
+        None
+    }
+
+    fn draw(&self, _app: &App, _area: Rect, _focused: bool, _canvas: &mut Canvas<'_>) {}
+}
+
+impl StudyResult {
+    pub(crate) fn answer(&self) -> &dyn Answer {
+        match self {
+            Self::Seek(report) => report,
+            Self::Front(front) => &**front,
+            Self::Sensitivity(report) => report,
+            Self::MonteCarlo(report) => report,
+        }
+    }
+}
+
+pub(super) fn note(text: String) -> TextLine {
+    (text, Role::Text)
+}
+
+/// Words about a result as a line.
+pub(super) fn line(remark: Remark) -> TextLine {
+    (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
+}
+
+/// A line that says that no row matches, where that is so.
+pub(super) fn no_match(app: &App, is_so: bool) -> Option<TextLine> {
+    is_so.then(|| (app.keymap.shown(NO_MATCH), Role::Dim))
+}
+
+/// The rows of a table that are listed, in a given number of columns, below their headings.
+pub(super) fn table_lines<R>(
+    table: &Table<'_, R>,
+    keys: &[&str],
+    listing: &Listing,
+    width: usize,
+) -> impl Iterator<Item = TextLine> {
+    let rows = listing.order(table, keys);
+    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+    let grid = Grid::shortened(table.cells(keys), room);
+    std::iter::once(None)
+        .chain(rows.into_iter().map(Some))
+        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
+}
+
+/// A table with the rows at some places and with warnings, as CSV; with all rows where none are named.
+pub(super) fn only<R>(
+    mut table: Table<'_, R>,
+    listed: Option<&[usize]>,
+    warnings: &[String],
+) -> String {
+    let mut at = 0..;
+    table.rows.retain(|_| at.next().is_none_or(|at| listed.is_none_or(|it| it.contains(&at))));
+    table.with_warnings(warnings).csv()
+}

@@ -1,0 +1,224 @@
+//! The Pareto front: its setup, its request, and what was found.
+
+use crate::report::front::{lacks, page_keys, table, warnings};
+use crate::report::table::Cells;
+use crate::study::quantities::named;
+use crate::study::search::front::{self, Constraint, Design, Front, Objective, USUAL};
+use crate::study::sweep;
+use crate::study::validity::counted;
+use crate::tui::app::status::outside;
+use crate::tui::chart::{Axis, Chart, Curve, Layout};
+use crate::tui::pages::explore::state::placed;
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::RESULTS;
+use crate::tui::pages::search::answer::{Answer, no_match, note, only};
+use crate::tui::pages::search::draw::lines_below;
+use crate::tui::pages::search::setup::{OBJECTIVES, Row, brief};
+use crate::tui::pages::search::state::Searching;
+use crate::tui::widgets::table::Grid;
+use crate::tui::widgets::text::broken;
+
+pub(super) fn rows(bounds: impl Iterator<Item = Row>) -> Vec<Row> {
+    let mut rows = vec![Row::Heading("Minimise")];
+    rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
+    rows.extend([Row::Stroke, Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
+    rows.extend(bounds);
+    rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
+    rows.extend([Row::Heading("Effort"), Row::Designs]);
+    rows
+}
+
+/// What the setup asks for, over these variables.
+pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<front::Request, String> {
+    let setup = &app.pages.search.setup;
+    let chosen = app.chosen_objectives().into_iter();
+    let objectives = chosen.map(|at| Objective::of(USUAL[at], false));
+    let objectives: Vec<Objective> =
+        objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+    if objectives.is_empty() {
+        return Err(
+            "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
+        );
+    }
+    let stroke = setup.stroke_m.zip(named("stroke_m").ok());
+    let stroke = stroke.map(|(bound, measure)| Constraint { measure, at_most: true, bound });
+    Ok(front::Request {
+        over,
+        objectives,
+        subject_to: stroke.into_iter().chain(setup.subject_to.iter().copied()).collect(),
+        is_feasible: setup.feasible,
+        samples: setup.designs,
+    })
+}
+
+impl Answer for Front {
+    fn over(&self) -> &[sweep::Axis] {
+        &self.request.over
+    }
+
+    fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    fn effort(&self) -> Option<String> {
+        Some(format!("{} designs after {} runs", self.designs.len(), self.runs))
+    }
+
+    fn order(&self, tab: &Searching) -> Vec<usize> {
+        tab.listing().matching(tab.sorted_places(self), || design_cells(tab, self))
+    }
+
+    fn design(&self, app: &App) -> Result<LabelledScene, String> {
+        let tab = &app.pages.search;
+        let (designs, none) = (tab.designs(), "no design to load: relax a constraint or a bound");
+        let design = designs.get(tab.selected()).ok_or(none)?;
+        let values = self.request.over.iter().zip(design.values.iter().copied());
+        let number = tab.sorted_places(self).iter().position(|at| Some(*at) == tab.chosen());
+        let label = format!("design {} of the front", number.unwrap_or(0) + 1);
+        Ok(LabelledScene { label, ..placed((*app.scene).clone(), values) })
+    }
+
+    fn readout(&self, app: &App) -> Option<String> {
+        let tab = &app.pages.search;
+        let design = *tab.designs().get(tab.selected())?;
+        let request = &self.request;
+        let values = request.over.iter().zip(&design.values);
+        let values =
+            values.map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)));
+        let values: Vec<String> = values.collect();
+        let results = design.measures.iter().zip(request.measures());
+        let results = results.filter_map(|(value, column)| {
+            Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
+        });
+        let (at, count) = (tab.selected() + 1, tab.choices());
+        let results = results.collect::<Vec<String>>().join(", ");
+        let knee = if tab.selects_knee() { of_knee(tab, self) } else { String::new() };
+        Some(format!("#{at}/{count}{knee}, {}: {results}", values.join(" ")))
+    }
+
+    fn validity(&self, _app: &App) -> Option<StatusPart> {
+        if self.designs.len() == 1 {
+            return outside(self.outside.iter().map(|(check, _)| *check), " of the design", "");
+        }
+        (!self.outside.is_empty()).then(|| {
+            let list = format!("of {} designs: {}", self.designs.len(), counted(&self.outside));
+            (Severity::Warning, format!("! outside validity, {list}"), format!("! {list}"))
+        })
+    }
+
+    /// The designs as a table: a heading, then one row for each design; then why there are none.
+    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
+        let (front, tab) = (self, &app.pages.search);
+        let (order, selected) = (tab.order(), tab.selected());
+        let mut columns = design_cells(tab, front);
+        for column in &mut columns {
+            column.cells = order.iter().map(|at| column.cells[*at].clone()).collect();
+        }
+        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+        let grid = Grid::of(columns, room, 0);
+        let mut lines = vec![note(format!("  {}", grid.line(None)))];
+        for at in 0..order.len() {
+            let mark = if at == selected { ">" } else { " " };
+            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
+        }
+        lines.extend(no_match(app, order.is_empty() && !front.designs.is_empty()));
+        let lacks = lacks(front).into_iter();
+        lines.extend(broken(lacks.map(|text| (text, Role::Warning)).collect(), width));
+        lines
+    }
+
+    fn listed(&self, tab: &Searching) -> Vec<usize> {
+        tab.order()
+    }
+
+    fn csv(&self, _scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
+        only(table(name, self), listed, &warnings(self))
+    }
+
+    fn draws(&self, _tab: &Searching) -> bool {
+        !self.designs.is_empty()
+    }
+
+    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
+        let at = tab.across(self).0;
+        let value = |design: &Design| design.measures.get(at).copied().flatten();
+        let measure = self.request.measures()[at];
+        let values: Vec<f64> = self.designs.iter().filter_map(value).collect();
+        let x = Axis::fitted(brief(measure), measure.unit(), tab.scales.0, values)?;
+        Some((x, tab.chosen().and_then(|at| value(&self.designs[at]))))
+    }
+
+    /// Designs as points.
+    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+        let (found, tab) = (self, &app.pages.search);
+        let (across, up) = tab.across(found);
+        let measures = found.request.measures();
+        let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
+        let designs = tab.designs();
+        let x = Answer::across(self, tab).map(|(x, _)| x);
+        let ups: Vec<f64> = found.designs.iter().filter_map(|it| value(&it.measures, up)).collect();
+        let y = Axis::fitted("", measures[up].unit(), tab.scales.1, ups);
+        let Some((x, y)) = x.zip(y) else {
+            let text = "no design satisfies every constraint".to_owned();
+            return lines_below(app, &[(text, Role::Warning)], area, canvas);
+        };
+        let x = Axis { view: tab.zoomed().unwrap_or(x.view), ..x };
+        let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
+        let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
+        let selected =
+            designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
+        let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
+        let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
+        let curves = || {
+            // A gap after every point: no line goes from one to the next.
+            let places = designs.iter().filter_map(|it| place(&it.measures));
+            let points: Vec<_> = places.flat_map(|it| [it, (f64::NAN, f64::NAN)]).collect();
+            vec![Curve::new('o', "designs", points)]
+        };
+        let layout = canvas.draw_with_picture(&chart, area, curves);
+        for design in &designs {
+            mark(place(&design.measures), "o", Role::Curve(1), &layout, canvas);
+        }
+        if let Some(design) = designs.get(tab.selected()) {
+            mark(place(&design.measures), "X", Role::Crosshair, &layout, canvas);
+        }
+        canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
+            Target::Row(RESULTS, at)
+        });
+    }
+}
+
+fn mark(at: Option<(f64, f64)>, text: &str, role: Role, layout: &Layout, canvas: &mut Canvas<'_>) {
+    if let Some(place) = at.and_then(|(across, up)| layout.place(across, up)) {
+        canvas.put(layout.plot, place, text, role);
+    }
+}
+
+/// The two results whose knee it is.
+pub(super) fn of_knee(tab: &Searching, front: &Front) -> String {
+    let (across, up) = tab.across(front);
+    let [across, up] = [across, up].map(|axis| brief(front.request.measures()[axis]));
+    format!(", knee of {across} and {up}")
+}
+
+/// The columns of the table of designs, by their places; `*` marks the one it is sorted by.
+pub(crate) fn design_cells(tab: &Searching, front: &Front) -> Vec<Cells> {
+    let measures = front.request.measures();
+    let objectives = front.request.objectives.len();
+    let mut keys = page_keys(front);
+    // The objectives first, then the variables.
+    keys[..front.request.over.len() + objectives].rotate_left(front.request.over.len());
+    let count = front.designs.len();
+    let mut names = vec![String::new(); count];
+    let knee = tab.knee();
+    for (number, at) in tab.sorted_places(front).into_iter().enumerate() {
+        let is_knee = knee == Some(at);
+        names[at] = if is_knee { "knee".to_owned() } else { (number + 1).to_string() };
+    }
+    let mut columns = table("", front).cells(&keys);
+    if let Some(sorted) = keys.iter().position(|key| *key == measures[tab.sorted(front)].name) {
+        columns[sorted].head.insert(0, '*');
+    }
+    columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
+    columns
+}

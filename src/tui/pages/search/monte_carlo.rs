@@ -1,0 +1,131 @@
+//! Monte Carlo: its setup, its request, and what was found.
+
+use crate::report::monte_carlo::{perforation, table, warnings};
+use crate::study::monte_carlo::{Report, Request, Summary, USUAL_DEVIATION, usual_tolerances};
+use crate::tui::chart::{Axis, Chart, Curve, Mark, Unit};
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::answer::{Answer, no_match, note, only, table_lines};
+use crate::tui::pages::search::draw::lines_below;
+use crate::tui::pages::search::setup::{Row, Setup};
+use crate::tui::pages::search::state::Searching;
+use crate::tui::widgets::text::broken;
+
+/// Columns of the histogram's bins.
+const BINS: usize = 40;
+/// The columns shown.
+const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
+
+pub(super) fn rows() -> Vec<Row> {
+    vec![Row::Heading("Every input"), Row::Percent, Row::Samples, Row::Heading("Show"), Row::Output]
+}
+
+pub(super) fn request(app: &App) -> Request {
+    let setup = &app.pages.search.setup;
+    let deviation = setup.percent / 100.0;
+    let is_usual = (deviation - USUAL_DEVIATION).abs() < 1e-12;
+    let vary = if is_usual { Vec::new() } else { usual_tolerances(&app.scene, deviation) };
+    let samples = Some(setup.samples).filter(|it| *it != Setup::default().samples);
+    Request { vary, samples, ..Request::default() }
+}
+
+/// The measure that the page draws, with its values.
+fn drawn<'r>(report: &'r Report, tab: &Searching) -> Option<&'r Summary> {
+    report.summaries.iter().find(|summary| summary.measure.name == tab.setup.output)
+}
+
+impl Answer for Report {
+    fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    fn effort(&self) -> Option<String> {
+        Some(format!("{} samples", self.samples))
+    }
+
+    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
+        let report = self;
+        let mut lines = Vec::new();
+        lines.extend(perforation(report).map(note));
+        let again: usize = report.redrawn.iter().sum();
+        let again = if again > 0 {
+            format!("; {again} impossible samples drawn again")
+        } else {
+            String::new()
+        };
+        lines.push(note(format!("{}{again}", report.outcomes)));
+        let mut lines = broken(lines, width);
+        let mut table = table("", report);
+        table.rows.retain(|summary| summary.deviation.is_some());
+        let listing = app.pages.search.listing();
+        let listed = listing.order(&table, &QUANTILES);
+        let output = app.pages.search.setup.output;
+        let selected = listed.iter().position(|at| table.rows[*at].measure.name == output);
+        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, listing, width).collect();
+        if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
+            row.replace_range(..1, ">");
+        }
+        rows.extend(no_match(app, listed.is_empty() && !table.rows.is_empty()));
+        lines.extend(rows);
+        lines
+    }
+
+    fn listed(&self, tab: &Searching) -> Vec<usize> {
+        let table = table("", self);
+        let mut listed = tab.listing().order(&table, &QUANTILES);
+        listed.retain(|at| table.rows[*at].deviation.is_some());
+        listed
+    }
+
+    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
+        only(table(name, self), listed, &warnings(scene, self))
+    }
+
+    fn draws(&self, tab: &Searching) -> bool {
+        drawn(self, tab).is_some_and(|it| !it.sorted.is_empty())
+    }
+
+    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
+        let Summary { measure, sorted, .. } = drawn(self, tab)?;
+        let values = sorted.iter().copied();
+        Some((Axis::fitted(measure.title(), measure.unit(), Scale::Linear, values)?, None))
+    }
+
+    /// How often a value falls into each of some bins, as steps.
+    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+        let tab = &app.pages.search;
+        let Some(summary) = drawn(self, tab) else { return };
+        let sorted = &summary.sorted;
+        let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
+            let text = "no sample has this result: <next-pane>, then another one under Show";
+            let text = app.keymap.shown(text);
+            return lines_below(app, &[(text, Role::Warning)], area, canvas);
+        };
+        let width = (most - least) / BINS as f64;
+        let mut steps = Vec::new();
+        for bin in 0..BINS {
+            let (from, to) = (least + width * bin as f64, least + width * (bin + 1) as f64);
+            let below = |value: f64| sorted.partition_point(|other| *other < value);
+            let until = if bin + 1 == BINS { sorted.len() } else { below(to) };
+            let percent = 100.0 * (until - below(from)) as f64 / sorted.len() as f64;
+            steps.extend([(from, percent), (to, percent)]);
+        }
+        // Room above for the tags.
+        let highest = steps.iter().map(|step| 1.3 * step.1);
+        let x = self.across(tab).map(|(x, _)| Axis { view: tab.zoomed().unwrap_or(x.view), ..x });
+        let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
+        let Some((x, y)) = x.zip(y) else { return };
+        let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));
+        let at = |share: f64, tag: &'static str| {
+            summary.quantile(share).map(|quantile| Mark::new(quantile.value, tag))
+        };
+        let chart = Chart {
+            focused,
+            marks: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
+                .into_iter()
+                .flatten()
+                .collect(),
+            ..Chart::new("samples per bin", x, y, vec![Curve::new('*', "", &steps)])
+        };
+        canvas.draw(&chart, area);
+    }
+}

@@ -1,0 +1,158 @@
+//! Goal seek: its setup, its request, and what was found.
+
+use crate::report::figures::axis_of;
+use crate::report::seek::{remarks, solution, table, warnings};
+use crate::report::table::Cells;
+use crate::study::quantities::named;
+use crate::study::search::seek::{self, Goal, Report, SCAN};
+use crate::study::sweep;
+use crate::study::sweep::PointOutcome;
+use crate::tui::app::status::outside;
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mark};
+use crate::tui::pages::explore::state::placed;
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::RESULTS;
+use crate::tui::pages::search::answer::{Answer, line, no_match, note, only};
+use crate::tui::pages::search::draw::lines_below;
+use crate::tui::pages::search::setup::{Row, Setup};
+use crate::tui::pages::search::state::Searching;
+use crate::tui::widgets::axis::Part;
+use crate::tui::widgets::text::broken;
+
+pub(super) fn rows() -> Vec<Row> {
+    let mut rows = vec![Row::Heading("Goal"), Row::Result, Row::Goal, Row::Heading("Vary")];
+    let parts = [Part::Name, Part::From, Part::To, Part::Spacing, Part::Points];
+    rows.extend(parts.map(Row::Axis));
+    rows
+}
+
+pub(super) fn request(setup: &Setup) -> Result<seek::Request, String> {
+    let over = sweep::Axis::of(&setup.seek, &SCAN).map_err(|error| error.to_string())?;
+    let measure = named(setup.goal.0).map_err(|error| error.to_string())?;
+    Ok(seek::Request { over, goal: Goal { measure, target: setup.goal.1 } })
+}
+
+impl Answer for Report {
+    fn over(&self) -> &[sweep::Axis] {
+        std::slice::from_ref(&self.axis)
+    }
+
+    fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    fn effort(&self) -> Option<String> {
+        Some(format!("{} runs", self.runs))
+    }
+
+    fn order(&self, tab: &Searching) -> Vec<usize> {
+        let solutions = self.solutions().zip(&self.checked);
+        let cells: Vec<String> = solutions.map(|(it, own)| solution(self, it, own)).collect();
+        let places = (0..cells.len()).collect();
+        let column = Cells { head: String::new(), is_text: true, cells };
+        tab.listing().matching(places, || vec![column])
+    }
+
+    fn design(&self, app: &App) -> Result<LabelledScene, String> {
+        let chosen = app.pages.search.chosen().and_then(|at| self.solutions().nth(at));
+        let solution = chosen.ok_or("no solution to load: change the goal or the range")?;
+        Ok(placed((*app.scene).clone(), [(&self.axis, solution.place.at)]))
+    }
+
+    fn readout(&self, app: &App) -> Option<String> {
+        let solution = self.solutions().nth(app.pages.search.chosen()?)?;
+        let at = self.axis.show(solution.place.at, 5);
+        let value = self.measure.show(solution.place.value, 4);
+        let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
+        Some(format!("{} {at}: {value}{loads}", self.axis.symbol()))
+    }
+
+    fn validity(&self, _app: &App) -> Option<StatusPart> {
+        let fails = self.checked.iter().flat_map(|checked| &checked.fails);
+        let place = if self.checked.len() > 1 { " of solutions" } else { " of the solution" };
+        outside(fails.copied(), place, "")
+    }
+
+    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
+        let (report, tab) = (self, &app.pages.search);
+        let (order, selected) = (tab.order(), tab.selected());
+        let all: Vec<_> = report.solutions().zip(&report.checked).collect();
+        let is_empty = order.is_empty() && !all.is_empty();
+        let listed = order.iter().map(|at| all[*at]).enumerate();
+        let solutions = listed.flat_map(|(index, (found, checked))| {
+            let mark = if index == selected { ">" } else { " " };
+            let solution = note(format!("{mark} {}", solution(report, found, checked)));
+            let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
+            // There is room for the warnings of one solution; the status has every check that fails.
+            let warnings = warnings.filter(move |_| index == selected);
+            std::iter::once(solution).chain(warnings)
+        });
+        let solutions = solutions.chain(no_match(app, is_empty));
+        let lines = solutions.chain(remarks(report).into_iter().map(line)).collect();
+        broken(lines, width)
+    }
+
+    fn listed(&self, tab: &Searching) -> Vec<usize> {
+        let lines = self.lines.iter().enumerate().filter(|(_, it)| it.kind.is_solution());
+        let solutions: Vec<usize> = lines.map(|(at, _)| at).collect();
+        tab.order().into_iter().map(|at| solutions[at]).collect()
+    }
+
+    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
+        only(table(name, self), listed, &warnings(scene, self))
+    }
+
+    fn draws(&self, _tab: &Searching) -> bool {
+        self.scan.iter().any(|point| point.1.is_some())
+    }
+
+    fn across(&self, tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
+        let about = tab.chosen().and_then(|at| self.solutions().nth(at));
+        Some((axis_of(&self.axis), about.map(|it| it.place.at)))
+    }
+
+    fn draw(&self, app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+        let report = self;
+        let points: Vec<(f64, f64)> =
+            report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
+        let zoomed = app.pages.search.zoomed();
+        let seen =
+            report.scan.iter().filter(|point| zoomed.is_none_or(|view| view.contains(point.0)));
+        let values = seen.filter_map(|point| point.1).chain([report.target]);
+        let (_, scale) = app.pages.search.scales;
+        let y = Axis::fitted("", report.measure.unit(), scale, values);
+        let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
+            let text = "no point has a value".to_owned();
+            return lines_below(app, &[(text, Role::Warning)], area, canvas);
+        };
+        let x = axis_of(&report.axis);
+        let x = Axis { view: zoomed.unwrap_or(x.view), ..x };
+        let old = app.search_is_old();
+        let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
+        let curve = Curve::new('*', "", &points).emphasis(emphasis);
+        let selected = app.pages.search.chosen().and_then(|at| report.solutions().nth(at));
+        let lines = report.solutions().map(|found| Mark::new(found.place.at, ""));
+        let chart = Chart {
+            focused,
+            marks: lines.collect(),
+            levels: vec![Mark::new(
+                report.target,
+                format!("goal {}", report.measure.show(report.target, 4)),
+            )],
+            crosshair: selected.map(|found| found.place.at),
+            ..Chart::new(report.measure.title(), x, y, vec![curve])
+        };
+        let layout = canvas.draw(&chart, area);
+        for (x, value) in &report.scan {
+            let gap = report.of(seek::Kind::Gap).find(|gap| {
+                let (a, b) = (gap.place.at, gap.until.map_or(gap.place.at, |it| it.at));
+                (a.min(b)..=a.max(b)).contains(x)
+            });
+            let outcome: Option<PointOutcome> =
+                gap.and_then(|gap| gap.outcome).filter(|_| value.is_none());
+            if let Some(outcome) = outcome {
+                canvas.put_gap(&layout, *x, outcome.letter());
+            }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Sensitivity: its setup, its request, and what was found.
+
+use crate::model::run::envelope::Check;
+use crate::report::sensitivity::{condition, indices, table, tornado};
+use crate::study::quantities::{named, usual_of};
+use crate::study::sensitivity::{Report, Request};
+use crate::study::sweep;
+use crate::study::validity;
+use crate::tui::pages::prelude::*;
+use crate::tui::pages::search::answer::{Answer, note, only, table_lines};
+use crate::tui::pages::search::setup::Row;
+use crate::tui::pages::search::state::Searching;
+use crate::tui::widgets::text::broken;
+
+/// The columns shown.
+const TORNADO: [&str; 4] = ["variable", "output_at_low", "output_at_high", "bar"];
+const INDICES: [&str; 3] = ["variable", "sobol_first", "sobol_total"];
+
+pub(super) fn rows(bounds: impl Iterator<Item = Row>) -> Vec<Row> {
+    let mut rows = vec![Row::Heading("Of"), Row::Output, Row::Heading("Vary")];
+    rows.extend(bounds);
+    rows
+}
+
+/// What the setup asks for, over these variables.
+pub(super) fn request(app: &App, over: Vec<sweep::Axis>) -> Result<Request, String> {
+    let output = named(app.pages.search.setup.output).map_err(|error| error.to_string())?;
+    let output = Some(output).filter(|it| it.name != usual_of(&app.scene));
+    Ok(Request { over, output, ..Request::default() })
+}
+
+impl Answer for Report {
+    fn is_complete(&self) -> bool {
+        self.sobol.is_some()
+    }
+
+    fn readout(&self, _app: &App) -> Option<String> {
+        Some("+- is the 95 % confidence interval".to_owned())
+    }
+
+    fn outside_at_ends(&self) -> &[(Check, String)] {
+        &self.outside_at_ends
+    }
+
+    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
+        let (report, output) = (self, self.output);
+        let own = output.show_any(report.own, 3);
+        let mut lines = vec![note(format!("{}; the scene: {own}", output.title()))];
+        let condition = condition(report);
+        lines.extend(condition.map(|text| (text, Role::Warning)));
+        lines.push(note(String::new()));
+        lines.push(note("one variable at a time, from low to high end".to_owned()));
+        if report.is_empty() {
+            let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
+            return broken(vec![lines.remove(0), (app.keymap.shown(text), Role::Warning)], width);
+        }
+        let listing = app.pages.search.listing();
+        let bar = width.saturating_sub(36).clamp(4, 40);
+        lines.extend(table_lines(&tornado(report, bar), &TORNADO, listing, width));
+        lines.push(note(String::new()));
+        lines.extend(table_lines(&indices(report), &INDICES, listing, width));
+        lines
+    }
+
+    fn listed(&self, tab: &Searching) -> Vec<usize> {
+        let (bars, indices, listing) = (tornado(self, 0), indices(self), tab.listing());
+        let listed = |rows: &[usize], places: Vec<usize>| {
+            places.into_iter().map(|at| rows[at]).collect::<Vec<usize>>()
+        };
+        let mut axes = listed(&bars.rows, listing.order(&bars, &TORNADO));
+        axes.extend(listed(&indices.rows, listing.order(&indices, &INDICES)));
+        let order = self.order().into_iter().enumerate();
+        order.filter(|(_, axis)| axes.contains(axis)).map(|(at, _)| at).collect()
+    }
+
+    fn csv(&self, scene: &Scene, name: &str, listed: Option<&[usize]>) -> String {
+        only(table(name, self), listed, &validity::of_axes(scene, &self.axes))
+    }
+}
