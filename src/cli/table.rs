@@ -80,9 +80,8 @@ impl TableArguments {
             return String::new();
         }
         let room = text::width() - 4;
-        let line = |warning: &String| match self.verbose {
-            true => wrap(warning, room).join("\n    "),
-            false => brief(warning),
+        let line = |warning: &String| {
+            if self.verbose { wrap(warning, room).join("\n    ") } else { brief(warning) }
         };
         let lines = warnings.iter().map(|warning| format!("  ! {}\n", line(warning)));
         let how = if self.verbose { "" } else { " (--verbose prints them in full)" };

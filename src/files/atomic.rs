@@ -283,7 +283,7 @@ impl Growing {
         let written = match &mut self.place {
             Place::Beside(file) => {
                 // From its first row on a table is worth keeping, however the program ends.
-                let is_visible = !file.path().extension().is_some_and(|end| end == "tmp");
+                let is_visible = file.path().extension().is_none_or(|end| end != "tmp");
                 file.disable_cleanup(is_visible && !content.is_empty());
                 file.as_file_mut().write_all(content)
             }

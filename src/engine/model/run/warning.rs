@@ -103,8 +103,7 @@ impl fmt::Display for Warning {
         match self {
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
-                "the fused interface must carry {} in compression, first at t = {:.4} ms: penetration would resume; try interface = \
-                 plastic",
+                "the fused interface must carry {} in compression, first at t = {:.4} ms: penetration would resume; try interface = plastic",
                 demand(*ratio),
                 t_s * 1e3
             ),
