@@ -278,7 +278,7 @@ mod tests {
         assert!(matches!(found[..], [text] if text.starts_with("at d = 0.5: ")), "{list:?}");
     }
 
-    /// The baseline's plate is 2 D thick and 1.63 D wide; h = 2 mm with a face of 73.9 mm is neither, and theta = 30 deg comes up.
+    /// The baseline's plate is 2 D thick and 1.63 D wide; h = 5 mm with a face of 46.7 mm is neither, and theta = 30 deg comes up.
     #[test]
     fn what_comes_up_at_the_ends_of_an_axis_is_added_once() {
         let scene = Scene::default();
@@ -287,7 +287,7 @@ mod tests {
         let own = of_scene(&scene);
         assert_eq!((count(&own, "h/D = 2"), count(&own, "1.63 D")), (1, 1), "{own:?}");
         let axis = |name, ends| Axis::new(name, ends, 2, Spacing::Linear).unwrap();
-        let axes = [axis("theta", (0.0, 30.0)), axis("h", (0.002, 0.05))];
+        let axes = [axis("theta", (0.0, 30.0)), axis("h", (0.005, 0.05))];
         let list = of_axes(&scene, &axes);
         assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
         assert_eq!(count(&list, "h/D"), 1, "{list:?}");
