@@ -240,7 +240,7 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
     };
     assert!(text.starts_with("internal error: deliberate"), "{text}");
     worker.submit(job(2, Slot::Current, "short"));
-    ended(next(&reports).body);
+    ended(next_last(&reports).body);
 }
 
 #[test]
@@ -249,7 +249,7 @@ fn an_unchanged_scene_is_not_computed_again() {
     let mut seen = Vec::new();
     for (id, title) in [(1, "counted 1"), (2, "counted 2"), (3, "counted 1")] {
         worker.submit(job(id, Slot::Current, title));
-        seen.push(ended(next(&receive).body));
+        seen.push(ended(next_last(&receive).body));
     }
     assert_eq!(COMPUTED.load(Ordering::Relaxed), 2);
     assert!(Arc::ptr_eq(&seen[0].0, &seen[2].0));
