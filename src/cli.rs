@@ -84,10 +84,10 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
-/// The same as [`run`], with the clock that decides when the progress of a long computation is shown.
+/// The same as [`run()`], with the clock that decides when the progress of a long computation is shown.
 ///
 /// # Errors
-/// Those of [`run`].
+/// Those of [`run()`].
 pub fn run_by(
     clock: Clock,
     arguments: impl Iterator<Item = OsString>,

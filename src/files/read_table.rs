@@ -54,7 +54,7 @@ pub(super) fn points(
     found.map_err(|(span, text)| reader.problem(span, text)).ok()
 }
 
-/// The points of a measured curve in a CSV file; see [`Csv`] for how it may be written. Displacement and force stand in the columns
+/// The points of a measured curve in a CSV file; see `Csv` for how it may be written. Displacement and force stand in the columns
 /// whose headings have a unit of their kind or such a name, `time_s,displacement_mm,force_N` for example, else in the first two. They
 /// are in m and N where no unit is given. An end of a heading in brackets or after `_` or `/` must be a unit.
 ///
