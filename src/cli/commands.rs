@@ -16,7 +16,6 @@ pub(super) const FIRST: usize = 9;
 /// Every command, in the order of `cmra --help`. The descriptions are attributes since those of shared arguments would replace doc
 /// comments.
 #[derive(Debug, Subcommand)]
-#[expect(clippy::large_enum_variant, reason = "there is one, once")]
 pub(super) enum Commands {
     #[command(about = "Run one scene and print what happened", long_about = None)]
     Run(run::RunArguments),

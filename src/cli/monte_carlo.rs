@@ -37,11 +37,11 @@ pub(super) struct MonteCarloArguments {
     /// Number of samples [default: 10000, or 200 where each takes a limit search]
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
     samples: Option<usize>,
-    /// Mean ratio of model to measurement, minus 1 (-0.04 or -4%); corrects limit_velocity_m_s [default: that of
+    /// Mean ratio of model to measurement, minus 1 (-0.04 or -4%); corrects `limit_velocity_m_s` [default: that of
     /// the scene's class in `cmra validate`, else 0]
     #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, allow_hyphen_values = true, value_parser = bias)]
     model_bias: Option<f64>,
-    /// Standard deviation of that ratio (0.08 or 8%); widens limit_velocity_m_s [default: as for the bias]
+    /// Standard deviation of that ratio (0.08 or 8%); widens `limit_velocity_m_s` [default: as for the bias]
     #[arg(long, value_name = "FRACTION", allow_negative_numbers = true, value_parser = deviation)]
     model_spread: Option<f64>,
     #[command(flatten)]

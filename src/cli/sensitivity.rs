@@ -75,7 +75,7 @@ fn page(name: &str, report: &Report, is_usual: bool) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page = format!("{name}: what {} depends on", report.output.title());
     if let Some(condition) = sensitivity::condition(report) {
-        page = hanging("", &format!("{page}, {condition}"), 2).trim_end().to_owned();
+        hanging("", &format!("{page}, {condition}"), 2).trim_end().clone_into(&mut page);
     }
     let _ = writeln!(page, "\nthe scene itself: {own}");
     if is_usual {

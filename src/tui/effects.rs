@@ -361,9 +361,9 @@ mod tests {
 
     fn report(inbox: &Receiver<Incoming>) -> EffectReport {
         loop {
-            match inbox.recv_timeout(HANG).expect("a report in time") {
-                Incoming::Message(Message::Done(report)) => return report,
-                _ => {}
+            let incoming = inbox.recv_timeout(HANG).expect("a report in time");
+            if let Incoming::Message(Message::Done(report)) = incoming {
+                return report;
             }
         }
     }

@@ -21,7 +21,7 @@ pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     let mut canvas = Canvas::new(buffer, app.theme);
     draw(app, area, &mut canvas);
     let field = canvas.cursor.map(|at| (at, true));
-    let cursor = field.or(canvas.selected.map(|at| (at, false)));
+    let cursor = field.or_else(|| canvas.selected.map(|at| (at, false)));
     if app.theme.glyphs == GlyphSet::Ascii {
         ascii_pass(buffer);
     }

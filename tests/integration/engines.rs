@@ -102,7 +102,7 @@ fn the_two_engines_agree_on_demanding_scenes() {
         let changes = random.changes();
         let mut own = Scene::clone(&scene(&changes));
         own.run.tolerance = 1e-9;
-        let is_plastic = index % 3 == 0;
+        let is_plastic = index.is_multiple_of(3);
         if is_plastic {
             own.interface.law = InterfaceLaw::Plastic;
         }

@@ -124,7 +124,7 @@ fn valid_the_tension_of_the_interface_does_not_depend_on_whether_a_series_is_kep
     assert_near(swept, tension, 1e-9);
 }
 
-/// The mount turns the body with which the plate is geared: of the contact's force F it takes (J F + m_2 k x)/(m_2 + J).
+/// The mount turns the body with which the plate is geared: of the contact's force F it takes `(J F + m_2 k x)/(m_2 + J)`.
 #[test]
 #[ignore = "next engine"]
 fn valid_the_mount_of_a_helix_takes_the_reaction_of_the_rotation() {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use cmra::files;
 use cmra::model::run::{EndReason, EventKind, Mode, Outcome, Run, Warning};
-use cmra::model::scene::Scene;
+use cmra::model::scene::{ContactModel, Scene};
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables;
 use proptest::prelude::*;
@@ -236,8 +236,11 @@ fn first_arrest_is_the_same_in_both_interface_laws() {
 
 #[test]
 fn energy_closes_to_1e_9_on_every_preset() {
+    // But for the listing as printed: its steps are of first order.
+    let mut presets = files::preset::list(None).presets;
+    presets.retain(|preset| preset.scene.contact.model != ContactModel::Appendix);
     let mut count = 0;
-    for preset in files::preset::list(None).presets {
+    for preset in presets {
         let run = run_with(preset.scene.clone(), Settings::default());
         let residual = run.ledger.residual();
         assert!(residual.abs() < 1e-9, "{}: {residual:e}", preset.name);

@@ -243,6 +243,10 @@ fn a_stop_from_outside_restores_the_terminal_and_a_continuation_comes_back() {
 /// editing of its own.
 #[test]
 #[ignore = "run by the tests above, in a terminal of its own"]
+#[expect(
+    clippy::zombie_processes,
+    reason = "it is waited for by its number, which reports stops too"
+)]
 fn a_shell() {
     let Some(program) = std::env::var_os("CMRA") else { return };
     let job = Command::new(program).process_group(0).spawn().expect("it starts");

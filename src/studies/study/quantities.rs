@@ -21,6 +21,7 @@ pub use names::{find, listing, named, nearest};
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "the columns of a table")]
 pub struct Quantity {
     /// Name in JSON, CSV and `[sweep] outputs`; with its unit at the end.
     pub name: &'static str,

@@ -90,8 +90,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     };
     // The lines of stacked charts have the axis and its numbers.
     let line = match chart.frame {
-        Frame::Boxed => None,
-        Frame::Stacked { below: Below::Nothing, .. } => None,
+        Frame::Boxed | Frame::Stacked { below: Below::Nothing, .. } => None,
         Frame::Stacked { .. } => Some(inner.bottom()),
     };
     let below = plot.bottom();

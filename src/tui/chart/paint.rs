@@ -113,7 +113,8 @@ impl Painter<'_> {
         if taken > 2 && taken < inner.width {
             self.buffer.set_string(inner.right() - taken, y, &unit, text);
         }
-        let mut free_from = i32::from(self.layout.axis_left.map_or(inner.left(), |x| x + 1));
+        let mut free_from =
+            i32::from(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1));
         for tick in &self.layout.x_ticks.labelled {
             free_from = self.label_below(tick, free_from, taken);
         }

@@ -27,7 +27,7 @@ pub struct Numerics {
 pub(super) const PANES: &[PaneSpec] = &[
     PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[], keys: &[
         key(A::Down, "method", "select another method"),
-        key(A::Enter, "use", "run the scene by this method: auto at the tolerance for 1e-6, or the printed scheme"),
+        key(A::Enter, "use", "run the scene by this method: auto at 1e-6, or as printed"),
         key(A::Right, "cursor", "move the cursor in run time"),
     ] },
     PaneSpec { pane: STABILITY, label: "Stability", has: &[Part::Chart], keys: &[

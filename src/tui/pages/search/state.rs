@@ -258,8 +258,9 @@ impl App {
         let request = self.search_request(self.pages.search.page).ok();
         let mut scene = (*self.scene).clone();
         scene.sweep.clone_from(&found.scene.sweep);
-        let over = found.answer.answer().over();
-        over.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
+        for axis in found.answer.answer().over() {
+            copy_value(axis, &found.scene, &mut scene);
+        }
         *found.scene != scene || request.as_ref() != Some(&found.request)
     }
 
