@@ -188,18 +188,28 @@ pub fn save(
     Ok(path)
 }
 
-/// Save a scene in a file, as [`save`] does.
+/// Whether a scene of this name is a file: it has a folder or the ending of one.
+pub fn is_path(name: &str) -> bool {
+    name.contains('/') || Path::new(name).extension().is_some_and(|end| end == "toml")
+}
+
+/// Save a scene in a file, as [`save`] does. A file keeps its title; a new one has its own name as title, not that of the scene
+/// it is a copy of.
 ///
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
 pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
     variables::validate(scene).map_err(|error| FileError::target(path, &error.to_string()))?;
+    let file = path.display().to_string();
+    let titled = |title| Scene { title, ..scene.clone() };
     let text = match read::text_file(path, Accepts::Ordinary, read::BYTES_MAX) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
-        Ok(old) => write::updated(&old, &path.display().to_string(), scene)
+        Ok(old) => read::scene(&old, &file)
+            .and_then(|kept| write::updated(&old, &file, &titled(kept.title)))
             .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
         Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
-            write::fresh(scene)
+            let title = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            write::fresh(&titled(title))
         }
         Err(problem) => return Err(problem),
     };
@@ -324,8 +334,10 @@ mod tests {
     fn own_presets_are_saved_listed_and_found() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let scene = Scene { title: "mine".to_owned(), ..Scene::default() };
-        let path = save(&paths, "my scene", &scene, Existing::Keep).unwrap();
+        // It is named after itself, not after what it is a copy of.
+        let scene = Scene { title: "my scene".to_owned(), ..Scene::default() };
+        let copied = Scene { title: "Baseline".to_owned(), ..Scene::default() };
+        let path = save(&paths, "my scene", &copied, Existing::Keep).unwrap();
         let List { presets, unreadable } = list(Some(&paths));
         assert!(unreadable.is_empty(), "{unreadable:?}");
         let mine = presets.last().unwrap();

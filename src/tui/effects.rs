@@ -194,8 +194,8 @@ impl FileQueue {
     fn do_task(&self, task: Task) -> EffectReport {
         let paths = self.unsaved.paths.as_ref();
         match task {
-            Task::SavePreset { name, scene, overwrite } => {
-                let saved = save_preset(paths, &name, &scene, overwrite);
+            Task::SaveScene { name, path, scene, overwrite } => {
+                let saved = save_scene(paths, &name, path, &scene, overwrite);
                 EffectReport::Saved(name, saved)
             }
             Task::Export(to, content) => {
@@ -261,15 +261,21 @@ pub(super) fn of_another(aside: &Path) -> String {
     )
 }
 
-fn save_preset(
+/// Save a scene in this file, or without one by its name among one's own presets.
+fn save_scene(
     paths: Option<&Paths>,
     name: &str,
+    path: Option<PathBuf>,
     scene: &Scene,
     overwrite: bool,
 ) -> Result<PathBuf, String> {
-    let paths = paths.ok_or_else(|| FileError::NoHome.to_string())?;
-    preset::save(paths, name, scene, Existing::replaced(overwrite))
-        .map_err(|error| error.to_string())
+    let existing = Existing::replaced(overwrite);
+    let saved = match (path, paths) {
+        (Some(path), _) => preset::save_file(&path, scene, existing).map(|()| path),
+        (None, Some(paths)) => preset::save(paths, name, scene, existing),
+        (None, None) => Err(FileError::NoHome),
+    };
+    saved.map_err(|error| error.to_string())
 }
 
 fn export(to: Destination, content: &Content) -> ExportOutcome {
@@ -449,8 +455,9 @@ mod tests {
     fn a_preset_is_not_replaced_without_consent() {
         let (_place, paths, io_thread, inbox) = start();
         let ask = |overwrite| {
-            io_thread.ask(Task::SavePreset {
+            io_thread.ask(Task::SaveScene {
                 name: "mine".to_owned(),
+                path: None,
                 scene: Box::default(),
                 overwrite,
             });
@@ -472,6 +479,24 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
+    }
+
+    #[test]
+    fn a_file_is_saved_with_its_comments_and_its_title() {
+        let (place, _, io_thread, inbox) = start();
+        let path = place.path().join("my.toml");
+        fs::write(&path, "format = 1\ntitle = \"Ours\"\n# why\n[plate]\nmass_ratio = 1\n").unwrap();
+        let mut scene = Box::new(Scene { title: "Baseline".to_owned(), ..Scene::default() });
+        scene.plate.mass_ratio = 2.0;
+        let (name, file) = ("my.toml".to_owned(), Some(path.clone()));
+        io_thread.ask(Task::SaveScene { name, path: file, scene, overwrite: true });
+        let EffectReport::Saved(_, Ok(saved)) = report(&inbox) else {
+            panic!("not saved");
+        };
+        assert_eq!(saved, path);
+        let text = fs::read_to_string(&path).unwrap();
+        let kept = text.contains("title = \"Ours\"\n# why\n");
+        assert!(kept && text.contains("mass_ratio = 2"), "{text}");
     }
 
     /// The name of one is the end of the other's.

@@ -60,7 +60,7 @@ pub enum Target {
 /// How an effect ended. The texts are for the message row.
 #[derive(Clone, Debug)]
 pub enum EffectReport {
-    /// A preset of this name was saved: its path.
+    /// A scene was saved under this name or path: its file.
     Saved(String, Result<PathBuf, String>),
     /// An export to this path was written; or the target exists already; or it failed.
     Exported(PathBuf, ExportOutcome),
@@ -157,12 +157,14 @@ pub enum Effect {
 /// Something to do with files, on a thread of its own.
 #[derive(Clone, Debug)]
 pub enum FileTask {
-    /// Save the scene as a preset of the user's, keeping the comments of an existing file.
-    SavePreset {
-        /// Name without extension.
+    /// Save the scene, keeping the comments of an existing file.
+    SaveScene {
+        /// The name or path that was typed.
         name: String,
+        /// The file; `None`: a preset of the user's of this name.
+        path: Option<PathBuf>,
         scene: Box<Scene>,
-        /// Replace an existing preset of this name.
+        /// Replace an existing file or preset.
         overwrite: bool,
     },
     Export(Destination, Content),

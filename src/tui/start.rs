@@ -11,6 +11,7 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
 use crate::files::{atomic, config, recent};
+use crate::model::scene::Scene;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base};
 use crate::tui::keymap::Keymap;
@@ -121,7 +122,8 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
 
 /// Keep the scenes of the last session where another start would lose them: of pins, and an edited one. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
-    let untouched = *base_of_session(last, Some(paths)).scene == last.scene
+    let base = base_of_session(last, Some(paths));
+    let untouched = *base.scene == scene_of_session(last, &base)
         && last
             .preset
             .as_deref()
@@ -179,9 +181,7 @@ pub(super) fn session(app: &App) -> Session {
 /// same name is something else.
 fn kept_name(app: &App) -> String {
     let name = &app.base.name;
-    let is_path =
-        name.contains('/') || Path::new(name).extension().is_some_and(|end| end == "toml");
-    if !app.base.is_mine && is_path {
+    if !app.base.is_mine && preset::is_path(name) {
         app.directory.join(name).to_str().unwrap_or(name).to_owned()
     } else {
         name.clone()
@@ -222,9 +222,14 @@ fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
     )
 }
 
+/// The session's scene with the title of what it came from: a copy was saved under another one.
+fn scene_of_session(last: &Session, base: &Base) -> Scene {
+    Scene { title: base.scene.title.clone(), ..last.scene.clone() }
+}
+
 /// Take over what the session has, and say so.
 fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
-    app.scene = Arc::new(last.scene);
+    app.scene = Arc::new(scene_of_session(&last, &app.base));
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin {
             letter,

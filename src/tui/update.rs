@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::files::preset;
 use crate::tui::app::Base;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Notice;
@@ -400,7 +401,11 @@ pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
 fn saved(app: &mut App, name: String, outcome: Result<PathBuf, String>) {
     let Some(path) = answered(app, outcome, |ask, _| ask.saves(&name)) else { return };
     app.tell(format!("saved `{name}` as {}", path.display()));
-    app.base = Base { name, is_mine: true, scene: Arc::clone(&app.scene) };
+    let is_mine = !preset::is_path(&name);
+    if !is_mine {
+        app.note_recent(&path);
+    }
+    app.base = Base { name, is_mine, scene: Arc::clone(&app.scene) };
     app.list_presets();
     app.request(Effect::SaveSession);
 }

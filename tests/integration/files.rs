@@ -101,8 +101,12 @@ fn comments_order_and_formatting_survive_saving() {
     fs::write(&path, COMMENTED).unwrap();
     save_file(&path, &scene, Existing::Keep).unwrap_err();
     assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED);
+    assert_eq!(write::updated(COMMENTED, "mine", &scene).unwrap(), COMMENTED_AND_CHANGED);
+    // A scene that is saved over a file takes its title over.
     save_file(&path, &scene, Existing::Replace).unwrap();
-    assert_eq!(fs::read_to_string(&path).unwrap(), COMMENTED_AND_CHANGED);
+    scene.title = "Two plates".to_owned();
+    let kept = COMMENTED_AND_CHANGED.replace("\"Three plates\"", "'Two plates'");
+    assert_eq!(fs::read_to_string(&path).unwrap(), kept);
     assert_eq!(scene_file(&path).unwrap(), scene);
 }
 

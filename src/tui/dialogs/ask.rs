@@ -7,6 +7,7 @@ use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::files::atomic::Existing;
 use crate::files::export::Destination;
+use crate::files::preset;
 use crate::files::report::is_report;
 use crate::model::scene::SpringKind;
 use crate::model::{units, variables};
@@ -102,10 +103,13 @@ pub(crate) fn copy(app: &mut App) {
     }
 }
 
-/// The present name for one's own preset, else that name with the first number that is free.
+/// The present name for one's own preset or file, else that name with the first number that is free.
 fn proposed_name(app: &App) -> String {
-    if app.base.is_mine {
-        return app.base.name.clone();
+    let name = &app.base.name;
+    // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
+    let is_file = preset::is_path(name) && app.recent.contains(&app.directory.join(name));
+    if app.base.is_mine || is_file {
+        return name.clone();
     }
     let taken =
         |name: &str| app.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
@@ -117,7 +121,7 @@ fn proposed_name(app: &App) -> String {
 }
 
 pub(crate) fn press(app: &mut App, mut state: Ask, key: KeyEvent) {
-    let is_path = state.purpose != Purpose::Preset;
+    let is_path = state.purpose != Purpose::Preset || preset::is_path(state.text.value());
     let typing = state.field_mut().is_some();
     match key.code {
         KeyCode::Esc if !state.question => return,
@@ -239,11 +243,20 @@ fn path_of(app: &App, text: &str, example: &str) -> Result<PathBuf, String> {
     Ok(app.directory.join(text))
 }
 
-/// Save the scene under the name; one of the person's own presets is replaced only when asked.
+/// Save the scene under the name or path; a file or one of the person's own presets is replaced only when asked.
 fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTask>, String> {
     let name = state.text.value().trim().to_owned();
     if name.is_empty() {
         return Err("a preset needs a name: letters, digits, - and _".to_owned());
+    }
+    let scene = Box::new((*app.scene).clone());
+    if preset::is_path(&name) {
+        let path = path_of(app, &name, "scene.toml")?;
+        if !overwrite && path.exists() {
+            state.question = true;
+            return Ok(None);
+        }
+        return Ok(Some(FileTask::SaveScene { name, path: Some(path), scene, overwrite }));
     }
     let same = app.presets.iter().filter(|entry| entry.part.is_none() && entry.name == name);
     let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
@@ -256,8 +269,7 @@ fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Option<FileTas
         state.question = true;
         return Ok(None);
     }
-    let scene = Box::new((*app.scene).clone());
-    Ok(Some(FileTask::SavePreset { name, scene, overwrite }))
+    Ok(Some(FileTask::SaveScene { name, path: None, scene, overwrite }))
 }
 
 /// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
@@ -283,7 +295,7 @@ pub(crate) fn base_stem(app: &App) -> &str {
 pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'_>) {
     let (title, right) = match state.purpose {
         Purpose::Runs => return runs::render(app, state, screen, canvas),
-        Purpose::Preset => ("Save the scene as a preset", ""),
+        Purpose::Preset => ("Save the scene", ""),
         Purpose::Table(title) => (title, "Enter writes"),
         Purpose::Curve => {
             ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps")
@@ -308,7 +320,10 @@ pub(crate) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut Canvas<'
 pub(super) fn question(app: &App, state: &Ask) -> String {
     let text = state.text.value().trim();
     let (there, note) = match state.purpose {
-        Purpose::Preset => (format!("your preset `{text}`"), " (its comments stay)"),
+        Purpose::Preset if !preset::is_path(text) => {
+            (format!("your preset `{text}`"), " (its comments stay)")
+        }
+        Purpose::Preset => (app.directory.join(text).display().to_string(), " (its comments stay)"),
         _ => (app.directory.join(text).display().to_string(), ""),
     };
     format!("! {there} exists: o overwrite{note}, r rename, Esc back")
@@ -316,7 +331,12 @@ pub(super) fn question(app: &App, state: &Ask) -> String {
 
 fn hint(app: &App, state: &Ask) -> String {
     match state.purpose {
-        Purpose::Preset => "kept with your own presets; `cmra NAME` opens it".to_owned(),
+        Purpose::Preset if preset::is_path(state.text.value()) => {
+            format!("to {}", app.directory.join(state.text.value().trim()).display())
+        }
+        Purpose::Preset => {
+            "kept with your own presets; a path (./my.toml) writes a file".to_owned()
+        }
         Purpose::Runs | Purpose::Table(_) => {
             let path = app.directory.join(state.text.value().trim());
             let other = instead_of_table(&path).unwrap_or(

@@ -3,6 +3,7 @@
 #![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
 
 use std::collections::HashSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
@@ -462,6 +463,37 @@ fn the_picker_opens_files_by_their_path() {
     assert_eq!(path, Some("./mine.toml".into()));
 }
 
+/// The scene came from `my.toml`: that file is offered, and replaced only when asked. Another path makes another file.
+#[test]
+fn a_scene_is_saved_to_the_file_it_came_from() {
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join("my.toml"), "format = 1\n").unwrap();
+    let mut bench = bench();
+    bench.app.directory = place.path().to_owned();
+    let saves = |bench: &Bench| -> Vec<(PathBuf, bool)> {
+        let saved = bench.effects.iter().filter_map(|effect| match effect {
+            Effect::Files(FileTask::SaveScene { path, overwrite, .. }) => {
+                Some((path.clone()?, *overwrite))
+            }
+            _ => None,
+        });
+        saved.collect()
+    };
+    let loaded = Ok(("my.toml".to_owned(), Box::default()));
+    bench.send(Message::Done(EffectReport::Loaded(loaded)));
+    bench.press("ls<Enter>");
+    assert!(bench.screen().contains("exists: o overwrite"), "{}", bench.screen());
+    assert!(saves(&bench).is_empty());
+    bench.press("o");
+    let file = place.path().join("my.toml");
+    assert_eq!(saves(&bench), [(file.clone(), true)]);
+    bench.send(Message::Done(EffectReport::Saved("my.toml".to_owned(), Ok(file))));
+    assert!(bench.app.dialog.is_none() && !bench.app.is_modified());
+    bench.press("s<C-u>new/other.toml<Enter>");
+    assert_eq!(saves(&bench)[1], (place.path().join("new/other.toml"), false));
+    assert_eq!(bench.app.base.name, "my.toml");
+}
+
 #[test]
 fn saving_refuses_built_in_names_and_asks_before_overwriting() {
     let saves = |bench: &Bench| -> Vec<(String, bool)> {
@@ -469,7 +501,7 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
             .effects
             .iter()
             .filter_map(|effect| match effect {
-                Effect::Files(FileTask::SavePreset { name, overwrite, .. }) => {
+                Effect::Files(FileTask::SaveScene { name, overwrite, .. }) => {
                     Some((name.clone(), *overwrite))
                 }
                 _ => None,
