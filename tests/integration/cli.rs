@@ -124,7 +124,10 @@ fn run_prints_a_summary_of_the_baseline() {
     assert!(lines.next().unwrap().starts_with("arrested: "), "{}", done.out);
     // The answer and its numbers, then in a line each what the model is not valid for.
     let force = done.out.find("\npeak mount force        3.83798 kN\n").unwrap();
-    let warnings = done.out.find("\nwarnings (--verbose prints them in full)\n").unwrap();
+    let warnings = done
+        .out
+        .find("\nwarnings (`cmra explain NAME` explains one; --verbose prints them in full)\n")
+        .unwrap();
     let first = done.out.find("\n  ! h/D = 2 (conservative)\n").unwrap();
     assert!(force < warnings && warnings < first, "{}", done.out);
     let full = place.cmra("run --verbose");
