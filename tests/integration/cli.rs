@@ -355,7 +355,7 @@ fn the_sidecar_runs_again_to_the_same_digits() {
     assert_eq!(done.code, 0, "{}", done.err);
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");
-    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv\n")));
+    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv, checksum ")));
     assert!(sidecar.contains("# outcome: "), "{sidecar}");
     let again = place.json("run out.toml --json");
     assert_eq!(digits(again), digits(first));
