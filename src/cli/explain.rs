@@ -1,4 +1,4 @@
-//! `cmra explain [NAME]`: one variable or quantity, or all of them, as a page, CSV or JSON.
+//! `cmra explain [NAME]`: a variable, quantity or warning, or all of them, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 
@@ -6,16 +6,18 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::table::TableArguments;
-use crate::cli::text::hanging;
+use crate::cli::text::{self, hanging};
+use crate::model::run::envelope::Check;
 use crate::model::scene::Scene;
 use crate::model::units::shortest;
 use crate::model::variables::{Group, VARIABLES, Variable, find, nearest, used_when};
 use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
+use crate::tui::app::status::wrap;
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// A variable by symbol, name or key (gamma, thickness), or a quantity (`limit_velocity_m_s`); without it: all of them
+    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`) or a warning ('plate face'); without it: all of them
     name: Option<String>,
     #[command(flatten)]
     table: TableArguments,
@@ -26,6 +28,7 @@ pub(super) struct ExplainArguments {
 enum Named {
     Variable(&'static Variable),
     Quantity(&'static Quantity),
+    Warning(Check),
 }
 
 pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
@@ -34,41 +37,48 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let (page, named) = match &arguments.name {
         None => {
             let variables = VARIABLES.iter().map(Named::Variable);
-            let all = variables.chain(QUANTITIES.iter().map(Named::Quantity)).collect();
-            (list(), all)
+            let quantities = QUANTITIES.iter().map(Named::Quantity);
+            let warnings = Check::ALL.into_iter().map(Named::Warning);
+            (list(), variables.chain(quantities).chain(warnings).collect())
         }
         Some(name) => {
             let named = named(name.trim())?;
-            (named.page(), vec![named])
+            let pages: Vec<String> = named.iter().map(|it| it.page()).collect();
+            (pages.join("\n"), named)
         }
     };
     table.alone().deliver(&page, rows(named))
 }
 
-/// The quantity or variable of this name, which may be written with blanks.
-fn named(name: &str) -> Result<Named, CliError> {
+/// What has this name, which may be written with blanks: a quantity or variable, a warning, or a variable and a warning about it.
+fn named(name: &str) -> Result<Vec<Named>, CliError> {
     let spelled = name.replace([' ', '-'], "_");
     let quantity = quantities::find(name).or_else(|| quantities::find(&spelled));
     let variable = || find(name).or_else(|_| find(&spelled)).ok();
     let unknown = || {
         CliError::Option(format!(
-            "`{name}` is neither a variable ({}) nor a quantity ({})",
+            "`{name}` is neither a variable ({}) nor a quantity ({}) nor a warning ({})",
             nearest(name),
-            quantities::nearest(name)
+            quantities::nearest(name),
+            Check::WORDS.join(", ")
         ))
     };
-    quantity
-        .map(Named::Quantity)
-        .or_else(|| variable().map(Named::Variable))
-        .or_else(|| quantities::named(name).ok().map(Named::Quantity))
-        .ok_or_else(unknown)
+    let is_it = |check: &Check| check.label().eq_ignore_ascii_case(name);
+    let warning = Check::ALL.into_iter().find(is_it).map(Named::Warning);
+    let other = quantity.map(Named::Quantity).or_else(|| variable().map(Named::Variable));
+    let found: Vec<Named> = other.into_iter().chain(warning).collect();
+    if !found.is_empty() {
+        return Ok(found);
+    }
+    let titled = quantities::named(name).ok().map(Named::Quantity);
+    titled.map(|it| vec![it]).ok_or_else(unknown)
 }
 
 impl Named {
     fn variable<T>(self, get: impl Fn(&Variable) -> T) -> Option<T> {
         match self {
             Self::Variable(it) => Some(get(it)),
-            Self::Quantity(_) => None,
+            Self::Quantity(_) | Self::Warning(_) => None,
         }
     }
 
@@ -76,26 +86,33 @@ impl Named {
         match self {
             Self::Variable(it) => variable_page(it),
             Self::Quantity(it) => quantity_page(it),
+            Self::Warning(it) => {
+                let lines = wrap(it.about(), text::width().saturating_sub(2));
+                format!("{}: a warning\n  {}\n", it.label(), lines.join("\n  "))
+            }
         }
     }
 }
 
 /// Everything that is known of them, a row each; null for what the other kind has.
 fn rows(named: Vec<Named>) -> Table<'static, Named> {
-    let of = |variable: fn(&Variable) -> String, quantity: fn(&Quantity) -> &str| {
+    let of = |variable: fn(&Variable) -> String,
+              quantity: fn(&Quantity) -> &str,
+              warning: fn(Check) -> &'static str| {
         move |it: &Named| match it {
             Named::Variable(it) => variable(it),
             Named::Quantity(it) => quantity(it).to_owned(),
+            Named::Warning(it) => warning(*it).to_owned(),
         }
     };
     Table::of(named)
-        .with("kind", "", "", of(|_| "variable".to_owned(), |_| "quantity"))
-        .with("key", "", "", of(|it| it.key.to_owned(), |it| it.name))
+        .with("kind", "", "", of(|_| "variable".to_owned(), |_| "quantity", |_| "warning"))
+        .with("key", "", "", of(|it| it.key.to_owned(), |it| it.name, Check::label))
         .with("symbol", "", "", |it| it.variable(|it| it.symbol))
         .with("name", "", "", |it| it.variable(Variable::name))
         .with("group", "", "", |it| it.variable(|it| it.group.title()))
-        .with("meaning", "", "", of(|it| it.meaning.to_owned(), |it| it.meaning))
-        .with("unit", "", "", of(|it| it.unit().to_owned(), |it| it.unit()))
+        .with("meaning", "", "", of(|it| it.meaning.to_owned(), |it| it.meaning, Check::about))
+        .with("unit", "", "", of(|it| it.unit().to_owned(), |it| it.unit(), |_| ""))
         .with("default", "", "", |it| it.variable(|it| it.show(&Scene::default())))
         .with("allowed", "", "", |it| it.variable(Variable::allowed))
         .with("thesis_low", "", "", |it| it.variable(|it| Some(it.thesis_range()?.0)).flatten())
@@ -103,7 +120,7 @@ fn rows(named: Vec<Named>) -> Table<'static, Named> {
         .with("used_when", "", "", |it| it.variable(used_when))
         .with("source", "", "", |it| it.variable(|it| it.source))
         .with("needs", "", "", |it| match it {
-            Named::Variable(_) => None,
+            Named::Variable(_) | Named::Warning(_) => None,
             Named::Quantity(it) => Some(it.needs().words()),
         })
 }
@@ -190,7 +207,9 @@ fn list() -> String {
         let _ = writeln!(page, "  {name:<33} {:<7} {meaning}", quantity.needs().word());
     }
     page.push_str(
-        "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n\n`cmra explain NAME` explains one.\n",
+        "\nscene: no simulation; run: one simulation; course: one simulation and its time series; limit: a search with many shots, only on request\n\nWARNINGS: ",
     );
+    page += &Check::WORDS.join(", ");
+    page.push_str("\n\n`cmra explain NAME` explains one.\n");
     page
 }

@@ -84,7 +84,11 @@ impl TableArguments {
             if self.verbose { wrap(warning, room).join("\n    ") } else { brief(warning) }
         };
         let lines = warnings.iter().map(|warning| format!("  ! {}\n", line(warning)));
-        let how = if self.verbose { "" } else { " (--verbose prints them in full)" };
+        let how = if self.verbose {
+            ""
+        } else {
+            " (`cmra explain NAME` explains one; --verbose prints them in full)"
+        };
         format!("\nwarnings{how}\n{}", lines.collect::<String>())
     }
 

@@ -6,12 +6,12 @@
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
+use crate::files::read::{self, Accepts};
 use crate::files::write;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
@@ -21,6 +21,8 @@ use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
+/// What stands before the checksum of the rest, at the end of its first line.
+const SUM: &str = ", checksum ";
 
 /// Where a table goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -160,8 +162,16 @@ impl Beside<'_> {
         let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
         let (version, name, notes) =
             (env!("CARGO_PKG_VERSION"), clean::line(&name), (self.notes)(&own));
-        format!("{MARK} {version} with {name}\n{notes}\n{}", write::fresh(self.scene))
+        let text = format!("{notes}\n{}", write::fresh(self.scene));
+        format!("{MARK} {version} with {name}{SUM}{:016x}\n{text}", checksum(&text))
     }
+}
+
+/// The 64-bit FNV-1a hash of a text: it tells whether someone edited a sidecar.
+fn checksum(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 /// The comment line with the command that makes a table again: its name and options, between them the scene beside the table.
@@ -245,7 +255,7 @@ fn partial_path(csv: &Path) -> PathBuf {
         .unwrap_or_else(|| named(1))
 }
 
-/// A sidecar may replace an older sidecar, never a scene that someone wrote.
+/// A sidecar may replace an older sidecar, never a scene that someone wrote or edited.
 ///
 /// # Errors
 /// [`FileError::Refused`] when the CSV's name or what lies beside it forbids one.
@@ -257,21 +267,22 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     match fs::metadata(sidecar) {
         // A link to nothing is in the way, too.
         Err(_) if fs::symlink_metadata(sidecar).is_err() => return Ok(()),
-        Ok(found) if found.is_file() && begins_with_mark(sidecar) => return Ok(()),
+        Ok(found) if found.is_file() && is_as_written(sidecar) => return Ok(()),
         _ => {}
     }
     let problem = format!(
-        "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name",
+        "the scene goes beside it into `{}`, which is there and was not written by an export, or was edited since; choose another name, or move it away",
         sidecar.display()
     );
     Err(FileError::target(csv, &problem))
 }
 
-/// No more of the file is read: it may be anything, of any size.
-fn begins_with_mark(path: &Path) -> bool {
-    let mut start = [0; MARK.len()];
-    fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)).is_ok()
-        && start == *MARK.as_bytes()
+/// Whether a file is a sidecar that nobody edited.
+fn is_as_written(path: &Path) -> bool {
+    let text = read::text_file(path, Accepts::Ordinary, read::BYTES_MAX).unwrap_or_default();
+    let (first, rest) = text.split_once('\n').unwrap_or_default();
+    let sum = first.rsplit_once(SUM).map(|(_, sum)| sum);
+    first.starts_with(MARK) && sum == Some(&format!("{:016x}", checksum(rest)))
 }
 
 #[cfg(test)]
@@ -336,6 +347,23 @@ mod tests {
         assert!(to.write(b"1\n", &[beside]).is_err() && !to.path.exists());
         assert_eq!(to.write(b"1\n", &[]).unwrap(), [to.path]);
         assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
+    }
+
+    #[test]
+    fn a_sidecar_that_someone_edited_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
+        let to = Destination { path, existing: Existing::Replace, has_scene: true };
+        let scene = Scene::default();
+        let notes = || -> Box<dyn Fn(&str) -> String> { Box::new(|own| again("run", own)) };
+        let write = || to.write(b"1\n", &[Beside { run: None, scene: &scene, notes: notes() }]);
+        write().unwrap();
+        write().unwrap();
+        let edited = fs::read_to_string(&own).unwrap() + "# mine\n";
+        fs::write(&own, &edited).unwrap();
+        let error = write().unwrap_err().to_string();
+        assert!(error.contains("edited since") && to.check().is_err(), "{error}");
+        assert_eq!(fs::read_to_string(&own).unwrap(), edited);
     }
 
     #[test]

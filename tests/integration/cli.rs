@@ -124,7 +124,10 @@ fn run_prints_a_summary_of_the_baseline() {
     assert!(lines.next().unwrap().starts_with("arrested: "), "{}", done.out);
     // The answer and its numbers, then in a line each what the model is not valid for.
     let force = done.out.find("\npeak mount force        3.83798 kN\n").unwrap();
-    let warnings = done.out.find("\nwarnings (--verbose prints them in full)\n").unwrap();
+    let warnings = done
+        .out
+        .find("\nwarnings (`cmra explain NAME` explains one; --verbose prints them in full)\n")
+        .unwrap();
     let first = done.out.find("\n  ! h/D = 2 (conservative)\n").unwrap();
     assert!(force < warnings && warnings < first, "{}", done.out);
     let full = place.cmra("run --verbose");
@@ -352,7 +355,7 @@ fn the_sidecar_runs_again_to_the_same_digits() {
     assert_eq!(done.code, 0, "{}", done.err);
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");
-    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv\n")));
+    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv, checksum ")));
     assert!(sidecar.contains("# outcome: "), "{sidecar}");
     let again = place.json("run out.toml --json");
     assert_eq!(digits(again), digits(first));

@@ -1,5 +1,6 @@
 //! The one table of quantities, the inputs by name, face and mass, and the envelope of validity, as a user meets them.
 
+use cmra::model::run::envelope::Check;
 use serde_json::Value;
 
 use crate::support::says;
@@ -92,11 +93,32 @@ fn variables_and_quantities_are_explained() {
     // Each example works as it is written.
     for name in ["spring", "combine", "model"] {
         let (page, _) = says("explain", &[name], 0);
-        let set = page.split("--set ").nth(1).unwrap().trim();
+        let set = page.split("--set ").nth(1).and_then(|rest| rest.lines().next()).unwrap();
         says("run", &["--set", set], 0);
     }
     let (_, error) = says("explain", &["thicknes"], 2);
     assert!(error.contains("neither a variable ("), "{error}");
+}
+
+/// By the name that begins its line below a run; a name that a variable has, too, explains both.
+#[test]
+fn a_warning_is_explained_by_its_name() {
+    let (page, _) = says("run", &[], 0);
+    assert!(
+        page.contains("\n  ! plate face: the plate's face is 20.7 mm square, 1.63 D ("),
+        "{page}"
+    );
+    for name in Check::WORDS {
+        let (page, _) = says("explain", &[name], 0);
+        let text = page.split(&format!("{name}: a warning\n")).nth(1);
+        let text = text.unwrap_or_else(|| panic!("{name}: {page}")).to_lowercase();
+        let direction = ["conservative", "not known"].iter().any(|words| text.contains(words));
+        assert!(direction && text.contains("cure:"), "{text}");
+    }
+    let (both, _) = says("explain", &["spring"], 0);
+    assert!(both.contains("--set spring=") && both.contains("spring: a warning"), "{both}");
+    let (csv, _) = says("explain", &["--csv", "-"], 0);
+    assert!(csv.contains("\nwarning,plate face,"), "{csv}");
 }
 
 /// The closure's yield strength stands in the place of `S_y`, a beam's own measures in that of k.

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::model::worded::worded;
 
+mod check;
 pub mod envelope;
 mod stack;
 mod warning;

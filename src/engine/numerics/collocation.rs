@@ -8,15 +8,13 @@
 use std::sync::LazyLock;
 
 use crate::numerics::quadrature::legendre;
-use crate::numerics::step::Step;
+use crate::numerics::step::{Step, series};
 use crate::numerics::{larger, smaller};
 
-/// Greatest number of unknowns of a step: two bodies, nine stages.
-const UNKNOWNS_MAX: usize = 18;
 /// Iterations after which a step has failed. One that contracts by the usual tenth is at rounding after 16.
 const ITERATIONS_MAX: usize = 20;
 /// Contraction of the iteration that is worse than the price of new derivatives.
-const SLOW: f64 = 0.1;
+const SLOW: f64 = 0.03;
 /// Part of the step's tolerance to which the stage equations are solved: far below the error that is accepted.
 const SOLVED: f64 = 1e-2;
 /// Rounding of the stage equations, relative to the scales: a few units of the last place of a sum of ten terms.
@@ -74,6 +72,17 @@ impl<const D: usize> Tolerances<D> {
             larger(larger(place, speed), norm)
         })
     }
+}
+
+/// How the stage equations are solved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Way<const D: usize, const S: usize> {
+    /// From the acceleration at the start.
+    Free,
+    /// From there without passing a zero of a steep law.
+    Guarded,
+    /// From the acceleration of another step, within it or as it would go on: from this part of it, over so many of its lengths.
+    Along { acceleration: [[f64; S]; D], from: f64, over: f64 },
 }
 
 /// A member of the family.
@@ -169,64 +178,70 @@ impl<const S: usize> Member<S> {
     /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
     pub(crate) const ERROR_ORDER: f64 = (2 * S - 3) as f64;
 
-    /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations. `guarded` iterations pass no
-    /// zero of a steep law.
+    /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
     pub(crate) fn step<const D: usize>(
         &self,
         law: &impl Acceleration<D>,
         start: Point<D>,
         h: f64,
         goal: &Tolerances<D>,
-        guarded: bool,
+        way: Way<D, S>,
     ) -> (Option<Step<D, S>>, usize) {
-        let mut stages = [guess(law, start, h); S];
-        let mut factored: Option<Factored> = None;
+        let mut stages = match way {
+            Way::Along { acceleration, from, over } => {
+                self.nodes.map(|node| series(&acceleration, from + over * node))
+            }
+            Way::Free | Way::Guarded => [guess(law, start, h); S],
+        };
+        let mut matrix = Factored::zero();
+        let mut is_old = true;
         let mut before = f64::INFINITY;
         let enough = SOLVED + ROUNDING / goal.relative;
         for round in 1..=ITERATIONS_MAX {
             let points = self.points(start, h, &stages);
-            let matrix = factored.get_or_insert_with(|| self.matrix(law, &points, h));
-            let mut change = [0.0; UNKNOWNS_MAX];
-            for (i, (place, speed)) in points.iter().enumerate() {
+            let is_new = is_old;
+            if is_old {
+                self.derive(&mut matrix, law, &points, h);
+            }
+            let mut change = [[0.0; D]; S];
+            for (change, (stage, (place, speed))) in
+                change.iter_mut().zip(stages.iter().zip(&points))
+            {
                 let wanted = law.at(place, speed);
-                for d in 0..D {
-                    change[i * D + d] = wanted[d] - stages[i][d];
-                }
+                *change = std::array::from_fn(|d| wanted[d] - stage[d]);
             }
             if !matrix.solve(&mut change) {
                 return (None, round * S);
             }
-            let mut changed = stages;
-            for (stage, change) in changed.iter_mut().zip(change.chunks(D)) {
-                for d in 0..D {
-                    stage[d] += change[d];
-                }
-            }
-            let part = if guarded { self.allowed(law, start, h, [&stages, &changed]) } else { 1.0 };
+            let sum = |part: f64| -> [[f64; D]; S] {
+                std::array::from_fn(|i| std::array::from_fn(|d| stages[i][d] + part * change[i][d]))
+            };
+            let whole = sum(1.0);
+            let is_guarded = matches!(way, Way::Guarded);
+            let part =
+                if is_guarded { self.allowed(law, start, h, [&stages, &whole]) } else { 1.0 };
             let is_whole = part >= 1.0;
-            let norm = change[..S * D].chunks(D).fold(0.0, |norm, change| {
-                let speed: [f64; D] = std::array::from_fn(|d| h * change[d]);
+            stages = if is_whole { whole } else { sum(part) };
+            let norm = change.iter().fold(0.0, |norm, change| {
+                let speed = change.map(|change| h * change);
                 larger(goal.norm(&speed.map(|speed| h * speed), &speed), norm)
             });
-            for (stage, changed) in stages.iter_mut().zip(&changed) {
-                for d in 0..D {
-                    stage[d] += part * (changed[d] - stage[d]);
-                }
-            }
             if !norm.is_finite() || (round > 3 && norm > 2.0 * before && is_whole) {
                 return (None, round * S);
             }
             // Of the first change nothing is known.
             let contraction = if before.is_finite() { norm / before } else { 1.0 };
-            let ahead = if contraction < 1.0 { norm * contraction } else { norm };
+            // With new derivatives each contraction is the square of the one before.
+            let next = if is_new { contraction * contraction } else { contraction };
+            let ahead = if contraction < 1.0 { norm * next } else { norm };
             // What no longer shrinks, far below the tolerance, is rounding.
             let stalls = contraction > 0.5 && norm < 10.0 * enough;
             if is_whole && (norm <= SOLVED || ahead <= enough || stalls) {
                 return (Some(self.polynomial(start, h, &stages)), round * S);
             }
-            if contraction > SLOW {
-                factored = None;
-            }
+            // The first contracts by about as much as the derivatives have changed, like the stages.
+            let slow = if before.is_finite() { contraction } else { norm * goal.relative };
+            is_old = slow > SLOW;
             before = norm;
         }
         (None, ITERATIONS_MAX * S)
@@ -266,28 +281,27 @@ impl<const S: usize> Member<S> {
         parts.fold(1.0, smaller)
     }
 
-    fn matrix<const D: usize>(
+    /// The matrix of Newton's method with the derivatives at these points.
+    fn derive<const D: usize>(
         &self,
+        matrix: &mut Factored<D, S>,
         law: &impl Acceleration<D>,
         points: &[Point<D>; S],
         h: f64,
-    ) -> Factored {
-        let mut matrix = Factored::zero(S * D);
-        for (i, (place, speed)) in points.iter().enumerate() {
-            let slopes = law.slopes(place, speed);
-            for j in 0..S {
-                let (one, two) = (h * self.a[i][j], h * h * self.square[i][j]);
-                for d in 0..D {
-                    for e in 0..D {
+    ) {
+        let slopes = points.map(|(place, speed)| law.slopes(&place, &speed));
+        for (j, columns) in matrix.columns.iter_mut().enumerate() {
+            for (e, column) in columns.iter_mut().enumerate() {
+                for (i, (rows, slopes)) in column.iter_mut().zip(&slopes).enumerate() {
+                    let (one, two) = (h * self.a[i][j], h * h * self.square[i][j]);
+                    for (d, value) in rows.iter_mut().enumerate() {
                         let unit = if i == j && d == e { 1.0 } else { 0.0 };
-                        matrix.rows[i * D + d][j * D + e] =
-                            unit - one * slopes.speed[d][e] - two * slopes.place[d][e];
+                        *value = unit - one * slopes.speed[d][e] - two * slopes.place[d][e];
                     }
                 }
             }
         }
         matrix.factor();
-        matrix
     }
 
     fn polynomial<const D: usize>(
@@ -341,22 +355,21 @@ impl<const S: usize> Member<S> {
             }
         }
         let slopes = law.slopes(&step.end.0, &step.end.1);
-        let mut filter = Factored::zero(D);
-        for d in 0..D {
-            for e in 0..D {
+        let mut filter = Factored::<D, 1>::zero();
+        for (e, column) in filter.columns[0].iter_mut().enumerate() {
+            for (d, value) in column[0].iter_mut().enumerate() {
                 let unit = if d == e { 1.0 } else { 0.0 };
                 let stiff = slopes.speed[d][e] + FILTER * h * slopes.place[d][e];
-                filter.rows[d][e] = unit - FILTER * h * stiff;
+                *value = unit - FILTER * h * stiff;
             }
         }
         filter.factor();
-        [tail, defect].iter().fold(0.0, |worst, (place, speed)| {
-            let filtered = |error: &[f64; D]| {
-                let mut all = [0.0; UNKNOWNS_MAX];
-                all[..D].copy_from_slice(error);
-                // An infinite slope at the end damps without bound: nothing is known of the error then.
-                if filter.solve(&mut all) { std::array::from_fn(|d| all[d]) } else { *error }
-            };
+        let filtered = |error: [f64; D]| {
+            let mut all = [error];
+            // An infinite slope at the end damps without bound: nothing is known of the error then.
+            if filter.solve(&mut all) { all[0] } else { error }
+        };
+        [tail, defect].into_iter().fold(0.0, |worst, (place, speed)| {
             larger(goal.norm(&filtered(place), &filtered(speed)), worst)
         })
     }
@@ -371,55 +384,69 @@ fn guess<const D: usize>(law: &impl Acceleration<D>, (place, speed): Point<D>, h
     })
 }
 
-/// A matrix, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
-struct Factored {
-    size: usize,
-    rows: [[f64; UNKNOWNS_MAX]; UNKNOWNS_MAX],
-    pivots: [usize; UNKNOWNS_MAX],
+/// A matrix of `S` times `S` blocks, factored by Gaussian elimination with partial pivoting, for several right-hand sides.
+struct Factored<const D: usize, const S: usize> {
+    columns: [[[[f64; D]; S]; D]; S],
+    pivots: [[usize; D]; S],
 }
 
-impl Factored {
-    fn zero(size: usize) -> Self {
-        Self { size, rows: [[0.0; UNKNOWNS_MAX]; UNKNOWNS_MAX], pivots: [0; UNKNOWNS_MAX] }
+impl<const D: usize, const S: usize> Factored<D, S> {
+    const SIZE: usize = D * S;
+
+    fn zero() -> Self {
+        Self { columns: [[[[0.0; D]; S]; D]; S], pivots: [[0; D]; S] }
     }
 
     fn factor(&mut self) {
-        for column in 0..self.size {
-            let mut pivot = column;
-            for row in column + 1..self.size {
-                if self.rows[row][column].abs() > self.rows[pivot][column].abs() {
+        let (columns, pivots) = (self.columns.as_flattened_mut(), self.pivots.as_flattened_mut());
+        for at in 0..Self::SIZE {
+            let (done, rest) = columns.split_at_mut(at + 1);
+            let column = done[at].as_flattened_mut();
+            let mut pivot = at;
+            for row in at + 1..Self::SIZE {
+                if column[row].abs() > column[pivot].abs() {
                     pivot = row;
                 }
             }
-            self.rows.swap(pivot, column);
-            self.pivots[column] = pivot;
-            let above = self.rows[column];
-            let inverse = 1.0 / above[column];
-            for row in &mut self.rows[column + 1..self.size] {
-                let factor = row[column] * inverse;
-                for (value, above) in row[column + 1..].iter_mut().zip(&above[column + 1..]) {
+            pivots[at] = pivot;
+            column.swap(at, pivot);
+            let inverse = 1.0 / column[at];
+            let factors = &mut column[at + 1..];
+            for factor in factors.iter_mut() {
+                *factor *= inverse;
+            }
+            for other in rest {
+                let other = other.as_flattened_mut();
+                other.swap(at, pivot);
+                let above = other[at];
+                for (value, factor) in other[at + 1..].iter_mut().zip(&*factors) {
                     *value -= factor * above;
                 }
-                row[column] = factor;
             }
         }
     }
 
     /// The solution replaces the right-hand side; `false` where it is not finite.
-    fn solve(&self, right: &mut [f64; UNKNOWNS_MAX]) -> bool {
-        // The whole rows were exchanged, those of the factors too: first all exchanges, then the elimination.
-        for column in 0..self.size {
-            right.swap(column, self.pivots[column]);
+    fn solve(&self, right: &mut [[f64; D]; S]) -> bool {
+        let (columns, pivots) = (self.columns.as_flattened(), self.pivots.as_flattened());
+        let right = right.as_flattened_mut();
+        for (at, (column, pivot)) in columns.iter().zip(pivots).enumerate() {
+            right.swap(at, *pivot);
+            let above = right[at];
+            for (value, factor) in right[at + 1..].iter_mut().zip(&column.as_flattened()[at + 1..])
+            {
+                *value -= factor * above;
+            }
         }
-        for row in 1..self.size {
-            let sum: f64 = (0..row).map(|k| self.rows[row][k] * right[k]).sum();
-            right[row] -= sum;
+        for (at, column) in columns.iter().enumerate().rev() {
+            let column = column.as_flattened();
+            right[at] /= column[at];
+            let below = right[at];
+            for (value, factor) in right[..at].iter_mut().zip(column) {
+                *value -= factor * below;
+            }
         }
-        for row in (0..self.size).rev() {
-            let sum: f64 = (row + 1..self.size).map(|k| self.rows[row][k] * right[k]).sum();
-            right[row] = (right[row] - sum) / self.rows[row][row];
-        }
-        right[..self.size].iter().all(|value| value.is_finite())
+        right.iter().all(|value| value.is_finite())
     }
 }
 
@@ -465,7 +492,7 @@ mod tests {
 
     /// Greatest error of place and speed after a step of a whole.
     fn error<const S: usize>(member: &Member<S>, h: f64) -> f64 {
-        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, false).0.unwrap();
+        let step = member.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::Free).0.unwrap();
         let (place, speed) = step.end;
         larger((place[0] - h.ln_1p()).abs(), (speed[0] - 1.0 / (1.0 + h)).abs())
     }
@@ -503,9 +530,9 @@ mod tests {
 
     #[test]
     fn valid_a_stiff_oscillation_is_damped_and_a_slow_one_is_followed() {
-        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, false).0.unwrap();
+        let slow = NINE.step(&Spring(1.0), ([1.0], [0.0]), 1.0, &GOAL, Way::Free).0.unwrap();
         assert!((slow.end.0[0] - 1f64.cos()).abs() < 1e-15);
-        let stiff = NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, false).0.unwrap();
+        let stiff = NINE.step(&Spring(1e12), ([1.0], [0.0]), 1.0, &GOAL, Way::Free).0.unwrap();
         assert!(stiff.end.0[0].abs() < 1e-3, "{:?}", stiff.end);
     }
 
@@ -513,7 +540,7 @@ mod tests {
     fn valid_the_estimate_of_a_step_is_not_below_its_error_and_falls_fast() {
         let mut before = f64::INFINITY;
         for h in [4.0, 2.0, 1.0, 0.5] {
-            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, false).0.unwrap();
+            let step = SEVEN.step(&Drag, ([0.0], [1.0]), h, &GOAL, Way::Free).0.unwrap();
             let estimate = SEVEN.error(&Drag, &step, &GOAL) * GOAL.relative;
             assert!(estimate > error(&SEVEN, h), "{h}: {estimate:e}");
             assert!(estimate < 0.1 * before, "{h}: {estimate:e} {before:e}");

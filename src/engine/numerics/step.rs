@@ -34,19 +34,27 @@ impl<const D: usize, const S: usize> Step<D, S> {
 
     /// Accelerations of the polynomial at a part of it.
     pub(crate) fn acceleration_at(&self, theta: f64) -> [f64; D] {
-        let x = 2.0 * theta - 1.0;
-        let mut sums = [0.0; D];
-        let (mut before, mut now) = (0.0, 1.0);
-        for k in 0..S {
-            for (sum, coefficients) in sums.iter_mut().zip(&self.acceleration) {
-                *sum += coefficients[k] * now;
-            }
-            let degree = k as f64;
-            let next = ((2.0 * degree + 1.0) * x * now - degree * before) / (degree + 1.0);
-            (before, now) = (now, next);
-        }
-        sums
+        series(&self.acceleration, theta)
     }
+}
+
+/// Sums of Legendre polynomials of a part of a step, 0 to 1, with these coefficients.
+pub(crate) fn series<const D: usize, const S: usize>(
+    coefficients: &[[f64; S]; D],
+    theta: f64,
+) -> [f64; D] {
+    let x = 2.0 * theta - 1.0;
+    let mut sums = [0.0; D];
+    let (mut before, mut now) = (0.0, 1.0);
+    for k in 0..S {
+        for (sum, coefficients) in sums.iter_mut().zip(coefficients) {
+            *sum += coefficients[k] * now;
+        }
+        let degree = k as f64;
+        let next = ((2.0 * degree + 1.0) * x * now - degree * before) / (degree + 1.0);
+        (before, now) = (now, next);
+    }
+    sums
 }
 
 #[cfg(test)]

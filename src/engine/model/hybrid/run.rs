@@ -10,7 +10,7 @@ use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
 use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
 use crate::model::scene::{Scene, Stop, StopKind};
-use crate::numerics::collocation::{Member, Tolerances};
+use crate::numerics::collocation::{Member, Tolerances, Way};
 use crate::numerics::locate::{Found, first_fall};
 use crate::numerics::step::Step;
 use crate::numerics::{larger, smaller};
@@ -61,6 +61,8 @@ struct Progress<'a, const S: usize> {
     decided: Option<(Outcome, Farthest)>,
     /// The event on which the state is, until a step has left it.
     last: Option<Event>,
+    /// Length and acceleration of the step that ends at the state, in the same mode.
+    previous: Option<(f64, [[f64; S]; 2])>,
     /// Length of the next step, s.
     h_s: f64,
     horizon_s: f64,
@@ -87,6 +89,7 @@ pub(super) fn run<const S: usize>(
         record: Record { farthest_m: setup.start_m, ..Record::default() },
         decided: None,
         last: None,
+        previous: None,
         h_s: FIRST_STEP * passage_s,
         horizon_s: if waits { f64::INFINITY } else { bounds.horizon_s },
     };
@@ -160,7 +163,7 @@ impl<const S: usize> Progress<'_, S> {
         if event != Event::StopRelease {
             modes::face(self.setup, &mut next, &state);
         }
-        self.last = Some(event);
+        (self.last, self.previous) = (Some(event), None);
         self.record.event(event, &Equations { setup: self.setup, mode: &before }, &next, &state);
         (self.mode, self.state) = (next, state);
         if let Some(travel_m) = self.last_slips_m() {
@@ -194,7 +197,12 @@ impl<const S: usize> Progress<'_, S> {
         if h_s < NO_TIME * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
-        let (step, factor) = match self.try_step(law, h_s) {
+        let way = self.previous.map_or(Way::Free, |(before_s, acceleration)| Way::Along {
+            acceleration: std::array::from_fn(|d| acceleration[d]),
+            from: 1.0,
+            over: h_s / before_s,
+        });
+        let (step, factor) = match self.try_step(law, h_s, way) {
             Ok(tried) => tried,
             Err(part) => {
                 self.h_s = part * h_s;
@@ -216,13 +224,16 @@ impl<const S: usize> Progress<'_, S> {
                 });
                 self.state = law.state(&start, start.t_s + h_s, &step.end);
                 self.last = None;
+                let mut acceleration = [[0.0; S]; 2];
+                acceleration[..D].copy_from_slice(&step.acceleration);
+                self.previous = Some((h_s, acceleration));
                 self.h_s = factor * h_s;
             }
             Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], start),
             Found::Unresolved(_) => self.h_s = CLOSER * h_s,
             Found::Fall(which, theta) => {
                 let whole_s = self.h_s;
-                match self.land(law, &events, which, theta * h_s) {
+                match self.land(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
                         self.react(events.list()[which], state);
                         self.h_s = whole_s;
@@ -239,12 +250,13 @@ impl<const S: usize> Progress<'_, S> {
         &mut self,
         law: &impl Moving<D>,
         h_s: f64,
+        way: Way<D, S>,
     ) -> Result<(Step<D, S>, f64), f64> {
         let start = law.point(&self.state);
         let goal = self.tolerances(law, &self.state);
         let mut solved = None;
-        for guarded in [false, true] {
-            let (step, evaluations) = self.member.step(law, start, h_s, &goal, guarded);
+        for way in [way, Way::Guarded] {
+            let (step, evaluations) = self.member.step(law, start, h_s, &goal, way);
             self.record.evaluations += evaluations;
             solved = step;
             if solved.is_some() || !self.has_steep_law() {
@@ -278,20 +290,22 @@ impl<const S: usize> Progress<'_, S> {
         }
     }
 
-    /// The state on an event near the end of a step of about this length, by a step that ends there; or how long a step to try, where
-    /// that does not succeed or another event comes first.
+    /// The state on an event near the end of a step of about this length, by a step that ends there, guessed from the `near` one that
+    /// goes on beyond; or how long a step to try, where that does not succeed or another event comes first.
     fn land<const D: usize>(
         &mut self,
         law: &impl Moving<D>,
         events: &Events,
-        which: usize,
-        about_s: f64,
+        (which, about_s): (usize, f64),
+        near: &Step<D, S>,
     ) -> Result<State, f64> {
         let (equations, start) = (law.equations(), self.state);
         let event = events.list()[which];
         let mut h_s = about_s;
         for _ in 0..LANDINGS_MAX {
-            let (step, _) = self.try_step(law, h_s).map_err(|part| part * h_s)?;
+            let acceleration = near.acceleration;
+            let way = Way::Along { acceleration, from: 0.0, over: h_s / near.h };
+            let (step, _) = self.try_step(law, h_s, way).map_err(|part| part * h_s)?;
             let at = |theta: f64| law.state(&start, start.t_s + theta * h_s, &step.at(theta));
             let theta = near_root(|theta| gap(equations, event, &at(theta)));
             if (theta - 1.0).abs() > NEAR_END {

@@ -6,6 +6,8 @@
 
 use std::fmt;
 
+pub use crate::model::run::check::Check;
+
 use crate::model::design::Rod;
 use crate::model::library;
 use crate::model::mechanism::{Mechanism, OmittedMass, is_uncounted};
@@ -46,60 +48,6 @@ const SPRING_MASS_MOST: f64 = 0.1;
 
 /// What a breach begins with in words.
 pub const OUTSIDE: &str = "outside validity: ";
-
-worded! {
-    /// One row of the table.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-    pub enum Check: label {
-        /// Plate thickness over projectile diameter.
-        Thickness = "h/D",
-        /// The target's density and strength.
-        Material = "material",
-        Nose = "nose",
-        /// The pressure on the nose over the projectile's strength.
-        NosePressure = "nose pressure",
-        /// The mass of the nose sphere over that of the projectile.
-        NoseMass = "nose mass",
-        /// The plate's face over the projectile's diameter.
-        Face = "plate face",
-        Velocity = "velocity",
-        Obliquity = "obliquity",
-        /// Velocity, stress and travel of the spring.
-        Spring = "spring",
-        /// The springs' own mass, where it is omitted.
-        SpringMass = "spring mass",
-        /// A rigid stop under a fused interface.
-        Stop = "rigid stop",
-        /// The load of a fused interface.
-        Interface = "interface",
-        /// The load of a fused interface on the way back, after the run.
-        Rebound = "rebound",
-    }
-}
-
-impl Check {
-    /// Whether it is of what the design itself has to bear, not of the model's choice.
-    pub fn is_of_load(self) -> bool {
-        matches!(self, Self::Face | Self::Spring | Self::Stop | Self::Interface | Self::Rebound)
-    }
-
-    /// The variable in whose row the breach is marked.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Thickness => "h",
-            Self::Material => "rho",
-            Self::Nose => "nose",
-            Self::NosePressure | Self::Velocity => "v_i",
-            Self::NoseMass => "m_p",
-            Self::Face => "gamma",
-            Self::Obliquity => "theta",
-            Self::Spring => "k",
-            Self::SpringMass => "own_mass",
-            Self::Stop => "x_stop",
-            Self::Interface | Self::Rebound => "interface",
-        }
-    }
-}
 
 worded! {
     /// On which side the answer errs.
@@ -148,7 +96,10 @@ impl Breach {
 
 impl fmt::Display for Breach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{OUTSIDE}{} ({})", self.text, self.direction.word())
+        let (name, text) = (self.check.label(), &self.text);
+        // Its name is what explains it.
+        let lead = if text.starts_with(name) { String::new() } else { format!("{name}: ") };
+        write!(f, "{OUTSIDE}{lead}{text} ({})", self.direction.word())
     }
 }
 
