@@ -517,6 +517,12 @@ mod tests {
         assert!((gauss - 1.0 / 18.0).abs() < 1e-14);
     }
 
+    /// A gap that is zero where a step begins has to be zero on its polynomial too.
+    #[test]
+    fn valid_a_step_begins_exactly_where_it_begins() {
+        assert_eq!(integrals::<9>(0.0).map(|integral| integral.abs().to_bits()), [0; 9]);
+    }
+
     #[test]
     fn valid_half_the_step_leaves_two_to_the_order_of_the_error() {
         // The pole at -1 keeps the error from its order 13 until the step is short.
