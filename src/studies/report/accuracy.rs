@@ -146,7 +146,7 @@ pub fn printed_scheme(report: &Report) -> Option<String> {
     Some(format!("printed scheme: {} off at any step", percent(report.printed_off?)))
 }
 
-/// The gain from what is left out.
+/// The gain from omitted terms.
 pub fn savings(savings: &[Saving]) -> Table<'_, &Saving> {
     let in_seconds = |_: &&Saving, value: &Value| Some(seconds(value.as_f64()?));
     Table::of(savings)

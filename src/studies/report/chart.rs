@@ -248,7 +248,7 @@ pub struct Chart<'a> {
     pub frame: Frame,
     /// Whether the curves are named.
     pub legend: Legend,
-    /// Something short at the right of the title line of a stacked chart; left out where it has no room.
+    /// Something short at the right of the title line of a stacked chart; omitted where it has no room.
     pub note: Cow<'a, str>,
     /// Least columns for the labels of the left axis.
     pub gutter: u16,

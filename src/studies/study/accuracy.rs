@@ -146,7 +146,7 @@ pub struct Report {
     pub printed_off: Option<f64>,
     /// The run time of a run as it is shown, with its series and its error estimate, s.
     pub run_s: Option<f64>,
-    /// The gain from what is left out.
+    /// The gain from omitted terms.
     pub savings: Vec<Saving>,
     /// Whether it was stopped before its end.
     pub is_complete: bool,

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, done};
+use super::search::{keys, sought};
 use super::{limit, search, stability, sweep};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
@@ -13,23 +14,6 @@ use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
 use cmra::worker::Finding;
-
-/// Press keys and answer runs, sweeps and searches after each.
-fn keys(bench: &mut Bench, keys: &[&str]) {
-    for key in keys {
-        bench.keys(key);
-        sweep::answer(bench);
-        search::answer(bench);
-    }
-}
-
-/// The search tab with a goal seek that is done.
-fn sought(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::open(GlyphSet::Ascii, size);
-    bench.keys("4<Tab>");
-    search::answer(&mut bench);
-    bench
-}
 
 #[test]
 fn letters_of_events_stay_beside_pinned_runs() {

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::{accuracy, limit, search, sweep};
+use super::search::{in_search, keys};
+use super::{accuracy, limit, search};
 use cmra::files::library;
 use cmra::model::library::Library;
 use cmra::model::scene::PlateSize;
@@ -13,22 +14,6 @@ use cmra::tui::message::PresetEntry;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::explore::state::Picture;
 use cmra::tui::theme::GlyphSet;
-
-/// Press keys and answer runs, sweeps and searches after each.
-fn keys(bench: &mut Bench, keys: &[&str]) {
-    for key in keys {
-        bench.keys(key);
-        sweep::answer(bench);
-        search::answer(bench);
-    }
-}
-
-fn in_search(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::ascii(size.0, size.1);
-    bench.press("4");
-    search::answer(&mut bench);
-    bench
-}
 
 #[test]
 fn a_changed_goal_is_searched_for_before_enter_loads_anything() {

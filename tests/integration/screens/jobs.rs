@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::bench::{Bench, Study, ended, made};
+use super::search::{in_search, sought};
 use super::{accuracy, limit, search};
 use cmra::model::run::EndReason;
 use cmra::tui::dialogs::Dialog;
@@ -20,14 +21,6 @@ fn searched(bench: &mut Bench) -> (u64, Page) {
     found.expect("a search")
 }
 
-/// The search tab with a goal seek that is done.
-fn sought(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::open(GlyphSet::Ascii, size);
-    bench.keys("4<Tab>");
-    search::answer(&mut bench);
-    bench
-}
-
 /// Whether the table that was exported last is a part.
 pub(super) fn writes_a_part(bench: &Bench) -> bool {
     let content = bench.effects.iter().rev().find_map(|effect| match effect {
@@ -43,13 +36,6 @@ fn stopped(bench: &Bench) -> Comparison {
     let mut map = found.map.clone().expect("a map");
     map.cells.truncate(30);
     Comparison { map: Some(map), ..found }
-}
-
-fn in_search(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::ascii(size.0, size.1);
-    bench.press("4");
-    search::answer(&mut bench);
-    bench
 }
 
 #[test]

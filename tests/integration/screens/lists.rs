@@ -4,28 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::bench::Bench;
-use super::{limit, search, stability, sweep};
+use super::search::{keys, sought};
+use super::{limit, search, stability};
 use cmra::tui::keymap::Keymap;
 use cmra::tui::message::{Message, PresetEntry};
 use cmra::tui::pages::{Tab, explore, run};
 use cmra::tui::theme::GlyphSet;
-
-/// Press keys and answer runs, sweeps and searches after each.
-fn keys(bench: &mut Bench, keys: &[&str]) {
-    for key in keys {
-        bench.keys(key);
-        sweep::answer(bench);
-        search::answer(bench);
-    }
-}
-
-/// The search tab with a goal seek that is done.
-fn sought(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::open(GlyphSet::Ascii, size);
-    bench.keys("4<Tab>");
-    search::answer(&mut bench);
-    bench
-}
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
 #[test]

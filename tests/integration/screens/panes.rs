@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::bench::Bench;
 use super::pointer::{click, find};
+use super::search::in_search;
 use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
 use cmra::tui::chart::Scale;
@@ -13,13 +14,6 @@ use cmra::tui::pages::{Tab, explore, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-
-fn in_search(size: (u16, u16)) -> Bench {
-    let mut bench = Bench::ascii(size.0, size.1);
-    bench.press("4");
-    search::answer(&mut bench);
-    bench
-}
 
 #[test]
 fn the_focus_belongs_to_the_tab() {

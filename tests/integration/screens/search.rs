@@ -87,6 +87,31 @@ pub(super) fn answer(bench: &mut Bench) {
     }
 }
 
+/// Presses keys and answers runs, sweeps and searches after each.
+pub(super) fn keys(bench: &mut Bench, keys: &[&str]) {
+    for key in keys {
+        bench.keys(key);
+        super::sweep::answer(bench);
+        answer(bench);
+    }
+}
+
+/// The Search tab with a goal seek that is done.
+pub(super) fn in_search(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::ascii(size.0, size.1);
+    bench.press("4");
+    answer(&mut bench);
+    bench
+}
+
+/// The same, with its next pane selected.
+pub(super) fn sought(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(GlyphSet::Ascii, size);
+    bench.keys("4<Tab>");
+    answer(&mut bench);
+    bench
+}
+
 fn answer_one(bench: &mut Bench, study: &Study) -> bool {
     let found = if let Some(request) = study.asked.of::<Request>() {
         Finding::new(made(&study.scene, request))
