@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::NINE;
+use crate::numerics::collocation::{Collocation, NINE};
 use equations::Setup;
 pub(in crate::model) use run::Bounds;
 
@@ -26,11 +26,13 @@ mod tests;
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
+    tolerance: f64,
     observer: Observer<'_>,
 ) -> Option<Run> {
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let setup = Setup::of(scene)?;
-    Some(run::run(scene, &setup, &NINE, bounds, observer))
+    let stepper = Collocation { member: &*NINE, tolerance };
+    Some(run::run(scene, &setup, &stepper, bounds, observer))
 }
