@@ -76,7 +76,7 @@ fn a_long_run_reports_the_time_it_has_reached() {
 #[test]
 fn every_long_computation_reports_its_progress() {
     for (words, said) in [
-        ("accuracy --set interface=plastic", " of 89 points"),
+        ("accuracy --set interface=plastic", " of 69 points"),
         ("montecarlo --samples 1000000 --set n=0.7", " runs"),
     ] {
         let (page, _) = interrupted(words, said);
@@ -92,7 +92,7 @@ fn what_is_cut_short_says_so_and_draws_no_conclusion() {
         ("stability", " scenes", "not complete: interrupted after ", " scenes pass"),
         (
             "accuracy --set interface=plastic",
-            " of 89 points",
+            " of 69 points",
             "no answer is drawn from these points",
             "<- cheapest",
         ),

@@ -103,10 +103,13 @@ impl PowerLaw {
         match self.kind() {
             PowerKind::Absent => 0.0,
             PowerKind::Linear => self.coefficient * z,
-            PowerKind::Whole(_) | PowerKind::General => {
-                self.coefficient * z.abs().powf(self.exponent) * sign(z)
-            }
+            PowerKind::Whole(_) | PowerKind::General => self.force_by_power(z),
         }
+    }
+
+    /// The same by the general power, whatever the exponent.
+    pub fn force_by_power(self, z: f64) -> f64 {
+        self.coefficient * z.abs().powf(self.exponent) * sign(z)
     }
 
     /// The derivative of the force at `z`; infinite at zero for exponents below one.

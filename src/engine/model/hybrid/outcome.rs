@@ -270,7 +270,7 @@ impl Equations<'_> {
             };
         }
         // Without damper and stop the plate comes to where all its energy is in the spring.
-        if setup.damper.is_absent() && setup.stop.is_none() {
+        if setup.damper.is_absent() && setup.stop.is_none() && !setup.in_full {
             return Farthest::Known(larger(reach_m, so_far_m));
         }
         Farthest::Pending
