@@ -22,7 +22,7 @@ mod run;
 #[cfg(test)]
 mod tests;
 
-/// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
+/// One impact on a valid scene; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
@@ -31,6 +31,6 @@ pub(in crate::model) fn run(
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
-    let setup = Setup::of(scene)?;
+    let setup = Setup::of(scene);
     Some(run::run(scene, &setup, &NINE, bounds, observer))
 }
