@@ -40,7 +40,7 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` where this engine does not know the contact or the spring.
+/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
@@ -51,7 +51,9 @@ pub(in crate::model) fn run(
         return None;
     }
     let in_full = matches!(stepping, Stepping::CollocationInFull(_));
-    let setup = &Setup { in_full, ..Setup::of(scene)? };
+    let mut setup = Setup::of(scene);
+    setup.in_full = in_full;
+    let setup = &setup;
     Some(match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };

@@ -103,13 +103,19 @@ impl PowerLaw {
         match self.kind() {
             PowerKind::Absent => 0.0,
             PowerKind::Linear => self.coefficient * z,
-            PowerKind::Whole(_) | PowerKind::General => self.force_by_power(z),
+            PowerKind::Whole(_) | PowerKind::General => {
+                self.coefficient * z.abs().powf(self.exponent) * sign(z)
+            }
         }
     }
 
-    /// The same by the general power, whatever the exponent.
-    pub fn force_by_power(self, z: f64) -> f64 {
-        self.coefficient * z.abs().powf(self.exponent) * sign(z)
+    /// The force on one side of zero, 1 or -1: a square goes on smoothly a little beyond it, any other law oddly.
+    pub fn force_on(self, side: f64, z: f64) -> f64 {
+        match self.kind() {
+            PowerKind::Whole(2) => self.coefficient * z * z * side,
+            PowerKind::Whole(3) => self.coefficient * z * z * z,
+            _ => self.force(z),
+        }
     }
 
     /// The derivative of the force at `z`; infinite at zero for exponents below one.
