@@ -22,9 +22,10 @@ const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 /// What the columns of the stiff scenes mean, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
     let computed = [ReferenceSource::Dop853, ReferenceSource::Radau, ReferenceSource::Engine];
-    let computed = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
+    let bases = computed.map(|it| format!("{}: {}", it.letter(), it.words())).join(", ");
+    let stored = ReferenceSource::Stored("").letter();
     format!(
-        "{COLUMNS}. The letter behind an error names what it is measured against (s: stored digits, {computed})."
+        "{COLUMNS}. The letter behind an error names what it is measured against: {stored}: stored digits, {bases}."
     )
 }
 
