@@ -6,10 +6,13 @@
 pub mod accuracy;
 pub mod compare;
 pub mod context;
+pub mod error;
+mod first_contact;
 pub mod limit;
 pub mod load;
 pub mod models;
 pub mod monte_carlo;
+pub mod outcome;
 pub mod parallel;
 pub mod principles;
 pub mod quantities;

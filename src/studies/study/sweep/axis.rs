@@ -10,7 +10,7 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Prefix};
 use crate::model::variables::{self, Allowed, Number, Variable};
 use crate::numerics::larger;
-use crate::study::sweep::SweepError;
+use crate::study::error::SweepError;
 
 mod text;
 

@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 use crate::model::scene::SweepAxis;
 use crate::model::units::{self, Bare, Dimension};
 use crate::model::variables;
-use crate::study::sweep::{Axis, Spacing, SweepError};
+use crate::study::error::SweepError;
+use crate::study::sweep::axis::{Axis, Spacing};
 
 /// The two forms of an axis.
 const FORM: &str =
