@@ -14,6 +14,8 @@ use crate::study::error::SweepError;
 
 mod text;
 
+pub(in crate::study) use text::ends;
+
 /// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
 pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;
 
