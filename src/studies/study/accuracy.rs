@@ -4,6 +4,7 @@
 //! force and residual velocity. A method that gives no answer, or a wrong outcome, keeps its row with the reason. The printed scheme
 //! of the thesis is compared with its own limit: what is left then is the error of its step. Time comes from a clock passed in.
 
+use std::fmt;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -55,6 +56,13 @@ impl ComparisonOptions {
     /// A fraction of a second a scene.
     pub const QUICK: Self =
         Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
+}
+
+/// The command's name and options.
+impl fmt::Display for ComparisonOptions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::QUICK { "accuracy --quick" } else { "accuracy" })
+    }
 }
 
 /// The result of a method for one value of its parameter.
