@@ -94,7 +94,6 @@ fn valid_the_displacement_at_the_horizon_of_a_plate_that_nothing_stops() {
 }
 
 #[test]
-#[ignore = "next engine"]
 fn valid_a_straight_table_is_a_straight_spring() {
     let folder = tempfile::tempdir().unwrap();
     let table = folder.path().join("straight.csv");

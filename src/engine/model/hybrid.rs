@@ -38,14 +38,14 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
+/// One impact on a valid scene by a method; `None` of the listing of the Appendix, a scheme of its own.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     bounds: Bounds,
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Option<Run> {
-    if scene.contact.model != ContactModel::Hydrodynamic {
+    if scene.contact.model == ContactModel::Appendix {
         return None;
     }
     let setup = &Setup::of(scene);

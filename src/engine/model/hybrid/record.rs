@@ -1,5 +1,6 @@
 //! What a run leaves: milestones and extremes, each from the accepted steps.
 
+use crate::model::contact_models::Law;
 use crate::model::hybrid::equations::{Equations, State};
 use crate::model::hybrid::modes::{Contact, Event, Mode};
 use crate::model::run::{Arrest, Departure};
@@ -30,11 +31,13 @@ impl Record {
         self.steps += 1;
         let end = at(1.0);
         self.reach(equations.displacement_m(end.x_m));
+        // Friction is no peak.
+        let pushes = equations.goes_in() || equations.setup.law != Law::Flow;
         match equations.mode.contact {
-            Contact::Deepening => {
+            Contact::Deepening | Contact::PullingOut if pushes => {
                 let force = |theta: f64| {
                     let state = at(theta);
-                    equations.contact_n(state.q_m, state.u_m_s)
+                    equations.contact_n(&state)
                 };
                 let peak = greatest(0.0, 1.0, self.peak_contact_n, force);
                 self.peak_contact_n = larger(peak, self.peak_contact_n);
@@ -79,7 +82,7 @@ impl Record {
         self.events += 1;
         self.reach(after.origin_m + state.x_m);
         let departure = Departure { t_s: state.t_s, velocity_m_s: setup.projectile_m_s(state) };
-        if event == Event::SlipZero && self.first_arrest.is_none() {
+        if matches!(event, Event::SlipZero | Event::HistoryEnd) && self.first_arrest.is_none() {
             self.first_arrest = Some(Arrest {
                 t_s: state.t_s,
                 penetration_m: setup.geometry.depth_m(state.q_m),

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::model::contact_models::Law;
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::events::{Events, gap};
 use crate::model::hybrid::modes::{self, Contact, Event, Hold, Mode};
-use crate::model::hybrid::moving::{Both, Moving, Plate, Projectile};
+use crate::model::hybrid::moving::{Both, Driven, Moving, Plate, Projectile};
 use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
 use crate::model::run::{Cost, EndReason, Observer, Outcome, Run};
@@ -96,6 +97,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     /// A law that is infinitely steep where the plate begins is left by the balance of forces.
     fn first_moment(&mut self) {
         if self.setup.starts_steep() && self.mode.hold == Hold::Free {
+            self.record.peak_contact_n = self.equations().contact_n(&self.state);
             self.state = self.equations().after_first_moment();
             self.h_s = self.state.t_s;
         }
@@ -165,6 +167,11 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
     fn advance(&mut self) -> Option<EndReason> {
         let mode = self.mode.clone();
         let equations = Equations { setup: self.setup, mode: &mode };
+        if let Law::History(history) = self.setup.law
+            && mode.contact != Contact::Joined
+        {
+            return self.advance_by(&Driven(equations, history));
+        }
         match (mode.hold, mode.contact) {
             (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
             (Hold::Free, _) => self.advance_by(&Both(equations)),
@@ -301,6 +308,8 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
         let equations = Equations { setup: self.setup, mode: &self.mode };
         let ways = if self.is_thrown_back() { 2 } else { 1 };
         if self.mode.contact != Contact::Joined
+            || self.setup.law != Law::Flow
+            || equations.drives_away(&self.state).is_some()
             || equations.plate_rests()
             || self.record.swings >= ways
         {
@@ -337,6 +346,7 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             Contact::Deepening => larger(self.state.q_m, self.mode.deepest_m),
             _ => self.mode.deepest_m,
         };
+        let hole_m = self.setup.law.hole_m(deepest_m);
         let max_plate_displacement_m = match self.decided.map(|(_, farthest)| farthest) {
             Some(Farthest::Known(x_m)) => Some(larger(x_m, record.farthest_m)),
             Some(Farthest::Unbounded) => None,
@@ -353,11 +363,11 @@ impl<M: Stepper<S>, const S: usize> Progress<'_, M, S> {
             outcome,
             end,
             first_arrest: record.first_arrest,
-            final_penetration_m: Some(match outcome {
-                Outcome::Perforated => geometry.depth_m(geometry.exit_m),
-                _ => geometry.depth_m(deepest_m),
-            }),
-            peak_contact_force_n: Some(record.peak_contact_n),
+            final_penetration_m: match outcome {
+                Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
+                _ => hole_m.map(|travel_m| geometry.depth_m(travel_m)),
+            },
+            peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
             max_plate_displacement_m,
             residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
             exit_time_s: record.exit.map(|exit| exit.t_s),

@@ -105,6 +105,84 @@ fn valid_a_rigid_stop_is_the_greatest_displacement() {
     assert!((depth("fused") - 0.64).abs() < 5e-3 && (depth("plastic") - 0.83).abs() < 5e-3);
 }
 
+/// At the turn all energy of 59 g at `w` is in the spring, or gone: of the force F from x_c on, of the quartic of the double well, of
+/// the absorber's crush force.
+#[test]
+fn valid_springs_that_are_curves_turn_the_plate_where_its_energy_is_spent() {
+    let turn = |pairs: &str| {
+        let run = shot(&format!("gamma=1 {pairs}"));
+        let arrest = run.first_arrest.unwrap();
+        let kinetic_j = 0.5 * 0.059 * arrest.plate_velocity_m_s * arrest.plate_velocity_m_s;
+        (arrest.plate_displacement_m, kinetic_j, run.max_plate_displacement_m.unwrap())
+    };
+    for pairs in
+        ["spring=constant F_c=3000 x_c=0.0005", "spring=crush F_crush=3000 k_crush=6e6 x_crush=0.1"]
+    {
+        let (x_m, kinetic_j, far_m) = turn(pairs);
+        assert!(
+            x_m > 0.0005 && is_near(far_m, x_m + kinetic_j / 3000.0, 1e-12),
+            "{pairs}: {far_m}"
+        );
+    }
+    let (x_m, kinetic_j, far_m) = turn("spring=bistable x_2=0.02 F_bar=1e3");
+    // C x (x - 1 cm) (x - 2 cm), greatest at 1 cm (1 - 1/3^(1/2)).
+    let top = 0.01 * (1.0 - 1.0 / 3f64.sqrt());
+    let c = 1e3 / (top * (top - 0.01) * (top - 0.02));
+    let energy_j = |x: f64| c * x * x * (0.25 * x * x - 0.01 * x + 1e-4);
+    assert!(is_near(energy_j(far_m), energy_j(x_m) + kinetic_j, 1e-11), "{far_m}");
+}
+
+/// Springs whose exponents differ by nothing that matters are one, however steep.
+#[test]
+fn valid_two_steep_springs_in_parallel_are_one_of_the_sum() {
+    for n in [0.15, 0.35, 0.6, 1.5] {
+        let one = shot(&format!("k=1e6 n={n}"));
+        let two = format!("k=5e5 n={n} combine=parallel k_2=5e5 n_2={}", n * (1.0 + 1e-15));
+        let two = shot(&two);
+        assert!(is_near(two.final_penetration_m.unwrap(), one.final_penetration_m.unwrap(), 1e-12));
+        assert!(two.cost.steps < 2 * one.cost.steps, "{n}: {:?} {:?}", two.cost, one.cost);
+    }
+}
+
+/// On a free plate of the projectile's mass u = v cos(pi t/t_d): common velocity after half of the history, at a travel of v t_d/pi, and
+/// where the plate is v t_d (1/4 - 1/(2 pi)); afterwards both go on together. A rigid mount sees all of it: v t_d/2.
+#[test]
+fn valid_a_half_sine_on_a_free_plate_and_on_a_rigid_mount() {
+    let pi = std::f64::consts::PI;
+    let free = shot("gamma=1 k=0 dishing=off model=half-sine t_d=1e-4");
+    let arrest = free.first_arrest.unwrap();
+    assert!(is_near(arrest.t_s, 5e-5, 1e-12));
+    assert!(is_near(arrest.penetration_m, 0.01 / pi, 1e-12));
+    assert!(is_near(arrest.plate_displacement_m, 0.01 * (0.25 - 0.5 / pi), 1e-12));
+    assert!(is_near(free.peak_contact_force_n.unwrap(), 0.5 * pi * 0.0295 * 100.0 / 1e-4, 1e-12));
+    let rigid = shot("mount=rigid dishing=off model=half-sine t_d=1e-4");
+    assert!(is_near(rigid.final_penetration_m.unwrap(), 5e-3, 1e-12));
+    assert!(is_near(rigid.first_arrest.unwrap().t_s, 1e-4, 1e-12));
+}
+
+/// A collision at once leaves 50 m/s to 59 g: w (M/k)^(1/2); there is neither depth nor force.
+#[test]
+fn valid_an_initial_velocity_has_no_contact() {
+    let run = shot("gamma=1 k=1e5 model=initial-velocity");
+    assert_eq!(
+        (run.final_penetration_m, run.peak_contact_force_n, run.first_arrest),
+        (None, None, None)
+    );
+    assert!(is_near(run.max_plate_displacement_m.unwrap(), 50.0 * (0.059f64 / 1e5).sqrt(), 1e-12));
+}
+
+/// On a rigid mount the lumped interface is pressed in by v (m/k_load)^(1/2), a quarter of which springs back at k_unload = 4 k_load, with
+/// half of the speed.
+#[test]
+fn valid_the_lumped_interface_throws_the_projectile_back() {
+    let run = shot("mount=rigid dishing=off model=lumped k_load=1e7 k_unload=4e7");
+    let pressed_m = 100.0 * (0.0295f64 / 1e7).sqrt();
+    assert_eq!(run.outcome, Outcome::Separated);
+    assert!(is_near(run.final_penetration_m.unwrap(), 0.75 * pressed_m, 1e-12));
+    assert!(is_near(run.peak_contact_force_n.unwrap(), 1e7 * pressed_m, 1e-12));
+    assert!(is_near(run.separation.unwrap().velocity_m_s, -50.0, 1e-12));
+}
+
 /// Fewer stages and a looser tolerance: nothing in common but the law.
 #[test]
 fn the_two_members_agree() {
