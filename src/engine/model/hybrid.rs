@@ -8,16 +8,18 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::NINE;
+use crate::numerics::collocation::{Collocation, NINE};
 use equations::Setup;
-pub(in crate::model) use run::Bounds;
+pub(in crate::model) use run::Extent;
 
 mod equations;
 mod events;
+mod horizon;
 mod modes;
 mod moving;
 mod outcome;
 mod record;
+mod report;
 mod run;
 #[cfg(test)]
 mod tests;
@@ -25,12 +27,14 @@ mod tests;
 /// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
-    bounds: Bounds,
+    extent: Extent<'_>,
+    tolerance: f64,
     observer: Observer<'_>,
 ) -> Option<Run> {
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let setup = Setup::of(scene)?;
-    Some(run::run(scene, &setup, &NINE, bounds, observer))
+    let stepper = Collocation { member: &*NINE, tolerance };
+    Some(run::run(scene, &setup, &stepper, extent, observer))
 }

@@ -114,7 +114,7 @@ impl Equations<'_> {
     }
 
     /// Most force backwards on it, N.
-    fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+    pub(super) fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
         let Equations { setup, .. } = self;
         if setup.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
             return 0.0;

@@ -3,16 +3,14 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::{Bounds, equations::Setup, run};
+use super::{Extent, equations::Setup, run};
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::variables::scene_with;
-use crate::numerics::collocation::{NINE, SEVEN};
-
-const FAR: Bounds = Bounds { horizon_s: 1.0, to_horizon: false, tolerance: 1e-12 };
+use crate::numerics::collocation::{Collocation, NINE, SEVEN};
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run(&scene, FAR, &mut |_| ControlFlow::Continue(())).unwrap();
+    let found = run(&scene, Extent::BARE, 1e-12, &mut |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -111,9 +109,20 @@ fn the_two_members_agree() {
         let scene = Arc::new(scene_with(pairs));
         let setup = Setup::of(&scene).unwrap();
         let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let nine = run::run(&scene, &setup, &NINE, FAR, go_on);
-        let loose = Bounds { tolerance: 1e-11, ..FAR };
-        let seven = run::run(&scene, &setup, &SEVEN, loose, go_on);
+        let nine = run::run(
+            &scene,
+            &setup,
+            &Collocation { member: &*NINE, tolerance: 1e-12 },
+            Extent::BARE,
+            go_on,
+        );
+        let seven = run::run(
+            &scene,
+            &setup,
+            &Collocation { member: &*SEVEN, tolerance: 1e-11 },
+            Extent::BARE,
+            go_on,
+        );
         let depth = |run: &Run| run.final_penetration_m.unwrap();
         assert!(is_near(depth(&nine), depth(&seven), 1e-11), "{pairs}");
         assert!(nine.cost.steps < 300, "{pairs}: {:?}", nine.cost);
@@ -125,11 +134,11 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = run(&scene, FAR, &mut |_| {
+    let found = run(&scene, Extent::BARE, 1e-12, &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let run = found.unwrap();
     assert_eq!((run.end, run.outcome), (EndReason::Cancelled, Outcome::Moving));
-    assert!(run.final_penetration_m.unwrap() > 0.0);
+    assert!(run.at_least.penetration_m.unwrap() > 0.0);
 }
