@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE};
+use crate::numerics::collocation::{Collocation, NINE, SEVEN};
+use crate::numerics::larger;
 use equations::Setup;
 pub(in crate::model) use run::Extent;
 
@@ -24,17 +25,42 @@ mod run;
 #[cfg(test)]
 mod tests;
 
+/// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
+const LOCAL: f64 = 1e-3;
+const LEAST: f64 = 1e-13;
+/// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
+const LOOSER: f64 = 10.0;
+const FLOOR: f64 = 1.0 / 30.0;
+
+/// Error of each step for the tolerance of a scene.
+fn tolerance(scene: &Scene) -> f64 {
+    larger(LOCAL * scene.run.tolerance, LEAST)
+}
+
+/// What no second computation can see of an error, relative.
+pub(in crate::model) fn floor(scene: &Scene) -> f64 {
+    FLOOR * tolerance(scene)
+}
+
 /// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     extent: Extent<'_>,
-    tolerance: f64,
     observer: Observer<'_>,
 ) -> Option<Run> {
-    if scene.contact.model != ContactModel::Hydrodynamic {
-        return None;
-    }
-    let setup = Setup::of(scene)?;
-    let stepper = Collocation { member: &*NINE, tolerance };
+    let setup = setup(scene)?;
+    let stepper = Collocation { member: &*NINE, tolerance: tolerance(scene) };
     Some(run::run(scene, &setup, &stepper, extent, observer))
+}
+
+/// The same by another member of the family, which shares nothing with it but the law.
+pub(in crate::model) fn second(scene: &Arc<Scene>, observer: Observer<'_>) -> Option<Run> {
+    let setup = setup(scene)?;
+    let stepper = Collocation { member: &*SEVEN, tolerance: LOOSER * tolerance(scene) };
+    Some(run::run(scene, &setup, &stepper, Extent::BARE, observer))
+}
+
+fn setup(scene: &Scene) -> Option<Setup> {
+    let is_known = scene.contact.model == ContactModel::Hydrodynamic;
+    is_known.then(|| Setup::of(scene)).flatten()
 }

@@ -40,16 +40,19 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
-/// Tolerance of the other engine as the second computation, whatever that of the first: its order is so high that it costs little.
-const COLLOCATION: f64 = 1e-12;
 /// What both computations may be off by alike where a steep power law of a combination is straight close to zero, relative.
 const STRAIGHTENED: f64 = 2e-7;
 /// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
+const PATIENCE: usize = 50;
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
+    let extent = hybrid::Extent { keep_series: settings.series, window: Some(window), patience: 1 };
+    if let Some(run) = hybrid::run(scene, extent, observer) {
+        return if settings.estimate { with_estimate(run, observer, window) } else { run };
+    }
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let mut simulation = Simulation::new(&problem, tolerance, settings.series);
@@ -75,9 +78,31 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     run
 }
 
+/// The run with the estimates of its errors, from a second computation by another member of the family of methods.
+fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
+    if !run.end.is_complete() {
+        return run;
+    }
+    let scene = Arc::clone(&run.scene);
+    let mut show = |t_s: f64| {
+        window.show(|| run.clone());
+        observer(t_s)
+    };
+    let second = hybrid::second(&scene, &mut show);
+    if let Some(second) = second.filter(|second| second.end != EndReason::Cancelled) {
+        let floor = larger(ROUNDING, hybrid::floor(&scene));
+        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, floor);
+    }
+    run
+}
+
 /// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
+    let extent = hybrid::Extent { patience: PATIENCE, ..hybrid::Extent::BARE };
+    if let Some(run) = hybrid::run(scene, extent, observer) {
+        return run;
+    }
     let mut problem = Problem::of(scene);
     problem.horizon_s *= FOLLOWED_HORIZONS;
     problem.oscillation_factor = FOLLOWED_OSCILLATIONS;
@@ -119,7 +144,7 @@ fn second(problem: &Problem, first: &Run, observer: Observer<'_>) -> Option<Run>
 
 /// One impact by the other engine.
 fn by_collocation(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
-    hybrid::run(&problem.scene, hybrid::Extent::BARE, COLLOCATION, observer)
+    hybrid::run(&problem.scene, hybrid::Extent::BARE, observer)
 }
 
 /// The one method of a simulation for comparison, where [`run`] chooses by itself.

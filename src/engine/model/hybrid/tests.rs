@@ -10,7 +10,7 @@ use crate::numerics::collocation::{Collocation, NINE, SEVEN};
 
 fn shot(pairs: &str) -> Run {
     let scene = Arc::new(scene_with(pairs));
-    let found = run(&scene, Extent::BARE, 1e-12, &mut |_| ControlFlow::Continue(())).unwrap();
+    let found = run(&scene, Extent::BARE, &mut |_| ControlFlow::Continue(())).unwrap();
     assert_eq!(found.end, EndReason::Decided, "{pairs}");
     found
 }
@@ -134,7 +134,7 @@ fn the_two_members_agree() {
 fn a_run_that_is_cancelled_says_so() {
     let scene = Arc::new(scene_with("k=1e5"));
     let mut steps = 0;
-    let found = run(&scene, Extent::BARE, 1e-12, &mut |_| {
+    let found = run(&scene, Extent::BARE, &mut |_| {
         steps += 1;
         if steps > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
