@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE, SEVEN};
-use crate::numerics::larger;
+use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
+use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
 pub(in crate::model) use run::Extent;
 
@@ -25,42 +25,55 @@ mod run;
 #[cfg(test)]
 mod tests;
 
-/// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const LOCAL: f64 = 1e-3;
-const LEAST: f64 = 1e-13;
-/// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
-const LOOSER: f64 = 10.0;
-const FLOOR: f64 = 1.0 / 30.0;
-
-/// Error of each step for the tolerance of a scene.
-fn tolerance(scene: &Scene) -> f64 {
-    larger(LOCAL * scene.run.tolerance, LEAST)
+/// A method that the loop can step by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stepping {
+    /// Radau IIA with nine stages, the engine's own, to a tolerance.
+    Collocation(f64),
+    /// The same with seven stages, which share nothing with the nine but the law.
+    Second(f64),
+    /// Radau IIA with three stages, of order five, to a tolerance.
+    Radau5(f64),
+    /// DOP853 to a tolerance.
+    Dop853(f64),
+    /// The classical Runge-Kutta method with steps of this length, s; events are located.
+    Rk4(f64),
+    /// The same; events are only noticed after the step in which they happened.
+    Rk4WithoutEvents(f64),
 }
 
-/// What no second computation can see of an error, relative.
-pub(in crate::model) fn floor(scene: &Scene) -> f64 {
-    FLOOR * tolerance(scene)
-}
-
-/// One impact on a valid scene; `None` where this engine does not know the contact or the spring.
+/// One impact on a valid scene by a method; `None` where this engine does not know the contact or the spring.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     extent: Extent<'_>,
+    stepping: Stepping,
     observer: Observer<'_>,
 ) -> Option<Run> {
-    let setup = setup(scene)?;
-    let stepper = Collocation { member: &*NINE, tolerance: tolerance(scene) };
-    Some(run::run(scene, &setup, &stepper, extent, observer))
-}
-
-/// The same by another member of the family, which shares nothing with it but the law.
-pub(in crate::model) fn second(scene: &Arc<Scene>, observer: Observer<'_>) -> Option<Run> {
-    let setup = setup(scene)?;
-    let stepper = Collocation { member: &*SEVEN, tolerance: LOOSER * tolerance(scene) };
-    Some(run::run(scene, &setup, &stepper, Extent::BARE, observer))
-}
-
-fn setup(scene: &Scene) -> Option<Setup> {
-    let is_known = scene.contact.model == ContactModel::Hydrodynamic;
-    is_known.then(|| Setup::of(scene)).flatten()
+    if scene.contact.model != ContactModel::Hydrodynamic {
+        return None;
+    }
+    let setup = &Setup::of(scene)?;
+    Some(match stepping {
+        Stepping::Collocation(tolerance) => {
+            let stepper = Collocation { member: &*NINE, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Second(tolerance) => {
+            let stepper = Collocation { member: &*SEVEN, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Radau5(tolerance) => {
+            let stepper = Collocation { member: &*THREE, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Dop853(tolerance) => {
+            run::run(scene, setup, &Dop853 { tolerance }, extent, observer)
+        }
+        Stepping::Rk4(step) => {
+            run::run(scene, setup, &Rk4 { step, locates: true }, extent, observer)
+        }
+        Stepping::Rk4WithoutEvents(step) => {
+            run::run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
+        }
+    })
 }

@@ -88,6 +88,7 @@ pub(crate) struct Member<const S: usize> {
 }
 
 pub(crate) static NINE: LazyLock<Member<9>> = LazyLock::new(Member::new);
+pub(crate) static THREE: LazyLock<Member<3>> = LazyLock::new(Member::new);
 pub(crate) static SEVEN: LazyLock<Member<7>> = LazyLock::new(Member::new);
 
 /// A member that steps to a tolerance.
@@ -202,8 +203,11 @@ impl<const S: usize> Member<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
-    /// The power of the step by which its error grows, about: of the estimate below, less than the order of the method.
-    const ERROR_ORDER: f64 = (2 * S - 3) as f64;
+    /// Whether there are enough coefficients to see them fall.
+    const HAS_TAIL: bool = S > 4;
+
+    /// The power of the step by which its error grows, about: of the estimate below, that of the tail less than the order of the method.
+    const ERROR_ORDER: f64 = if Self::HAS_TAIL { 2 * S - 3 } else { 2 * S - 1 } as f64;
 
     /// A step of `h` from a point; `None` where the iteration does not converge. Counts evaluations.
     fn step<const D: usize>(
@@ -363,7 +367,7 @@ impl<const S: usize> Member<S> {
     ) -> f64 {
         let h = step.h;
         let mut tail = ([0.0; D], [0.0; D]);
-        for d in 0..D {
+        for d in (0..D).filter(|_| Self::HAS_TAIL) {
             let modes = &step.acceleration[d];
             let high = larger(modes[S - 1].abs(), modes[S - 2].abs());
             let low = larger(modes[3].abs(), modes[4].abs());

@@ -45,6 +45,11 @@ pub(crate) trait Stepper<const S: usize> {
         near: Option<Near<D, S>>,
         evaluations: &mut usize,
     ) -> Result<(Step<D, S>, f64), f64>;
+
+    /// Whether events are located, or only noticed after the step in which they happened.
+    fn locates(&self) -> bool {
+        true
+    }
 }
 
 /// What is known of a step from another: its acceleration is about that of the other from a part `from` of it, over so many of its

@@ -309,6 +309,9 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             }
             Found::Unresolved(which) if h_s < no_time_s => self.react(events.list()[which], start),
             Found::Unresolved(_) => self.h_s = CLOSER * h_s,
+            Found::Fall(which, _) if !self.stepper.locates() => {
+                self.react(events.list()[which], law.state(&start, start.t_s + h_s, &step.end));
+            }
             Found::Fall(which, theta) => {
                 let whole_s = self.h_s;
                 match self.land(law, &events, (which, theta * h_s), &step) {
