@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
 use crate::model::hybrid::{self, Stepping};
-use crate::model::run::{EndReason, EstimateBasis, Observer, Outcome, Run, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -49,15 +49,17 @@ const LEAST: f64 = 1e-13;
 /// How much looser the second computation is, and the part of the first one's tolerance that an estimate admits at least.
 const LOOSER: f64 = 10.0;
 const FLOOR: f64 = 1.0 / 30.0;
-const PATIENCE: usize = 50;
 const FOLLOWED_HORIZONS: f64 = 50.0;
 const FOLLOWED_OSCILLATIONS: usize = 4;
 
 /// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
-    let extent = hybrid::Extent { keep_series: settings.series, window: Some(window), patience: 1 };
+    let extent =
+        hybrid::Extent { keep_series: settings.series, window: Some(window), horizons: 1.0 };
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer) {
+    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
+        && (run.end.is_complete() || run.end == EndReason::Cancelled)
+    {
         return if settings.estimate { with_estimate(run, observer, window) } else { run };
     }
     let problem = Problem::of(scene);
@@ -113,9 +115,11 @@ fn with_estimate(mut run: Run, observer: Observer<'_>, window: &Window) -> Run {
 /// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
 /// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
-    let extent = hybrid::Extent { patience: PATIENCE, ..hybrid::Extent::BARE };
+    let extent = hybrid::Extent { horizons: FOLLOWED_HORIZONS, ..hybrid::Extent::BARE };
     let stepping = Stepping::Collocation(local_tolerance(scene));
-    if let Some(run) = hybrid::run(scene, extent, stepping, observer) {
+    if let Some(run) = hybrid::run(scene, extent, stepping, observer)
+        && (run.end.is_complete() || run.end == EndReason::Cancelled)
+    {
         return run;
     }
     let mut problem = Problem::of(scene);

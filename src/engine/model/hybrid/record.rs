@@ -183,17 +183,16 @@ impl Record<'_> {
             let found = first_fall(1, |theta, gaps| gaps[0] = gap_n(theta));
             at(if let Found::Fall(_, theta) = found { theta } else { 1.0 }).t_s
         };
-        self.note_load(equations, &at(1.0), [push_n, pull_n], first_s);
+        self.note_load(equations, &at(1.0), [push_n, pull_n]);
+        self.note_excess(equations, &at(1.0), [push_n, pull_n], first_s);
     }
 
-    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it, and when the first of them
-    /// asked too much of a fused interface.
+    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it.
     pub(super) fn note_load(
         &mut self,
         equations: &Equations<'_>,
         state: &State,
         [push_n, pull_n]: [f64; 2],
-        first_s: impl Fn(f64) -> f64,
     ) {
         let loads = &mut self.loads;
         loads.mount_n = larger(larger(push_n, pull_n), loads.mount_n);
@@ -208,15 +207,29 @@ impl Record<'_> {
         let part = equations.setup.interface_fraction() / strength_n;
         loads.push_ratio = Some(larger(part * push_n, loads.push_ratio.unwrap_or(0.0)));
         loads.pull_ratio = larger(part * pull_n, loads.pull_ratio);
-        if equations.setup.plastic {
+    }
+
+    /// Notes when these forces ask too much of a fused interface for the first time.
+    fn note_excess(
+        &mut self,
+        equations: &Equations<'_>,
+        state: &State,
+        [push_n, pull_n]: [f64; 2],
+        first_s: impl Fn(f64) -> f64,
+    ) {
+        let Equations { setup, mode } = equations;
+        let strength_n = equations.strength_n(state);
+        let is_joined = mode.contact == Contact::Joined && !equations.plate_rests();
+        if setup.plastic || !is_joined || strength_n <= 0.0 {
             return;
         }
-        if part * push_n > 1.0 && loads.push_exceeded_s.is_none() {
+        let part = setup.interface_fraction() / strength_n;
+        if part * push_n > 1.0 && self.loads.push_exceeded_s.is_none() {
             let t_s = first_s(1.0);
-            loads.push_exceeded_s = Some(t_s);
+            self.loads.push_exceeded_s = Some(t_s);
             self.note(t_s, EventKind::InterfaceExceeded);
         }
-        if part * pull_n > equations.setup.grip && self.loads.pull_exceeded_s.is_none() {
+        if part * pull_n > setup.grip && self.loads.pull_exceeded_s.is_none() {
             let t_s = first_s(-1.0);
             self.loads.pull_exceeded_s = Some(t_s);
             self.note(t_s, EventKind::InterfaceExceeded);
@@ -279,7 +292,8 @@ impl Record<'_> {
         self.turns += usize::from(turns && before.mode.w_side != after.mode.w_side);
         if after.mode.contact == Contact::Joined && after.mode.hold == Hold::Free {
             let force_n = after.mechanism_n(to.x_m, to.w_m_s);
-            self.note_load(after, to, [force_n, -force_n], |_| to.t_s);
+            self.note_load(after, to, [force_n, -force_n]);
+            self.note_excess(after, to, [force_n, -force_n], |_| to.t_s);
         }
         let acts = |mode: &Mode| (mode.contact, mode.hold, mode.touch);
         if acts(before.mode) != acts(after.mode) || event == modes::Event::StopReached {

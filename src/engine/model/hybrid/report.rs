@@ -81,10 +81,8 @@ impl Course<'_> {
         {
             return true;
         }
-        // Nothing takes any of the energy on the way to where the spring pushes most, nor back; when it pulls too much is not asked.
-        let noted_s = record.loads.pull_exceeded_s;
-        record.note_load(&equations, state, most_n, |_| state.t_s);
-        record.loads.pull_exceeded_s = noted_s;
+        // Nothing takes any of the energy on the way to where the spring pushes most, nor back.
+        record.note_load(&equations, state, most_n);
         false
     }
 
@@ -98,6 +96,10 @@ impl Course<'_> {
 
     /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
     pub(super) fn is_drawn(&self) -> bool {
+        let equations = self.equations();
+        if equations.plate_rests() && self.mode.contact == Contact::Joined {
+            return false;
+        }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
         in_tail || self.goes_farther() && self.state.w_m_s > ARRIVED_SPEED * self.record.fastest_m_s
     }

@@ -46,12 +46,13 @@ pub(in crate::model) struct Extent<'a> {
     /// Where the run so far is shown.
     pub(in crate::model) window: Option<&'a Window>,
     /// How many times as long as usual a run is followed that oscillates on undecided.
-    pub(in crate::model) patience: usize,
+    pub(in crate::model) horizons: f64,
 }
 
 impl Extent<'_> {
     /// The results alone.
-    pub(in crate::model) const BARE: Self = Self { keep_series: false, window: None, patience: 1 };
+    pub(in crate::model) const BARE: Self =
+        Self { keep_series: false, window: None, horizons: 1.0 };
 }
 
 /// A run in progress.
@@ -64,8 +65,6 @@ struct Progress<'a, M, const S: usize> {
     previous: Option<(f64, [[f64; S]; 2])>,
     /// Length of the next step, s.
     h_s: f64,
-    /// Evaluations after which it ends undecided.
-    evaluations_max: usize,
 }
 
 /// One impact, stepped through by a method. A run whose work is used up ends early, with what is known.
@@ -80,7 +79,7 @@ pub(super) fn run<const S: usize>(
     // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
     let waits = setup.spring.is_absent() && setup.stop.is_some();
     let horizon_s = scene.run.horizon_s.unwrap_or_else(|| {
-        if waits { f64::INFINITY } else { extent.patience as f64 * horizon::of(setup, scene) }
+        if waits { f64::INFINITY } else { extent.horizons * horizon::of(setup, scene) }
     });
     let Extent { keep_series, window, .. } = extent;
     let record = Record { keep_series, window, ..Record::default() };
@@ -90,7 +89,6 @@ pub(super) fn run<const S: usize>(
         last: None,
         previous: None,
         h_s: FIRST_STEP * setup.geometry.nose.radius_m / setup.velocity_m_s,
-        evaluations_max: extent.patience * EVALUATIONS_MAX,
     };
     progress.begin();
     let mut end = progress.follow(observer);
@@ -143,8 +141,11 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
             window.show(|| report::gather(self.course.clone(), EndReason::Cancelled));
         }
         let record = &self.course.record;
-        if record.evaluations + S * (record.changes + record.turns) > self.evaluations_max {
-            let oscillates = self.course.scene.run.horizon_s.is_none()
+        if record.evaluations + S * (record.changes + record.turns) > EVALUATIONS_MAX {
+            // The first contact ends, however often the plate turns in it.
+            let is_over = record.first_arrest.is_some() || record.exit.is_some();
+            let oscillates = is_over
+                && self.course.scene.run.horizon_s.is_none()
                 && record.turns + record.changes > TURNS_MAX;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
@@ -236,7 +237,10 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let [old, new] = [&before, &next].map(|mode| Equations { setup, mode });
         self.course.record.event(event, (&old, &on_it), (&new, &state));
         (self.course.mode, self.course.state) = (next, state);
-        if let Some(travel_m) = self.last_slips_m() {
+        // What is to be seen up to a horizon happens when it does.
+        let last_slips_m =
+            self.last_slips_m().filter(|_| self.course.scene.run.horizon_s.is_none());
+        if let Some(travel_m) = last_slips_m {
             let Course { mode, state, record, .. } = &mut self.course;
             modes::take_slips(setup, mode, state, travel_m);
             record.work.penetration_j += new.kinetic_j(&on_it) - new.kinetic_j(state);
@@ -255,12 +259,16 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         }
     }
 
-    /// Nothing moves any more: the time goes on to the horizon.
+    /// Nothing acts any more: the time goes on to the horizon.
     fn rest(&mut self) -> Option<EndReason> {
         let Course { setup, mode, state, record, horizon_s, .. } = &mut self.course;
-        let at = |part: f64| State { t_s: state.t_s + part * (*horizon_s - state.t_s), ..*state };
+        let span_s = *horizon_s - state.t_s;
+        let at = |part: f64| {
+            let dt_s = part * span_s;
+            State { t_s: state.t_s + dt_s, q_m: state.q_m + state.u_m_s * dt_s, ..*state }
+        };
         record.draw(&Equations { setup, mode }, 1, &at);
-        state.t_s = *horizon_s;
+        *state = at(1.0);
         None
     }
 
