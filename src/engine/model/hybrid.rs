@@ -42,7 +42,7 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` where this engine does not know the contact or the spring.
+/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
     extent: Extent<'_>,
@@ -52,7 +52,8 @@ pub(in crate::model) fn run(
     if scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
-    let setup = &Setup::of(scene)?;
+    let setup = &Setup::of(scene);
+    setup.spring.power()?;
     Some(match stepping {
         Stepping::Collocation(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };

@@ -1,8 +1,6 @@
 //! How long a run goes that was given no horizon.
 
 use crate::model::hybrid::equations::Setup;
-use crate::model::mechanism::{Mechanism, Spring};
-use crate::model::scene::Scene;
 use crate::numerics::{larger, smaller};
 
 /// Passages of the projectile at its impact velocity for the contact.
@@ -20,12 +18,12 @@ const DECAY_MAX: f64 = 50.0;
 
 /// Long enough for the contact, many oscillations of the spring with all energy in it, and a plate that creeps back against its
 /// damper, s.
-pub(super) fn of(setup: &Setup, scene: &Scene) -> f64 {
+pub(super) fn of(setup: &Setup) -> f64 {
     let contact_s = PASSAGES * setup.geometry.exit_m / setup.velocity_m_s;
     if setup.still {
         return contact_s;
     }
-    let Mechanism { spring, .. } = Mechanism::of(scene);
+    let spring = &setup.spring;
     let energy_j = 0.5 * setup.projectile_kg * setup.velocity_m_s * setup.velocity_m_s
         + spring.energy(setup.start_m);
     let speed = (2.0 * energy_j / setup.plate_kg).sqrt();
@@ -33,15 +31,15 @@ pub(super) fn of(setup: &Setup, scene: &Scene) -> f64 {
     let ways = [spring.forward(setup.start_m, energy_j), spring.backward(setup.start_m, energy_j)];
     let far_m = ways.map(f64::abs).into_iter().filter(|way| way.is_finite()).fold(0.0, larger);
     let oscillations = if setup.plastic { PLASTIC_OSCILLATIONS } else { OSCILLATIONS };
-    let rest = [oscillations * QUARTERS * far_m / speed, creeping_s(setup, &spring, far_m)];
+    let rest = [oscillations * QUARTERS * far_m / speed, creeping_s(setup, far_m)];
     contact_s + rest.into_iter().filter(|part| part.is_finite()).sum::<f64>()
 }
 
 /// The time in which a plate without inertia comes back from a displacement to [`RETURNED`] of it, s: `b w^m = k x^n`. It is an
 /// exponential decay for n = m and ends in a finite time for n < m; for n > m it goes on for ever, and is cut short.
-fn creeping_s(setup: &Setup, spring: &Spring, far_m: f64) -> f64 {
+fn creeping_s(setup: &Setup, far_m: f64) -> f64 {
     let damper = setup.damper;
-    let Some(law) = spring.power().filter(|law| !law.is_absent()) else { return 0.0 };
+    let Some(law) = setup.spring.power().filter(|law| !law.is_absent()) else { return 0.0 };
     if damper.is_absent() {
         return 0.0;
     }
@@ -59,8 +57,7 @@ mod tests {
     use crate::model::variables::scene_with;
 
     fn horizon_s(pairs: &str) -> f64 {
-        let scene = scene_with(pairs);
-        of(&Setup::of(&scene).unwrap(), &scene)
+        of(&Setup::of(&scene_with(pairs)))
     }
 
     /// The plate of 29.5 g on 100 kN/m oscillates in 3.4 ms; with `b/k` = 20 ms it takes 0.6 s to creep back.

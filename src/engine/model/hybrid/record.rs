@@ -162,8 +162,8 @@ impl Record<'_> {
         at: &impl Fn(f64) -> State,
         force_n: &impl Fn(f64) -> f64,
     ) {
-        // Spring and stop push most at an end of the step, where nothing else does: the plate turns only there.
-        let at_ends = equations.is_undamped();
+        // A power law and a stop push most at an end of the step, where nothing else does: the plate turns only there.
+        let at_ends = equations.is_undamped() && equations.mode.spring.power().is_some();
         let most_n = |way: f64, known_n: f64| {
             let force_n = |theta: f64| way * force_n(theta);
             if at_ends {
@@ -419,7 +419,7 @@ fn sample(equations: &Equations<'_>, state: &State, is_step: bool) -> Sample {
         Hold::Spring => equations.balanced(state),
         _ => (equations.displacement_m(state.x_m), state.w_m_s),
     };
-    let spring_n = setup.spring.force(x_m);
+    let spring_n = mode.spring.force(x_m);
     Sample {
         t_s: state.t_s,
         mode: match mode.contact {

@@ -7,7 +7,7 @@ use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::{Contact, Mode};
 use crate::model::hybrid::outcome::Farthest;
 use crate::model::hybrid::record::Record;
-use crate::model::mechanism::{Inertia, Mechanism, PowerKind, load};
+use crate::model::mechanism::{Inertia, PowerKind, load};
 use crate::model::run::{
     AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Outcome, Run,
     STILL_WITHIN_CONTACT, Warning,
@@ -77,6 +77,7 @@ impl Course<'_> {
         let exceeds = is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.stop.is_some()
+            || setup.is_absorbing()
             || (exceeds && record.loads.push_exceeded_s.is_none())
         {
             return true;
@@ -128,7 +129,7 @@ impl Course<'_> {
             // Of an undecided run as far as there is no energy to go farther.
             Some(Farthest::Pending) | None => {
                 let equations = self.equations();
-                let reach_m = equations.reach_m(equations.energy_left_j(&self.state));
+                let reach_m = equations.reach_m(&self.state, equations.energy_left_j(&self.state));
                 (reach_m - so_far_m <= FINAL * so_far_m.abs()).then_some(so_far_m)
             }
         }
@@ -138,7 +139,7 @@ impl Course<'_> {
     /// be enough to perforate, or where a spring may give more than it has taken.
     fn depth_at_most_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
-        Mechanism::of(self.scene).spring.power()?;
+        self.setup.spring.power()?;
         let deepest_m = self.deepest_m();
         let energy_j = self.equations().energy_left_j(&self.state);
         let swept_m3 = geometry.swept_m3(deepest_m) + energy_j / self.setup.strength_pa;
@@ -161,21 +162,26 @@ impl Course<'_> {
     fn ledger(&self) -> EnergyLedger {
         let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         let (setup, state) = (self.setup, &self.state);
-        let spring = Mechanism::of(self.scene).spring;
         let added_kg = Inertia::of(self.scene).added_kg();
+        let x_m = self.equations().displacement_m(state.x_m);
+        let stored_j = self.mode.spring.energy(x_m);
+        // An absorber that is being crushed gives back less than was spent on it.
+        let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
+        let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
         EnergyLedger {
             initial_kinetic_j: kinetic(setup.projectile_kg, setup.velocity_m_s),
-            initial_spring_j: spring.energy(setup.start_m),
+            initial_spring_j: setup.spring.energy(setup.start_m),
             projectile_j: kinetic(setup.projectile_kg, setup.projectile_m_s(state)),
             plate_j: kinetic(setup.plate_kg - added_kg, state.w_m_s),
             inertia_j: kinetic(added_kg, state.w_m_s),
-            spring_j: spring.energy(self.equations().displacement_m(state.x_m)),
+            spring_j,
+            crush_j: self.mode.crushed_j + stored_j - spring_j,
             ..self.record.work
         }
     }
 
     fn load(&self, max_displacement_m: Option<f64>) -> MechanismLoad {
-        let spring = Mechanism::of(self.scene).spring;
+        let spring = &self.setup.spring;
         let inertia = Inertia::of(self.scene);
         let ends = max_displacement_m
             .filter(|_| !self.setup.still)
@@ -249,17 +255,14 @@ impl Course<'_> {
 
     fn omitted(&self) -> Vec<&'static str> {
         let (setup, record) = (self.setup, &self.record);
-        let mechanism = Mechanism::of(self.scene);
+        let spring = &setup.spring;
         let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
         let rows = [
             (setup.still, "plate motion"),
-            (mechanism.spring.is_absent(), "spring"),
+            (spring.is_absent(), "spring"),
             (setup.damper.is_absent(), "damper"),
             (setup.stop.is_none(), "stop"),
-            (
-                mechanism.spring.power().is_some_and(|law| whole(law.kind())),
-                "spring power function",
-            ),
+            (spring.power().is_some_and(|law| whole(law.kind())), "spring power function"),
             (whole(setup.damper.kind()), "damper power function"),
             (setup.geometry.nose.sin == 0.0, "obliquity"),
             (self.deepest_m() <= setup.geometry.bend_m, "exit face"),

@@ -79,7 +79,7 @@ pub(super) fn run<const S: usize>(
     // Without a spring to bring it back a plate is followed to its stop, and until it has left that.
     let waits = setup.spring.is_absent() && setup.stop.is_some();
     let horizon_s = scene.run.horizon_s.unwrap_or_else(|| {
-        if waits { f64::INFINITY } else { extent.horizons * horizon::of(setup, scene) }
+        if waits { f64::INFINITY } else { extent.horizons * horizon::of(setup) }
     });
     let Extent { keep_series, window, .. } = extent;
     let record = Record { keep_series, window, ..Record::default() };
@@ -104,7 +104,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let Course { setup, mode, state, record, .. } = &mut self.course;
         record.begin(&Equations { setup, mode }, state);
         // A law that is infinitely steep where the plate begins is left by the balance of forces.
-        if setup.is_steep() && setup.start_m == 0.0 && mode.hold == Hold::Free {
+        if setup.starts_steep() && mode.hold == Hold::Free {
             *state = Equations { setup, mode }.after_first_moment();
             self.h_s = state.t_s;
         }
@@ -179,7 +179,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         let scene = self.course.scene;
         let is_drawn = self.course.record.keep_series && scene.run.horizon_s.is_none();
         let (turns, steps) = (self.course.record.turns, self.course.record.steps);
-        self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup, scene);
+        self.course.horizon_s = self.course.state.t_s + horizon::of(self.course.setup);
         let mut loads: Option<Loads> = None;
         let mut end = EndReason::Decided;
         loop {
@@ -228,7 +228,8 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     /// Takes an event at a state on it.
     fn react(&mut self, event: Event, on_it: State) {
         let setup = self.course.setup;
-        let (before, mut state) = (self.course.mode, on_it);
+        let mut state = on_it;
+        let before = self.course.mode.clone();
         let mut next = modes::after(setup, &before, event, &mut state);
         if event != Event::StopRelease {
             modes::face(setup, &mut next, &state);
@@ -236,6 +237,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         (self.last, self.previous) = (Some(event), None);
         let [old, new] = [&before, &next].map(|mode| Equations { setup, mode });
         self.course.record.event(event, (&old, &on_it), (&new, &state));
+        let before_j = new.kinetic_j(&state);
         (self.course.mode, self.course.state) = (next, state);
         // What is to be seen up to a horizon happens when it does.
         let last_slips_m =
@@ -243,13 +245,13 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
         if let Some(travel_m) = last_slips_m {
             let Course { mode, state, record, .. } = &mut self.course;
             modes::take_slips(setup, mode, state, travel_m);
-            record.work.penetration_j += new.kinetic_j(&on_it) - new.kinetic_j(state);
+            record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }
     }
 
     /// One step by the law of whatever moves.
     fn advance(&mut self) -> Option<EndReason> {
-        let mode = self.course.mode;
+        let mode = self.course.mode.clone();
         let equations = Equations { setup: self.course.setup, mode: &mode };
         match (mode.hold, mode.contact) {
             (Hold::Free, Contact::Joined | Contact::Gone) => self.advance_by(&Plate(equations)),
@@ -377,7 +379,7 @@ impl<'a, M: Stepper<S>, const S: usize> Progress<'a, M, S> {
     fn last_slips_m(&self) -> Option<f64> {
         let Course { state, record, .. } = &self.course;
         let equations = self.course.equations();
-        let far_m = equations.reach_m(equations.energy_j(state));
+        let far_m = equations.reach_m(state, equations.energy_j(state));
         let is_past = state.w_m_s < 0.0 && far_m <= record.farthest_m;
         is_past.then(|| equations.last_slips_m(state)).flatten()
     }
