@@ -51,6 +51,12 @@ impl History {
         Self { duration_s: Values::of(scene).duration_s, mass_kg, velocity_m_s }
     }
 
+    pub(super) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
+        let duration_s = self.duration_s;
+        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
+        early.map(|t_s| Warning::Overruns { t_s, duration_s })
+    }
+
     fn angle(&self, t_s: f64) -> f64 {
         PI * t_s / self.duration_s
     }

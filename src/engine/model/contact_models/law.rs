@@ -2,6 +2,7 @@
 
 use super::half_sine::History;
 use super::lumped::Lumped;
+use crate::model::run::Warning;
 use crate::model::scene::{ContactModel, Scene};
 
 /// A contact model's law.
@@ -26,6 +27,30 @@ impl Law {
             ContactModel::InitialVelocity => Self::AtOnce,
             ContactModel::Lumped => Self::Lumped(Lumped::of(scene)),
         }
+    }
+
+    /// Travel that stands for the depth on a rigid mount, m, of the models that have an interface of their own.
+    pub(in crate::model) fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        match self {
+            Self::Flow | Self::AtOnce => None,
+            Self::History(history) => Some(history.travel_m(history.duration_s)),
+            Self::Lumped(lumped) => Some(lumped.dent_m(lumped.pressed_on_rigid_mount_m())),
+        }
+    }
+
+    /// How long the contact lasts, about, s, of those models.
+    pub(in crate::model) fn duration_s(&self) -> Option<f64> {
+        match self {
+            Self::Flow | Self::AtOnce => None,
+            Self::History(history) => Some(history.duration_s),
+            Self::Lumped(lumped) => Some(lumped.duration_s()),
+        }
+    }
+
+    /// Says where a prescribed history has overrun the first common velocity.
+    pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
+        let Self::History(history) = self else { return None };
+        history.overruns(first_arrest_s)
     }
 
     /// Travel at which contact begins in a hole made by this travel, m.

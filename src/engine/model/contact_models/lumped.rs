@@ -56,6 +56,11 @@ impl Lumped {
         }
     }
 
+    /// How long it is pressed in and springs back, at most, s.
+    pub(super) fn duration_s(&self) -> f64 {
+        2.0 * (self.mass_kg / self.load_n_m).sqrt()
+    }
+
     /// The dent that is left by a travel, m.
     pub(super) fn dent_m(&self, deepest_m: f64) -> f64 {
         deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
@@ -109,7 +114,7 @@ impl Lumped {
     }
 
     /// How far the interface is pressed in on a rigid mount: m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
-    fn pressed_on_rigid_mount_m(&self) -> f64 {
+    pub(super) fn pressed_on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
         let rate = 0.5 * self.damping_n_s_m / m;
         let square = self.load_n_m / m - rate * rate;

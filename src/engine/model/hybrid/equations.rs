@@ -7,7 +7,7 @@
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::contact_models::Law;
 use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
-use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
+use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
 use crate::numerics::larger;
 
@@ -46,6 +46,8 @@ pub(super) struct Setup {
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds.
     pub(super) plate_kg: f64,
+    /// The part of it that stands for what turns with the plate and is turned by the mount.
+    pub(super) turning_kg: f64,
     /// What moves along the plate's normal when both move together.
     pub(super) joined_kg: f64,
     pub(super) cos: f64,
@@ -100,6 +102,7 @@ impl Setup {
             stop_at_m: mechanism.stop_at_m,
             projectile_kg,
             plate_kg,
+            turning_kg: Inertia::of(scene).rotation_kg,
             joined_kg: plate_kg + projectile_kg * cos * cos,
             cos,
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
@@ -148,6 +151,11 @@ impl Setup {
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still && self.start_m == 0.0 && self.spring.force(0.0) == 0.0;
         is_at_zero && self.is_steep() && self.law != Law::AtOnce
+    }
+
+    /// Energy of the projectile at first contact, J.
+    pub(super) fn initial_j(&self) -> f64 {
+        0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
     }
 
     /// The velocity of the projectile.
@@ -278,6 +286,12 @@ impl Equations<'_> {
         let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
         (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, damper.tangent(w_m_s) + b)
+    }
+
+    /// Force of the mechanism on its mount, N: it is the mount that turns what turns with the plate.
+    pub(super) fn mount_n(&self, state: &State) -> f64 {
+        self.mechanism_n(state.x_m, state.w_m_s)
+            + self.setup.turning_kg * self.accelerations(state).1
     }
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.

@@ -17,7 +17,7 @@ const NEGLIGIBLE: f64 = 1e-12;
 
 /// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
-const LAST_SLIPS: f64 = 1e-2;
+const LAST_SLIPS: f64 = 2e-3;
 
 /// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
 const SLIP_RESERVE: f64 = 2.0;
@@ -98,7 +98,7 @@ impl Equations<'_> {
     }
 
     /// Most force backwards on it, N.
-    fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+    pub(super) fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
         let Equations { setup, mode } = self;
         if mode.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
             return 0.0;
@@ -115,14 +115,10 @@ impl Equations<'_> {
         self.mode.elastic.drives_away(x_m).filter(|_| !self.stops_rigidly())
     }
 
-    fn initial_j(&self) -> f64 {
-        0.5 * self.setup.projectile_kg * self.setup.velocity_m_s * self.setup.velocity_m_s
-    }
-
     /// Whether what still moves has no energy to speak of.
     fn is_at_rest(&self, state: &State) -> bool {
         // Where the spring drives the plate away, its energy is less than nothing.
-        let has_none = self.energy_j(state) <= NO_ENERGY * self.initial_j();
+        let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
             || self.plate_rests() && self.mode.contact == Contact::Joined
     }
@@ -143,7 +139,7 @@ impl Equations<'_> {
     /// Whether all is at rest in a contact that does not join the bodies.
     fn rests_in_contact(&self, state: &State) -> bool {
         let contact_j = self.contact_j(state);
-        contact_j.is_some_and(|j| self.energy_left_j(state) + j < AT_REST * self.initial_j())
+        contact_j.is_some_and(|j| self.energy_left_j(state) + j < AT_REST * self.setup.initial_j())
     }
 
     /// Whether a plastic interface holds whatever comes.
@@ -400,7 +396,7 @@ mod tests {
         let setup = Setup::of(&scene_with(pairs));
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
-        let energy_j = 1.005 * 1.005 * holding_j;
+        let energy_j = 1.001 * 1.001 * holding_j;
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
         let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };
