@@ -53,7 +53,6 @@ pub(in crate::model) fn run(
         return None;
     }
     let setup = &Setup::of(scene);
-    setup.spring.power()?;
     Some(match stepping {
         Stepping::Collocation(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
