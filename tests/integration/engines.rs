@@ -107,6 +107,12 @@ fn the_two_engines_agree_on_springs_of_every_kind() {
 
 #[test]
 #[ignore = "takes minutes: some thousand scenes by both engines"]
+fn the_two_engines_agree_on_every_contact_model() {
+    compare_drawn(5_004, draw::modelled);
+}
+
+#[test]
+#[ignore = "takes minutes: some thousand scenes by both engines"]
 fn the_two_engines_agree_on_demanding_scenes() {
     let mut random = Random(5_002);
     let mut one = |index: usize| {

@@ -19,7 +19,11 @@ use crate::model::units::engineering;
 mod flow_strength;
 mod half_sine;
 mod initial_velocity;
+mod law;
 mod lumped;
+
+pub(super) use half_sine::History;
+pub(super) use law::Law;
 
 impl ContactModel {
     /// What it is.

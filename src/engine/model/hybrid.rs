@@ -8,17 +8,19 @@ use std::sync::Arc;
 
 use crate::model::run::{Observer, Run};
 use crate::model::scene::{ContactModel, Scene};
-use crate::numerics::collocation::{Collocation, NINE, THREE};
+use crate::numerics::collocation::{Collocation, NINE, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
 use equations::Setup;
-pub(in crate::model) use run::Bounds;
+pub(in crate::model) use run::Extent;
 
 mod equations;
 mod events;
+mod horizon;
 mod modes;
 mod moving;
 mod outcome;
 mod record;
+mod report;
 mod run;
 #[cfg(test)]
 mod tests;
@@ -30,6 +32,8 @@ pub enum Stepping {
     Collocation(f64),
     /// The same with nothing omitted that a scene does not need: powers of any exponent, the plate followed to its turn.
     CollocationInFull(f64),
+    /// The same with seven stages, which share nothing with the nine but the law.
+    Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
     /// DOP853 to a tolerance.
@@ -40,14 +44,14 @@ pub enum Stepping {
     Rk4WithoutEvents(f64),
 }
 
-/// One impact on a valid scene by a method; `None` where this engine does not know the contact.
+/// One impact on a valid scene by a method; `None` of the listing of the Appendix, a scheme of its own.
 pub(in crate::model) fn run(
     scene: &Arc<Scene>,
-    bounds: Bounds,
+    extent: Extent<'_>,
     stepping: Stepping,
     observer: Observer<'_>,
 ) -> Option<Run> {
-    if scene.contact.model != ContactModel::Hydrodynamic {
+    if scene.contact.model == ContactModel::Appendix {
         return None;
     }
     let in_full = matches!(stepping, Stepping::CollocationInFull(_));
@@ -57,20 +61,24 @@ pub(in crate::model) fn run(
     Some(match stepping {
         Stepping::Collocation(tolerance) | Stepping::CollocationInFull(tolerance) => {
             let stepper = Collocation { member: &*NINE, tolerance };
-            run::run(scene, setup, &stepper, bounds, observer)
+            run::run(scene, setup, &stepper, extent, observer)
+        }
+        Stepping::Second(tolerance) => {
+            let stepper = Collocation { member: &*SEVEN, tolerance };
+            run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Radau5(tolerance) => {
             let stepper = Collocation { member: &*THREE, tolerance };
-            run::run(scene, setup, &stepper, bounds, observer)
+            run::run(scene, setup, &stepper, extent, observer)
         }
         Stepping::Dop853(tolerance) => {
-            run::run(scene, setup, &Dop853 { tolerance }, bounds, observer)
+            run::run(scene, setup, &Dop853 { tolerance }, extent, observer)
         }
         Stepping::Rk4(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: true }, bounds, observer)
+            run::run(scene, setup, &Rk4 { step, locates: true }, extent, observer)
         }
         Stepping::Rk4WithoutEvents(step) => {
-            run::run(scene, setup, &Rk4 { step, locates: false }, bounds, observer)
+            run::run(scene, setup, &Rk4 { step, locates: false }, extent, observer)
         }
     })
 }

@@ -36,6 +36,56 @@ struct HalfSine {
     travel_m: f64,
 }
 
+/// The same as a function of time alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::model) struct History {
+    pub(in crate::model) duration_s: f64,
+    /// Of the projectile at first contact.
+    mass_kg: f64,
+    velocity_m_s: f64,
+}
+
+impl History {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let (mass_kg, velocity_m_s) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
+        Self { duration_s: Values::of(scene).duration_s, mass_kg, velocity_m_s }
+    }
+
+    pub(super) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
+        let duration_s = self.duration_s;
+        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
+        early.map(|t_s| Warning::Overruns { t_s, duration_s })
+    }
+
+    fn angle(&self, t_s: f64) -> f64 {
+        PI * t_s / self.duration_s
+    }
+
+    fn amplitude_n(&self) -> f64 {
+        0.5 * PI * self.mass_kg * self.velocity_m_s / self.duration_s
+    }
+
+    pub(in crate::model) fn force_n(&self, t_s: f64) -> f64 {
+        self.amplitude_n() * self.angle(t_s).sin()
+    }
+
+    /// How fast the force rises, N/s.
+    pub(in crate::model) fn rate_n_s(&self, t_s: f64) -> f64 {
+        self.amplitude_n() * PI / self.duration_s * self.angle(t_s).cos()
+    }
+
+    /// The projectile's velocity.
+    pub(in crate::model) fn velocity_m_s(&self, t_s: f64) -> f64 {
+        let half = (0.5 * self.angle(t_s)).cos();
+        self.velocity_m_s * half * half
+    }
+
+    /// How far the projectile has come since first contact, m.
+    pub(in crate::model) fn travel_m(&self, t_s: f64) -> f64 {
+        0.5 * self.velocity_m_s * (t_s + self.duration_s / PI * self.angle(t_s).sin())
+    }
+}
+
 impl HalfSine {
     fn of(scene: &Scene) -> Self {
         let duration_s = Values::of(scene).duration_s;

@@ -35,7 +35,7 @@ fn parameters(scene: &Scene) -> String {
 
 /// The interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Lumped {
+pub(in crate::model) struct Lumped {
     load_n_m: f64,
     unload_n_m: f64,
     damping_n_s_m: f64,
@@ -45,7 +45,7 @@ struct Lumped {
 }
 
 impl Lumped {
-    fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene) -> Self {
         let values = Values::of(scene);
         Self {
             load_n_m: values.load_stiffness_n_m,
@@ -56,8 +56,41 @@ impl Lumped {
         }
     }
 
-    fn dent_m(&self, deepest_m: f64) -> f64 {
+    /// How long it is pressed in and springs back, at most, s.
+    pub(super) fn duration_s(&self) -> f64 {
+        2.0 * (self.mass_kg / self.load_n_m).sqrt()
+    }
+
+    /// The dent that is left by a travel, m.
+    pub(super) fn dent_m(&self, deepest_m: f64) -> f64 {
         deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
+    }
+
+    /// Stiffness, N/m, and place where it is slack, m, of the way in or of the steeper branch.
+    fn branch(&self, goes_in: bool, deepest_m: f64) -> (f64, f64) {
+        if goes_in { (self.load_n_m, 0.0) } else { (self.unload_n_m, self.dent_m(deepest_m)) }
+    }
+
+    /// The interface force at a travel and a slip on the way in, or on its steeper branch as if it could pull, N.
+    pub(in crate::model) fn force_n(
+        &self,
+        goes_in: bool,
+        deepest_m: f64,
+        (q_m, u_m_s): (f64, f64),
+    ) -> f64 {
+        let (stiffness, slack_m) = self.branch(goes_in, deepest_m);
+        stiffness * (q_m - slack_m) + self.damping_n_s_m * u_m_s
+    }
+
+    /// Its derivatives by travel, N/m, and slip, N s/m.
+    pub(in crate::model) fn slopes(&self, goes_in: bool) -> (f64, f64) {
+        (self.branch(goes_in, 0.0).0, self.damping_n_s_m)
+    }
+
+    /// What it gives back of its spring at a travel, J.
+    pub(in crate::model) fn gives_back_j(&self, goes_in: bool, deepest_m: f64, q_m: f64) -> f64 {
+        let force_n = self.force_n(goes_in, deepest_m, (q_m, 0.0));
+        0.5 * force_n * force_n / self.unload_n_m
     }
 
     /// The interface force of a mode: on its steeper branch but for the way in; none where the bodies are apart.
@@ -81,7 +114,7 @@ impl Lumped {
     }
 
     /// How far the interface is pressed in on a rigid mount: m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
-    fn pressed_on_rigid_mount_m(&self) -> f64 {
+    pub(super) fn pressed_on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
         let rate = 0.5 * self.damping_n_s_m / m;
         let square = self.load_n_m / m - rate * rate;

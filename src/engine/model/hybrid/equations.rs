@@ -5,8 +5,9 @@
 //! `m_2 w' = F cos - G`, where u = v - w cos.
 
 use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::contact_models::Law;
 use crate::model::hybrid::modes::{Contact, Hold, Mode, Touch};
-use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
+use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::scene::{self, InterfaceLaw, Scene, Stop, StopKind};
 use crate::numerics::larger;
 
@@ -24,6 +25,9 @@ const HELD: f64 = 1e-13;
 const FOLLOWS: f64 = 1e2;
 /// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
 const UNRESOLVED: f64 = 1e-18;
+/// Part of a velocity by which the rounding of forces that hold each other is five times below a tolerance of 1e-12: two units of the
+/// last place, ten times as much where the filter of a step's error has damped it least.
+const KNOWN: f64 = 2e-2;
 /// Rounding, relative to what a zero is a difference of.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -37,6 +41,7 @@ enum Steep {
 /// The constants of an impact.
 #[derive(Clone, Debug)]
 pub(super) struct Setup {
+    pub(super) law: Law,
     pub(super) geometry: Geometry,
     /// At first contact; an absorber's law changes as it is crushed.
     pub(super) spring: Spring,
@@ -49,6 +54,8 @@ pub(super) struct Setup {
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds.
     pub(super) plate_kg: f64,
+    /// The part of it that stands for what turns with the plate and is turned by the mount.
+    pub(super) turning_kg: f64,
     /// What moves along the plate's normal when both move together.
     pub(super) joined_kg: f64,
     pub(super) cos: f64,
@@ -84,8 +91,10 @@ pub(super) struct Equations<'a> {
 }
 
 impl Setup {
-    /// Of a valid scene by the hydrodynamic model.
+    /// Of a valid scene.
     pub(super) fn of(scene: &Scene) -> Self {
+        let law = Law::of(scene);
+        let flows = law == Law::Flow;
         let geometry = Geometry::of(scene);
         let mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
@@ -94,6 +103,7 @@ impl Setup {
         let absorber = scene.mechanism.spring.law().absorber();
         let absorber = absorber.filter(|_| !scene.is_rigid());
         Self {
+            law,
             geometry,
             spring: mechanism.spring,
             absorber: absorber.map(|_| Box::new(scene.mechanism.clone())),
@@ -102,14 +112,15 @@ impl Setup {
             stop_at_m: mechanism.stop_at_m,
             projectile_kg,
             plate_kg,
+            turning_kg: Inertia::of(scene).rotation_kg,
             joined_kg: plate_kg + projectile_kg * cos * cos,
             cos,
-            strength_pa: scene.flow_strength_pa(),
-            drag_kg_m3: scene.drag_kg_m3(),
+            strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
+            drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
             grip: scene.interface.grip,
             velocity_m_s: scene.projectile.velocity_m_s,
             start_m: scene.start_m(),
-            plastic: scene.interface.law == InterfaceLaw::Plastic,
+            plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             still: scene.is_rigid(),
             in_full: false,
         }
@@ -150,7 +161,12 @@ impl Setup {
     /// Whether the plate begins, without force, where one of its laws is infinitely steep.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still && self.start_m == 0.0 && self.spring.force(0.0) == 0.0;
-        is_at_zero && self.is_steep()
+        is_at_zero && self.is_steep() && self.law != Law::AtOnce
+    }
+
+    /// Energy of the projectile at first contact, J.
+    pub(super) fn initial_j(&self) -> f64 {
+        0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
     }
 
     /// The velocity of the projectile.
@@ -188,7 +204,16 @@ impl Equations<'_> {
     }
 
     /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
-    pub(super) fn contact_n(&self, q_m: f64, u_m_s: f64) -> f64 {
+    pub(super) fn contact_n(&self, state: &State) -> f64 {
+        let State { t_s, q_m, u_m_s, .. } = *state;
+        match self.setup.law {
+            Law::Flow => {}
+            Law::History(history) if self.is_touching() => return history.force_n(t_s),
+            Law::Lumped(lumped) if self.is_touching() => {
+                return lumped.force_n(self.goes_in(), self.mode.deepest_m, (q_m, u_m_s));
+            }
+            Law::History(_) | Law::Lumped(_) | Law::AtOnce => return 0.0,
+        }
         let (strength, drag) = self.pressure();
         if strength == 0.0 && drag == 0.0 {
             return 0.0;
@@ -197,8 +222,30 @@ impl Equations<'_> {
         area * (strength + drag * u_m_s * u_m_s)
     }
 
+    /// Whether the bodies push on each other without being one.
+    fn is_touching(&self) -> bool {
+        !matches!(self.mode.contact, Contact::Apart | Contact::Gone | Contact::Joined)
+    }
+
+    /// Whether the nose goes deeper than ever.
+    pub(super) fn goes_in(&self) -> bool {
+        self.mode.contact == Contact::Deepening
+    }
+
+    /// What a contact that comes to rest without joining the bodies gives back, J; `None` of those that join them.
+    pub(super) fn contact_j(&self, state: &State) -> Option<f64> {
+        let Law::Lumped(lumped) = self.setup.law else { return None };
+        let gives_j = lumped.gives_back_j(self.goes_in(), self.mode.deepest_m, state.q_m);
+        Some(if self.is_touching() { gives_j } else { 0.0 })
+    }
+
     /// Its derivatives by travel and slip.
     pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
+        match self.setup.law {
+            Law::Flow => {}
+            Law::Lumped(lumped) if self.is_touching() => return lumped.slopes(self.goes_in()),
+            Law::Lumped(_) | Law::History(_) | Law::AtOnce => return (0.0, 0.0),
+        }
         let (strength, drag) = self.pressure();
         if strength == 0.0 && drag == 0.0 {
             return (0.0, 0.0);
@@ -245,11 +292,17 @@ impl Equations<'_> {
             _ => (0.0, 0.0),
         };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
-        let (x_least_m, w_least_m_s) = self.sizes_of_plate(0.0, 0.0);
+        let (x_least_m, w_least_m_s) = self.least_sizes();
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
         let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
         let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
         (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, damper.tangent(w_m_s) + b)
+    }
+
+    /// Force of the mechanism on its mount, N: it is the mount that turns what turns with the plate.
+    pub(super) fn mount_n(&self, state: &State) -> f64 {
+        self.mechanism_n(state.x_m, state.w_m_s)
+            + self.setup.turning_kg * self.accelerations(state).1
     }
 
     /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
@@ -269,7 +322,7 @@ impl Equations<'_> {
     /// Accelerations of slip and plate.
     pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
         let setup = self.setup;
-        let contact = self.contact_n(state.q_m, state.u_m_s);
+        let contact = self.contact_n(state);
         let mechanism = self.mechanism_n(state.x_m, state.w_m_s);
         let plate = match self.mode.contact {
             _ if self.plate_rests() => 0.0,
@@ -286,7 +339,7 @@ impl Equations<'_> {
     /// What presses the plate forwards on a stop on which it rests, N: the mechanism's force at rest, and the contact's.
     pub(super) fn push_on_stop_n(&self, state: &State) -> f64 {
         let spring = self.mode.spring.force(self.displacement_m(state.x_m));
-        self.contact_n(state.q_m, state.u_m_s) * self.setup.cos - spring
+        self.contact_n(state) * self.setup.cos - spring
     }
 
     /// The force that the joined interface carries, positive where it is pushed, N.
@@ -304,29 +357,34 @@ impl Equations<'_> {
     }
 
     /// The first moments of a contact with an uncocked plate whose spring or damper is steep at zero, by the balance of forces: the
-    /// plate yields to the contact's, which grows with the time, as far as its inertia, its spring or its damper lets it, whichever
-    /// holds it most.
+    /// plate yields to the contact's, which grows with the time unless a damper makes it begin at once, as far as its inertia, its
+    /// spring or its damper lets it, whichever holds it most.
     pub(super) fn after_first_moment(&self) -> State {
         let t_s = self.first_moment_s();
         let setup = self.setup;
         let v = setup.velocity_m_s;
-        let rate_n_s = self.contact_slopes(0.0, v).0 * v;
-        let push_n = rate_n_s * setup.cos * t_s;
-        let by_inertia = (push_n * t_s * t_s / (6.0 * setup.plate_kg), 3.0);
+        let moment = State { t_s, q_m: v * t_s, u_m_s: v, ..State::default() };
+        let force_n = self.contact_n(&moment);
+        let at_once = self.contact_n(&State { u_m_s: v, ..State::default() }) > 0.0;
+        let grows = if at_once { 0.0 } else { 1.0 };
+        let push_n = force_n * setup.cos;
+        let inertia = (grows + 1.0) * (grows + 2.0) * setup.plate_kg;
+        let by_inertia = (push_n * t_s * t_s / inertia, grows + 2.0);
         let at_m = setup.spring.at_force(push_n);
-        let by_spring = (at_m, push_n / (at_m * setup.spring.tangent(at_m)));
-        let power = 1.0 / setup.damper.exponent + 1.0;
+        let by_spring = (at_m, grows * push_n / (at_m * setup.spring.tangent(at_m)));
+        let power = grows / setup.damper.exponent + 1.0;
         let by_damper = (setup.damper.at_force(push_n) * t_s / power, power);
         let (x_m, power) = [by_spring, by_damper]
             .into_iter()
             .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
         let w_m_s = power * x_m / t_s;
+        let lost_m_s = force_n * t_s / ((grows + 1.0) * setup.projectile_kg);
         State {
-            t_s,
-            q_m: v * t_s - setup.cos * x_m,
-            u_m_s: v - 0.5 * rate_n_s * t_s * t_s / setup.projectile_kg - setup.cos * w_m_s,
+            q_m: moment.q_m - setup.cos * x_m,
+            u_m_s: v - lost_m_s - setup.cos * w_m_s,
             x_m,
             w_m_s,
+            ..moment
         }
     }
 
@@ -334,7 +392,7 @@ impl Equations<'_> {
     /// noticeably, so that it follows the balance of contact and law from then on.
     pub(super) fn is_held_by_law(&self) -> bool {
         let setup = self.setup;
-        if !setup.starts_steep() {
+        if !setup.starts_steep() || setup.law != Law::Flow {
             return false;
         }
         let rate_n_s =
@@ -375,7 +433,7 @@ impl Equations<'_> {
     /// Displacement and velocity with which a plate that a steep law has held begins to follow the force.
     pub(super) fn balanced(&self, state: &State) -> (f64, f64) {
         let setup = self.setup;
-        let force_n = self.contact_n(state.q_m, state.u_m_s);
+        let force_n = self.contact_n(state);
         match self.holding().1 {
             Steep::Spring => {
                 let slopes = self.contact_slopes(state.q_m, state.u_m_s);
@@ -404,8 +462,21 @@ impl Equations<'_> {
 
     /// The same of the plate: a thousand-millionth of the tip radius and a millionth of the velocity, less than which does not move the
     /// projectile.
+    fn least_sizes(&self) -> (f64, f64) {
+        (1e-9 * self.setup.geometry.nose.radius_m, 1e-6 * self.setup.velocity_m_s)
+    }
+
+    /// The same at a displacement and a velocity. The velocity is not known better than to what the rounding of the mechanism's forces,
+    /// which may hold each other, makes of it against its damping and its inertia: no shorter step has less.
     pub(super) fn sizes_of_plate(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let (v, r) = (self.setup.velocity_m_s, self.setup.geometry.nose.radius_m);
-        (larger(x_m.abs(), 1e-9 * r), larger(w_m_s.abs(), 1e-6 * v))
+        let (x_least_m, w_least_m_s) = self.least_sizes();
+        let (by_place, by_speed) = self.mechanism_slopes(x_m, w_m_s);
+        let spring_n = self.mode.spring.force_in(self.mode.stretch, self.displacement_m(x_m));
+        let forces_n =
+            spring_n.abs() + by_speed * w_m_s.abs() + by_place.abs() * self.mode.origin_m.abs();
+        let resists = by_speed + (by_place.abs() * self.setup.plate_kg).sqrt();
+        let rounding_m_s = if resists > 0.0 { KNOWN * forces_n / resists } else { 0.0 };
+        let w_m_s = larger(w_m_s.abs(), larger(w_least_m_s, rounding_m_s));
+        (larger(x_m.abs(), x_least_m), w_m_s)
     }
 }

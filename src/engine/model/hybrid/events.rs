@@ -1,8 +1,10 @@
 //! Which events a mode has, and the gap of each: above zero while the mode lasts, falling through zero where the event happens.
 
+use crate::model::contact_models::Law;
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::{Contact, Event, Hold, Mode, Touch, limits_n};
 use crate::model::scene::StopKind;
+use crate::numerics::larger;
 use crate::numerics::locate::GAPS_MAX;
 
 /// The events of a mode.
@@ -16,18 +18,7 @@ impl Events {
     /// Those that can end this mode.
     pub(super) fn of(setup: &Setup, mode: &Mode) -> Self {
         let mut events = Self { list: [Event::SpeedZero; GAPS_MAX], count: 0 };
-        match mode.contact {
-            Contact::Deepening => events.add(&[Event::PieceEnd, Event::SlipZero]),
-            Contact::Closing => {
-                events.add(&[Event::PieceEnd, Event::SlipZero, Event::Bottom]);
-            }
-            Contact::PullingOut => events.add(&[Event::PieceStart, Event::SlipZero]),
-            Contact::Apart => events.add(&[Event::Recontact]),
-            Contact::Joined if setup.plastic && mode.hold == Hold::Free => {
-                events.add(&[Event::PushLimit, Event::PullLimit]);
-            }
-            Contact::Joined | Contact::Gone => {}
-        }
+        events.add_contact(setup, mode);
         match mode.hold {
             Hold::Mount => return events,
             Hold::OnStop => {
@@ -58,6 +49,31 @@ impl Events {
         events
     }
 
+    /// Those of the contact.
+    fn add_contact(&mut self, setup: &Setup, mode: &Mode) {
+        match (setup.law, mode.contact) {
+            (_, Contact::Gone) | (Law::AtOnce, _) => {}
+            (_, Contact::Joined) => {
+                if setup.plastic && mode.hold == Hold::Free {
+                    self.add(&[Event::PushLimit, Event::PullLimit]);
+                }
+            }
+            (Law::Flow, Contact::Deepening) => self.add(&[Event::PieceEnd, Event::SlipZero]),
+            (Law::Flow, Contact::Closing) => {
+                self.add(&[Event::PieceEnd, Event::SlipZero, Event::Bottom]);
+            }
+            (Law::Flow, Contact::PullingOut) => self.add(&[Event::PieceStart, Event::SlipZero]),
+            // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
+            (Law::History(_), _) if mode.hold == Hold::Free => {
+                self.add(&[Event::HistoryEnd, Event::SlipZero]);
+            }
+            (Law::History(_), _) => self.add(&[Event::HistoryEnd]),
+            (_, Contact::Apart) => self.add(&[Event::Recontact]),
+            (Law::Lumped(_), Contact::Deepening) => self.add(&[Event::SlipZero]),
+            (Law::Lumped(_), _) => self.add(&[Event::ContactLost, Event::Bottom]),
+        }
+    }
+
     fn add(&mut self, more: &[Event]) {
         for event in more {
             self.list[self.count] = *event;
@@ -80,7 +96,9 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::Bottom => mode.deepest_m - state.q_m,
         Event::SlipZero if mode.contact == Contact::PullingOut => -state.u_m_s,
         Event::SlipZero => state.u_m_s,
-        Event::Recontact => -state.q_m,
+        Event::Recontact => recontact(setup, mode, state),
+        Event::ContactLost => equations.contact_n(state),
+        Event::HistoryEnd => history_left_s(setup, state),
         Event::PushLimit => limits_n(setup, mode, state.q_m).0 - equations.carried_n(state),
         Event::PullLimit => limits_n(setup, mode, state.q_m).1 + equations.carried_n(state),
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
@@ -91,10 +109,23 @@ pub(super) fn gap(equations: &Equations<'_>, event: Event, state: &State) -> f64
         Event::StopCleared => equations.beyond_stop_m(state.x_m),
         Event::StopPressed => -equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
-        Event::Yields => {
-            equations.holding_n() - equations.contact_n(state.q_m, state.u_m_s) * setup.cos
-        }
+        Event::Yields => equations.holding_n() - equations.contact_n(state) * setup.cos,
     }
+}
+
+/// What is missing until a projectile that is apart touches: travel, or, in its dent, the force of the lumped interface's damper that
+/// holds it off its spring.
+fn recontact(setup: &Setup, mode: &Mode, state: &State) -> f64 {
+    let missing_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
+    let Law::Lumped(lumped) = setup.law else { return missing_m };
+    let push_n = lumped.force_n(false, mode.deepest_m, (state.q_m, state.u_m_s));
+    larger(missing_m, -push_n)
+}
+
+/// The time until the force history ends.
+fn history_left_s(setup: &Setup, state: &State) -> f64 {
+    let Law::History(history) = setup.law else { return f64::INFINITY };
+    history.duration_s - state.t_s
 }
 
 #[cfg(test)]
@@ -105,7 +136,7 @@ mod tests {
 
     /// Scene, contact and touch, and the events that can end them.
     #[rustfmt::skip]
-    const MODES: [(&str, Contact, Touch, &[Event]); 8] = [
+    const MODES: [(&str, Contact, Touch, &[Event]); 15] = [
         ("k=1e5", Contact::Deepening, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::SpeedZero]),
         ("k=1e5 n=2", Contact::Closing, Touch::Away, &[Event::PieceEnd, Event::SlipZero, Event::Bottom, Event::SpeedZero, Event::KnotBehind]),
         ("k=1e5 n=3", Contact::PullingOut, Touch::Away, &[Event::PieceStart, Event::SlipZero, Event::SpeedZero]),
@@ -114,6 +145,13 @@ mod tests {
         ("k=1e5 interface=plastic", Contact::Joined, Touch::Away, &[Event::PushLimit, Event::PullLimit, Event::SpeedZero]),
         ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, Touch::Pressed, &[Event::SpeedZero, Event::StopSlack]),
         ("k=1e5 x_stop=1mm stop_kind=elastic", Contact::Gone, Touch::Slack, &[Event::SpeedZero, Event::StopCleared, Event::StopPressed]),
+        ("spring=bistable d=1mm", Contact::Gone, Touch::Away, &[Event::SpeedZero, Event::KnotAhead]),
+        ("spring=bistable", Contact::Gone, Touch::Away, &[Event::SpeedZero, Event::KnotAhead, Event::KnotBehind]),
+        ("spring=table", Contact::Gone, Touch::Away, &[Event::SpeedZero]),
+        ("model=half-sine", Contact::Deepening, Touch::Away, &[Event::HistoryEnd, Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::Deepening, Touch::Away, &[Event::SlipZero, Event::SpeedZero]),
+        ("model=lumped", Contact::PullingOut, Touch::Away, &[Event::ContactLost, Event::Bottom, Event::SpeedZero]),
+        ("model=lumped", Contact::Apart, Touch::Away, &[Event::Recontact, Event::SpeedZero]),
     ];
 
     #[test]
@@ -126,13 +164,16 @@ mod tests {
         let setup = Setup::of(&scene_with("mount=rigid"));
         let mode = first(&setup).0;
         assert_eq!(Events::of(&setup, &mode).list(), [Event::PieceEnd, Event::SlipZero]);
+        // Where the plate cannot move the slip is zero at the end of the history alone.
+        let setup = Setup::of(&scene_with("mount=rigid model=half-sine"));
+        assert_eq!(Events::of(&setup, &first(&setup).0).list(), [Event::HistoryEnd]);
     }
 
     /// Scene, contact and event, and states (q, u, x, w) before and beyond it.
     type Case = (&'static str, Contact, Event, [f64; 4], [f64; 4]);
 
     #[rustfmt::skip]
-    const GAPS: [Case; 9] = [
+    const GAPS: [Case; 14] = [
         ("k=1e5", Contact::Deepening, Event::PieceEnd, [1e-3, 9.0, 0.0, 1.0], [2e-2, 9.0, 0.0, 1.0]),
         ("k=1e5", Contact::Deepening, Event::SlipZero, [1e-3, 9.0, 0.0, 1.0], [1e-3, -9.0, 0.0, 1.0]),
         ("k=1e5", Contact::PullingOut, Event::SlipZero, [1e-3, -9.0, 0.0, 1.0], [1e-3, 9.0, 0.0, 1.0]),
@@ -142,6 +183,12 @@ mod tests {
         ("k=1e7 interface=plastic", Contact::Joined, Event::PullLimit, [5e-3, 0.0, -1e-4, 1.0], [5e-3, 0.0, -1e-3, 1.0]),
         ("k=1e5", Contact::Deepening, Event::SpeedZero, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 0.0, -1.0]),
         ("k=1e5 x_stop=1mm", Contact::Deepening, Event::StopReached, [5e-3, 9.0, 0.0, 1.0], [5e-3, 9.0, 2e-3, 1.0]),
+        ("spring=constant x_c=1mm", Contact::Gone, Event::KnotAhead, [5e-3, 9.0, 9e-4, 1.0], [5e-3, 9.0, 1.1e-3, 1.0]),
+        ("spring=constant x_c=1mm", Contact::Gone, Event::KnotBehind, [5e-3, 9.0, -9e-4, -1.0], [5e-3, 9.0, -1.1e-3, -1.0]),
+        // A hundredth of 5 mm springs back; a damper holds the interface off its spring, and lets go of it.
+        ("model=lumped", Contact::PullingOut, Event::ContactLost, [4.96e-3, -9.0, 0.0, 1.0], [4.94e-3, -9.0, 0.0, 1.0]),
+        ("model=lumped", Contact::Apart, Event::Recontact, [4.94e-3, 9.0, 0.0, 1.0], [4.96e-3, 9.0, 0.0, 1.0]),
+        ("model=lumped k_load=1e6 b_2=1e3", Contact::Apart, Event::Recontact, [4.96e-3, -9.0, 0.0, 1.0], [4.96e-3, -0.9, 0.0, 1.0]),
     ];
 
     #[test]

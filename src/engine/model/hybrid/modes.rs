@@ -5,6 +5,7 @@
 //! must carry stays within its limits; for good, once together, where the interface is fused.
 
 use crate::model::contact::AreaPiece;
+use crate::model::contact_models::Law;
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::mechanism::{Spring, sign};
 use crate::model::scene::StopKind;
@@ -67,7 +68,8 @@ pub(super) struct Mode {
     pub(super) piece: AreaPiece,
     /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
     pub(super) deepest_m: f64,
-    /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits.
+    /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits, and
+    /// zero again where the plate turns nearer to that.
     pub(super) origin_m: f64,
     pub(super) spring: Spring,
     /// Spring and elastic stop together.
@@ -94,6 +96,10 @@ pub(super) enum Event {
     SlipZero,
     /// A projectile that was out touches again.
     Recontact,
+    /// A lumped interface does not push any more.
+    ContactLost,
+    /// The prescribed force history is over.
+    HistoryEnd,
     /// The joined interface is pushed beyond its strength.
     PushLimit,
     /// It is pulled beyond its grip.
@@ -122,7 +128,10 @@ impl Event {
     pub(super) fn is_undone_by(self, other: Self) -> bool {
         matches!(
             (self, other),
-            (Self::StopSlack, Self::StopPressed) | (Self::StopPressed, Self::StopSlack)
+            (Self::StopSlack, Self::StopPressed)
+                | (Self::StopPressed, Self::StopSlack)
+                | (Self::ContactLost, Self::Recontact)
+                | (Self::Recontact, Self::ContactLost)
         )
     }
 }
@@ -144,6 +153,9 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
         w_side: 1.0,
     };
     let mut state = State { u_m_s: setup.velocity_m_s, x_m: setup.start_m, ..State::default() };
+    if setup.law == Law::AtOnce {
+        join(setup, &mut mode, &mut state);
+    }
     if (Equations { setup, mode: &mode }).is_held_by_law() {
         mode.hold = Hold::Law;
     }
@@ -158,39 +170,6 @@ pub(super) fn first(setup: &Setup) -> (Mode, State) {
 pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State) -> Mode {
     let mut next = mode.clone();
     match event {
-        Event::PieceEnd => {
-            state.q_m = mode.piece.to_m;
-            next.piece = setup.geometry.piece(state.q_m);
-            if state.q_m >= setup.geometry.exit_m {
-                next.deepest_m = larger(mode.deepest_m, state.q_m);
-                next.contact = Contact::Gone;
-            }
-        }
-        Event::PieceStart => {
-            state.q_m = larger(mode.piece.from_m, 0.0);
-            pull_out(setup, &mut next, state);
-        }
-        Event::Bottom => {
-            state.q_m = mode.deepest_m;
-            push_in(setup, &mut next, state);
-        }
-        Event::Recontact => {
-            state.q_m = 0.0;
-            push_in(setup, &mut next, state);
-        }
-        Event::SlipZero => {
-            if mode.hold == Hold::Law {
-                next.hold = Hold::Free;
-                (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
-            }
-            state.u_m_s = 0.0;
-            if mode.contact == Contact::Deepening {
-                next.deepest_m = state.q_m;
-            }
-            settle(setup, &mut next, state);
-        }
-        Event::PushLimit => push_in(setup, &mut next, state),
-        Event::PullLimit => pull_out(setup, &mut next, state),
         Event::KnotAhead => {
             state.x_m = Equations { setup, mode }.knots_m().1;
             next.stretch += 1;
@@ -202,6 +181,10 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
         Event::SpeedZero => {
             state.w_m_s = 0.0;
             next.w_side = -mode.w_side;
+            let x_m = mode.origin_m + state.x_m;
+            if x_m.abs() < state.x_m.abs() {
+                (next.origin_m, state.x_m) = (0.0, x_m);
+            }
         }
         Event::StopReached
         | Event::StopSlack
@@ -213,12 +196,61 @@ pub(super) fn after(setup: &Setup, mode: &Mode, event: Event, state: &mut State)
             (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
             state.u_m_s -= setup.cos * state.w_m_s;
         }
+        _ => at_contact(setup, mode, event, (&mut next, state)),
     }
     if next.hold == Hold::OnStop && (Equations { setup, mode: &next }).push_on_stop_n(state) < 0.0 {
         release(setup, &mut next, state);
     }
     unload(setup, &mut next, state);
     next
+}
+
+/// What follows an event of the contact.
+fn at_contact(setup: &Setup, mode: &Mode, event: Event, (next, state): (&mut Mode, &mut State)) {
+    match event {
+        Event::PieceEnd => {
+            state.q_m = mode.piece.to_m;
+            next.piece = setup.geometry.piece(state.q_m);
+            if state.q_m >= setup.geometry.exit_m {
+                next.deepest_m = larger(mode.deepest_m, state.q_m);
+                next.contact = Contact::Gone;
+            }
+        }
+        Event::PieceStart => {
+            state.q_m = larger(mode.piece.from_m, 0.0);
+            pull_out(setup, next, state);
+        }
+        Event::Bottom => {
+            state.q_m = mode.deepest_m;
+            push_in(setup, next, state);
+        }
+        Event::Recontact => {
+            // Backwards it is the damper that lets go of its spring again.
+            if state.u_m_s > 0.0 {
+                state.q_m = setup.law.slack_m(mode.deepest_m);
+            }
+            push_in(setup, next, state);
+        }
+        Event::ContactLost => next.contact = Contact::Apart,
+        Event::SlipZero | Event::HistoryEnd => {
+            if mode.hold == Hold::Law {
+                next.hold = Hold::Free;
+                (state.x_m, state.w_m_s) = (Equations { setup, mode }).balanced(state);
+            }
+            if mode.contact == Contact::Deepening {
+                next.deepest_m = larger(mode.deepest_m, state.q_m);
+            }
+            if event == Event::HistoryEnd {
+                join(setup, next, state);
+            } else {
+                state.u_m_s = 0.0;
+                settle(setup, next, state);
+            }
+        }
+        Event::PushLimit => push_in(setup, next, state),
+        Event::PullLimit => pull_out(setup, next, state),
+        _ => {}
+    }
 }
 
 /// What follows an event of the stop.
@@ -255,10 +287,29 @@ fn unload(setup: &Setup, mode: &mut Mode, state: &State) {
     mode.spring = spring;
 }
 
-/// The nose goes forward where it is.
+/// The bodies become one, with the momentum they have.
+fn join(setup: &Setup, mode: &mut Mode, state: &mut State) {
+    let v = setup.projectile_m_s(state);
+    let momentum = setup.projectile_kg * v * setup.cos + setup.plate_kg * state.w_m_s;
+    state.u_m_s = 0.0;
+    if mode.hold == Hold::Free {
+        state.w_m_s = momentum / setup.joined_kg;
+    }
+    if state.w_m_s != 0.0 {
+        mode.w_side = sign(state.w_m_s);
+    }
+    mode.contact = Contact::Joined;
+}
+
+/// The nose goes forward where it is. The lumped interface is on its steeper branch above the greatest travel, whichever way it goes;
+/// a prescribed history knows no depth.
 fn push_in(setup: &Setup, mode: &mut Mode, state: &State) {
     let at_bottom = state.q_m >= mode.deepest_m;
-    mode.contact = if at_bottom { Contact::Deepening } else { Contact::Closing };
+    mode.contact = match setup.law {
+        Law::Lumped(_) if !at_bottom => Contact::PullingOut,
+        Law::Flow if !at_bottom => Contact::Closing,
+        _ => Contact::Deepening,
+    };
     mode.piece = setup.geometry.piece(state.q_m);
 }
 
@@ -278,7 +329,14 @@ pub(super) fn limits_n(setup: &Setup, mode: &Mode, q_m: f64) -> (f64, f64) {
 
 /// What follows where the slip is zero: together, unless the interface cannot carry what it must.
 fn settle(setup: &Setup, mode: &mut Mode, state: &State) {
-    mode.contact = Contact::Joined;
+    mode.contact = match (setup.law, mode.contact) {
+        (Law::History(_), Contact::PullingOut) => Contact::Deepening,
+        (Law::History(_) | Law::Lumped(_), Contact::Deepening) => Contact::PullingOut,
+        _ => Contact::Joined,
+    };
+    if mode.contact != Contact::Joined {
+        return;
+    }
     if mode.hold == Hold::OnStop {
         if (Equations { setup, mode }).push_on_stop_n(state) >= 0.0 {
             return;
@@ -327,7 +385,8 @@ fn reach_stop(setup: &Setup, mode: &mut Mode, state: &mut State) {
     }
     if state.w_m_s == 0.0 {
         mode.hold = Hold::OnStop;
-        let in_contact = matches!(mode.contact, Contact::Joined | Contact::PullingOut);
+        let in_contact =
+            matches!(mode.contact, Contact::Joined | Contact::PullingOut) && setup.law == Law::Flow;
         if in_contact && state.u_m_s == 0.0 {
             settle(setup, mode, state);
         }
@@ -419,7 +478,7 @@ mod tests {
     /// Both bodies weigh 29.5 g: joined, the interface carries half of the spring's 50 kN at 5 mm, of 15 kN that it can push and
     /// 1.5 kN that it can pull.
     #[rustfmt::skip]
-    const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 13] = [
+    const TRANSITIONS: [(&str, Contact, Event, [f64; 4], Contact); 21] = [
         ("k=1e5", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 0.0, 20.0], Contact::Joined),
         ("k=1e7", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 5e-3, 1.0], Contact::Joined),
         (PLASTIC, Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::Joined),
@@ -433,6 +492,15 @@ mod tests {
         ("k=1e5", Contact::PullingOut, Event::PieceStart, [1e-4, -9.0, 0.0, 1.0], Contact::Apart),
         ("k=1e5", Contact::Apart, Event::Recontact, [0.0, 9.0, 0.0, 1.0], Contact::Closing),
         (PLASTIC, Contact::Joined, Event::SpeedZero, [5e-3, 0.0, 1e-4, 1e-17], Contact::Joined),
+        ("model=half-sine", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::PullingOut),
+        ("model=half-sine", Contact::PullingOut, Event::SlipZero, [4e-3, 0.0, 1e-4, 1.0], Contact::Deepening),
+        ("model=half-sine", Contact::PullingOut, Event::HistoryEnd, [4e-3, -9.0, 1e-4, 9.0], Contact::Joined),
+        ("model=lumped", Contact::Deepening, Event::SlipZero, [5e-3, 0.0, 1e-4, 1.0], Contact::PullingOut),
+        ("model=lumped", Contact::PullingOut, Event::Bottom, [5e-3, 9.0, 1e-4, 1.0], Contact::Deepening),
+        ("model=lumped", Contact::PullingOut, Event::ContactLost, [5e-3, -9.0, 1e-4, 1.0], Contact::Apart),
+        ("model=lumped", Contact::Apart, Event::Recontact, [4.9e-3, 9.0, 1e-4, 1.0], Contact::PullingOut),
+        // Its damper has let go of its spring, which takes over again.
+        ("model=lumped b_2=100", Contact::Apart, Event::Recontact, [4.99e-3, -9.0, 1e-4, 1.0], Contact::PullingOut),
     ];
 
     #[test]
@@ -496,6 +564,41 @@ mod tests {
             let (mode, _) = after_event(pairs, Contact::Deepening, Event::StopReached, state);
             assert_eq!(mode.hold, hold, "{speed}");
         }
+    }
+
+    /// 5 kN crush it from 0.5 mm on: at 3 mm it has taken 13.75 J, of which its elastic rise gives back 1.25 J, and it is slack at
+    /// 2.5 mm.
+    #[test]
+    fn valid_an_absorber_unloads_from_where_the_plate_turns() {
+        let pairs = "spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1";
+        let turned =
+            |x_m, event| after_event(pairs, Contact::Deepening, event, [5e-3, 7.0, x_m, 0.0]).0;
+        let mode = turned(3e-3, Event::SpeedZero);
+        assert!((mode.crushed_j - 12.5).abs() < 1e-12, "{}", mode.crushed_j);
+        assert!((mode.spring.energy(3e-3) - 1.25).abs() < 1e-12);
+        assert_eq!(mode.spring.ends(mode.stretch), (2.5e-3, 3e-3));
+        let elastic = turned(4e-4, Event::SpeedZero);
+        assert_eq!((elastic.crushed_m.to_bits(), elastic.crushed_j.to_bits()), (0, 0));
+        // So it does from a rigid stop.
+        let stopped = format!("{pairs} x_stop=3mm e=0.5");
+        let state = [5e-3, 7.0, 3e-3, 2.0];
+        let mode = after_event(&stopped, Contact::Deepening, Event::StopReached, state).0;
+        assert!((mode.crushed_j - 12.5).abs() < 1e-12, "{}", mode.crushed_j);
+    }
+
+    /// 2.95 kg m/s of both bodies together: at once, and after a history that leaves each the velocity that it has.
+    #[test]
+    fn valid_bodies_that_become_one_keep_their_momentum() {
+        let (mode, state) = first(&Setup::of(&scene_with("gamma=1 model=initial-velocity")));
+        assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Joined, 0));
+        assert!((state.w_m_s - 50.0).abs() < 1e-13);
+        let still = first(&Setup::of(&scene_with("mount=rigid model=initial-velocity"))).1;
+        assert_eq!(still.w_m_s.to_bits(), 0);
+        let state = [4e-3, -90.0, 1e-4, 95.0];
+        let pairs = "gamma=1 model=half-sine";
+        let (mode, state) = after_event(pairs, Contact::PullingOut, Event::HistoryEnd, state);
+        assert!((state.w_m_s - 50.0).abs() < 1e-13, "{state:?}");
+        assert_eq!(mode.w_side.to_bits(), 1f64.to_bits());
     }
 
     #[test]

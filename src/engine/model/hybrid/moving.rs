@@ -1,6 +1,7 @@
 //! What moves in a mode, as the integrator takes it: both bodies, the plate (with the projectile or without it), or the projectile in a
 //! plate that rests.
 
+use crate::model::contact_models::History;
 use crate::model::hybrid::equations::{Equations, Setup, State};
 use crate::model::hybrid::modes::Contact;
 use crate::numerics::smaller;
@@ -71,13 +72,18 @@ fn passed(is_steep: bool, from: f64, to: f64) -> f64 {
     if is_steep && from * to < 0.0 { OF_THE_WAY * from / (from - to) } else { 1.0 }
 }
 
+/// A state as far as the force of a contact depends on it that has no history of its own.
+fn slipping(q_m: f64, u_m_s: f64) -> State {
+    State { q_m, u_m_s, ..State::default() }
+}
+
 /// Both bodies, apart or in contact: travel and displacement.
 pub(super) struct Both<'a>(pub(super) Equations<'a>);
 
 impl Acceleration<2> for Both<'_> {
     fn at(&self, place: &[f64; 2], speed: &[f64; 2]) -> [f64; 2] {
         let setup = self.0.setup;
-        let contact = self.0.contact_n(place[0], speed[0]);
+        let contact = self.0.contact_n(&slipping(place[0], speed[0]));
         let mechanism = self.0.mechanism_n(place[1], speed[1]);
         let plate = (contact * setup.cos - mechanism) / setup.plate_kg;
         [-contact / setup.projectile_kg - plate * setup.cos, plate]
@@ -146,7 +152,7 @@ pub(super) struct Projectile<'a>(pub(super) Equations<'a>);
 
 impl Acceleration<1> for Projectile<'_> {
     fn at(&self, place: &[f64; 1], speed: &[f64; 1]) -> [f64; 1] {
-        [-self.0.contact_n(place[0], speed[0]) / self.0.setup.projectile_kg]
+        [-self.0.contact_n(&slipping(place[0], speed[0])) / self.0.setup.projectile_kg]
     }
 
     fn slopes(&self, place: &[f64; 1], speed: &[f64; 1]) -> Slopes<1> {
@@ -166,6 +172,68 @@ impl Acceleration<1> for Projectile<'_> {
     fn sizes(&self, ([q], [u]): &Point<1>) -> Point<1> {
         let (travel, slip) = self.0.sizes_of_travel(*q, *u);
         ([travel], [slip])
+    }
+}
+
+/// Both bodies under a prescribed force history, which the projectile follows whatever the plate does: displacement and time.
+pub(super) struct Driven<'a>(pub(super) Equations<'a>, pub(super) History);
+
+impl Acceleration<2> for Driven<'_> {
+    fn at(&self, place: &[f64; 2], speed: &[f64; 2]) -> [f64; 2] {
+        let Equations { setup, .. } = self.0;
+        if self.0.plate_rests() {
+            return [0.0; 2];
+        }
+        let mechanism = self.0.mechanism_n(place[0], speed[0]);
+        [(self.1.force_n(place[1]) * setup.cos - mechanism) / setup.plate_kg, 0.0]
+    }
+
+    fn slopes(&self, place: &[f64; 2], speed: &[f64; 2]) -> Slopes<2> {
+        let Equations { setup, .. } = self.0;
+        if self.0.plate_rests() {
+            return Slopes { place: [[0.0; 2]; 2], speed: [[0.0; 2]; 2] };
+        }
+        let (by_place, by_speed) = self.0.mechanism_slopes(place[0], speed[0]);
+        let (rate, kg) = (self.1.rate_n_s(place[1]) * setup.cos, setup.plate_kg);
+        Slopes {
+            place: [[-by_place / kg, rate / kg], [0.0; 2]],
+            speed: [[-by_speed / kg, 0.0], [0.0; 2]],
+        }
+    }
+
+    fn without_passing(&self, from: Point<2>, to: Point<2>) -> f64 {
+        self.0.without_passing((from.0[0], from.1[0]), (to.0[0], to.1[0]))
+    }
+
+    fn is_steep(&self) -> bool {
+        self.0.setup.is_steep()
+    }
+
+    fn sizes(&self, ([x, _], [w, _]): &Point<2>) -> Point<2> {
+        let (place, speed) = self.0.sizes_of_plate(*x, *w);
+        ([place, self.1.duration_s], [speed, 1.0])
+    }
+}
+
+impl Moving<2> for Driven<'_> {
+    fn equations(&self) -> &Equations<'_> {
+        &self.0
+    }
+
+    fn point(&self, state: &State) -> Point<2> {
+        ([state.x_m, state.t_s], [state.w_m_s, 1.0])
+    }
+
+    fn state(&self, start: &State, t_s: f64, ([x_m, _], [w_m_s, _]): &Point<2>) -> State {
+        let Self(Equations { setup, .. }, history) = self;
+        let way_m = history.travel_m(t_s) - history.travel_m(start.t_s);
+        State {
+            t_s,
+            q_m: start.q_m + way_m - setup.cos * (x_m - start.x_m),
+            u_m_s: history.velocity_m_s(t_s) - setup.cos * w_m_s,
+            x_m: *x_m,
+            w_m_s: *w_m_s,
+        }
     }
 }
 

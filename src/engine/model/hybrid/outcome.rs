@@ -10,12 +10,14 @@ use crate::numerics::{larger, smaller};
 
 /// Part of the energy at first contact that counts as none: velocities of 1e-12 of the impact's.
 const NO_ENERGY: f64 = 1e-24;
+/// Part of it with which bodies that nothing joins are at rest: their dent was made with all of it, and takes no part of this.
+const AT_REST: f64 = 1e-9;
 /// Part of depth or displacement by which no later change counts.
 const NEGLIGIBLE: f64 = 1e-12;
 
 /// Excess of the greatest load of the joined interface over its strength below which the slips to come are summed by energy. Each has a
 /// speed of about its excess to the power 1.5, so that the drag takes this to the third power of the whole.
-const LAST_SLIPS: f64 = 1e-2;
+const LAST_SLIPS: f64 = 2e-3;
 
 /// Of the way to the bottom of the hole, or out of it, the other half is left to the last slip.
 const SLIP_RESERVE: f64 = 2.0;
@@ -68,11 +70,15 @@ impl Equations<'_> {
         if self.stops_rigidly() { smaller(by_spring, self.setup.stop_at_m) } else { by_spring }
     }
 
+    /// Whether the plate comes to its rigid stop with this energy.
+    fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
+        self.stops_rigidly() && self.reach_m(state, energy_j) >= self.setup.stop_at_m
+    }
+
     /// Whether the plate goes back where nothing is to stop it or to send it back.
     fn leaves(&self, state: &State) -> bool {
         let x_m = self.displacement_m(state.x_m);
-        let forces = || self.mode.elastic.forces_between(f64::NEG_INFINITY, x_m);
-        state.w_m_s <= 0.0 && forces() == (0.0, 0.0)
+        state.w_m_s <= 0.0 && self.mode.elastic.is_slack(f64::NEG_INFINITY, x_m)
     }
 
     /// Most force forwards on the joined interface with this energy, N.
@@ -92,7 +98,7 @@ impl Equations<'_> {
     }
 
     /// Most force backwards on it, N.
-    fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
+    pub(super) fn pull_at_most_n(&self, state: &State, energy_j: f64) -> f64 {
         let Equations { setup, mode } = self;
         if mode.spring.is_absent() && state.w_m_s >= 0.0 && setup.stop.is_none() {
             return 0.0;
@@ -103,21 +109,17 @@ impl Equations<'_> {
         setup.interface_fraction() * (elastic_n + setup.damper.force(speed))
     }
 
-    /// Whether the spring drives the plate on for ever, and which way, where no stop is in it.
-    fn drives_away(&self, state: &State) -> Option<f64> {
+    /// Whether spring and elastic stop drive the plate on for ever, and which way, where no rigid stop is in it.
+    pub(super) fn drives_away(&self, state: &State) -> Option<f64> {
         let x_m = self.displacement_m(state.x_m);
-        self.mode.spring.drives_away(x_m).filter(|_| self.setup.stop.is_none())
-    }
-
-    fn initial_j(&self) -> f64 {
-        0.5 * self.setup.projectile_kg * self.setup.velocity_m_s * self.setup.velocity_m_s
+        self.mode.elastic.drives_away(x_m).filter(|_| !self.stops_rigidly())
     }
 
     /// Whether what still moves has no energy to speak of.
     fn is_at_rest(&self, state: &State) -> bool {
         // Where the spring drives the plate away, its energy is less than nothing.
-        let has_none = self.energy_j(state) <= NO_ENERGY * self.initial_j();
-        has_none && self.mode.spring.drives_away(self.displacement_m(state.x_m)).is_none()
+        let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
+        has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
             || self.plate_rests() && self.mode.contact == Contact::Joined
     }
 
@@ -129,8 +131,15 @@ impl Equations<'_> {
                 Some(Outcome::Arrested)
             }
             Contact::Apart if self.is_separated(state) => Some(Outcome::Separated),
+            _ if self.rests_in_contact(state) => Some(Outcome::Arrested),
             _ => None,
         }
+    }
+
+    /// Whether all is at rest in a contact that does not join the bodies.
+    fn rests_in_contact(&self, state: &State) -> bool {
+        let contact_j = self.contact_j(state);
+        contact_j.is_some_and(|j| self.energy_left_j(state) + j < AT_REST * self.setup.initial_j())
     }
 
     /// Whether a plastic interface holds whatever comes.
@@ -149,8 +158,7 @@ impl Equations<'_> {
         if is_nothing(energy_j) {
             return true;
         }
-        let returns = !mode.spring.is_absent() || state.w_m_s > 0.0;
-        if self.stops_rigidly() && returns && self.reach_m(state, energy_j) >= setup.stop_at_m {
+        if !self.leaves(state) && self.meets_rigid_stop(state, energy_j) {
             let on_arrival_j = energy_j - mode.spring.energy(setup.stop_at_m);
             if !is_nothing(on_arrival_j) {
                 return false;
@@ -165,13 +173,18 @@ impl Equations<'_> {
             return true;
         }
         // To and fro within the hole: each slip begins with more energy than the oscillation that the friction just holds, so that
-        // the paths of all but the last add up to what the friction takes above that at most.
+        // the paths of all but the last add up to what the friction takes above that at most. Where they come to the bottom they
+        // have no more than the work of the excess of the load over the friction on their way, and deepen the hole by that.
         let (q_m, geometry) = (state.q_m, &setup.geometry);
-        let way_m = smaller(q_m, mode.deepest_m - q_m);
+        let load_n =
+            larger(self.push_at_most_n(state, energy_j), self.pull_at_most_n(state, energy_j));
+        let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / (load_n - pull_n);
+        let way_m = smaller(q_m, larger(mode.deepest_m - q_m, may_deepen_m));
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
-        let friction_n = setup.grip * setup.strength_pa * area;
+        let friction_n = smaller(setup.grip, 1.0) * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
-        way_m > 0.0 && !self.stops_rigidly() && carries(larger(left_j, 0.0), friction_n, friction_n)
+        let is_off_stop = !self.meets_rigid_stop(state, energy_j);
+        way_m > 0.0 && is_off_stop && carries(larger(left_j, 0.0), friction_n, friction_n)
     }
 
     /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to the
@@ -179,11 +192,11 @@ impl Equations<'_> {
     pub(super) fn last_slips_m(&self, state: &State) -> Option<f64> {
         let Equations { setup, mode } = self;
         let is_joined = mode.contact == Contact::Joined && state.q_m >= mode.deepest_m;
-        let keeps = self.is_undamped() && !setup.is_absorbing() && !self.stops_rigidly();
-        if !setup.plastic || !is_joined || !keeps {
+        let energy_j = self.energy_j(state);
+        let keeps = self.is_undamped() && !setup.is_absorbing();
+        if !setup.plastic || !is_joined || !keeps || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
-        let energy_j = self.energy_j(state);
         let (push_n, pull_n) = limits_n(setup, mode, state.q_m);
         let excess = self.push_at_most_n(state, energy_j) / push_n - 1.0;
         // It is where the plate turns that the interface has to carry most.
@@ -215,7 +228,7 @@ impl Equations<'_> {
     /// Whether a projectile that is out of the plate never meets it again.
     fn is_separated(&self, state: &State) -> bool {
         let Equations { setup, mode } = self;
-        let apart_m = -state.q_m;
+        let apart_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
         if state.u_m_s > 0.0 || (apart_m <= 0.0 && state.u_m_s == 0.0) {
             return false;
         }
@@ -242,7 +255,7 @@ impl Equations<'_> {
     /// The greatest displacement, once the outcome is decided, of a plate that has been so far.
     pub(super) fn farthest(&self, state: &State, so_far_m: f64) -> Farthest {
         let Equations { setup, mode } = self;
-        if mode.hold == Hold::Mount || self.is_at_rest(state) {
+        if mode.hold == Hold::Mount || self.is_at_rest(state) || self.rests_in_contact(state) {
             return Farthest::Known(so_far_m);
         }
         if let Some(way) = self.drives_away(state)
@@ -252,11 +265,18 @@ impl Equations<'_> {
         }
         let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
         let reach_m = self.reach_m(state, energy_j);
-        if reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs() || self.leaves(state) {
+        if self.leaves(state) {
             return Farthest::Known(so_far_m);
         }
-        let ahead = mode.spring.forces_between(x_m, f64::INFINITY);
-        if ahead == (0.0, 0.0) && mode.touch == Touch::Away && state.w_m_s > 0.0 {
+        // What is driven on comes at least to where nothing drives it; its energy there is known to rounding only.
+        let rest_m = mode.elastic.rest_ahead(x_m);
+        let far_m = if self.stops_rigidly() { so_far_m } else { larger(rest_m, so_far_m) };
+        let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
+        if reach_m - far_m <= NEGLIGIBLE * stroke_m {
+            return Farthest::Known(far_m);
+        }
+        let coasts = mode.touch == Touch::Away && state.w_m_s > 0.0;
+        if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let far_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
             return match (far_m < setup.stop_at_m, far_m.is_finite()) {
                 (true, true) => Farthest::Known(larger(far_m, so_far_m)),
@@ -376,7 +396,7 @@ mod tests {
         let setup = Setup::of(&scene_with(pairs));
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
-        let energy_j = 1.005 * 1.005 * holding_j;
+        let energy_j = 1.001 * 1.001 * holding_j;
         let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
         let mode = Mode { contact: Contact::Joined, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };

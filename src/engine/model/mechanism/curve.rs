@@ -13,6 +13,9 @@ const FAR: f64 = 20.0;
 /// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
 const DOUBLINGS: i32 = 80;
 
+/// A length for a law that has none, m: a plate's travel, about.
+pub(super) const SCALE_M: f64 = 1e-3;
+
 /// Pieces between knots: one piece more than knots.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segments {
@@ -182,6 +185,17 @@ impl Curve {
         None
     }
 
+    /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, infinite where nothing
+    /// ends that, m.
+    pub fn rest_ahead(&self, x: f64) -> f64 {
+        let marks = ahead(&self.stations_m, x, 1.0);
+        let force = |x: f64| self.force(x);
+        if force(x) >= 0.0 {
+            return x;
+        }
+        self.first_place(x, 1.0, marks, |x| force(x) >= 0.0, force).unwrap_or(f64::INFINITY)
+    }
+
     /// Which way, 1 or -1, the law drives the plate on from x for ever: beyond the end of a table whose force runs away.
     pub fn drives_away(&self, x: f64) -> Option<f64> {
         let outward = -sign(self.force(x));
@@ -208,6 +222,14 @@ impl Curve {
         })
     }
 
+    /// Whether there is no force between two displacements.
+    pub fn is_slack(&self, low: f64, high: f64) -> bool {
+        let inside = |x: &&f64| (low..=high).contains(*x);
+        let ends = [low, high].into_iter().map(|x| self.force_towards(x));
+        let mut marks = self.stations_m.iter().chain(&self.extremes_m).filter(inside);
+        ends.into_iter().all(|force| force == 0.0) && marks.all(|x| self.force(*x) == 0.0)
+    }
+
     /// The force at x, or what it goes to where x is infinite, N.
     fn force_towards(&self, x: f64) -> f64 {
         if x.is_finite() {
@@ -223,7 +245,8 @@ impl Curve {
     /// The least x ahead of zero at which the force is `force_n`; infinite where it never is.
     pub fn at_force(&self, force_n: f64) -> f64 {
         let missing = |x: f64| self.force(x) - force_n;
-        let all: Vec<f64> = self.stations_m.iter().chain(&self.extremes_m).copied().collect();
+        let mut all: Vec<f64> = self.stations_m.iter().chain(&self.extremes_m).copied().collect();
+        all.sort_by(f64::total_cmp);
         let marks = ahead(&all, 0.0, 1.0);
         let place = self.first_place(0.0, 1.0, marks, |x| missing(x) >= 0.0, missing);
         place.unwrap_or(f64::INFINITY)
@@ -261,11 +284,12 @@ impl Curve {
     }
 }
 
-/// The places of a list that lie ahead of x, in their order on the way.
+/// The places of a rising list that lie ahead of x, in their order on the way.
 fn ahead(places_m: &[f64], x: f64, way: f64) -> Vec<f64> {
-    let mut list: Vec<f64> = places_m.iter().copied().filter(|at| way * (at - x) > 0.0).collect();
-    list.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
-    list
+    if way > 0.0 {
+        return places_m[places_m.partition_point(|at| *at <= x)..].to_vec();
+    }
+    places_m[..places_m.partition_point(|at| *at < x)].iter().rev().copied().collect()
 }
 
 /// Whether a piece is its own mirror image: then zero is not a knot.

@@ -4,14 +4,11 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::{Curve, SCALE_M, Segments};
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, combine};
 use crate::model::scene;
-use crate::numerics::{larger, smaller};
-
-/// A length for what has none, m: a plate's travel, about.
-const SCALE_M: f64 = 1e-3;
+use crate::numerics::larger;
 
 /// The force law of all springs together.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +45,7 @@ impl Spring {
                 let coefficient = law.coefficient + second.coefficient;
                 Self::Power(PowerLaw { coefficient, ..law })
             }
-            _ if second.is_absent() => Self::Curve(Arc::new(curve())),
+            _ if second.is_absent() => Self::from(curve()),
             _ => Self::Curve(Arc::new(combine::parallel(&curve(), &Curve::power(second)))),
         }
     }
@@ -63,6 +60,12 @@ impl Spring {
             Self::Power(law) => combine::parallel(&Curve::power(*law), &stop),
             Self::Curve(curve) => combine::parallel(curve, &stop),
         }))
+    }
+
+    /// The law of a curve; none where that has no force.
+    fn from(curve: Curve) -> Self {
+        let is_none = curve.is_slack(f64::NEG_INFINITY, f64::INFINITY);
+        if is_none { Self::NONE } else { Self::Curve(Arc::new(curve)) }
     }
 
     /// No spring.
@@ -190,6 +193,15 @@ impl Spring {
         self.curve().and_then(|curve| curve.drives_away(x))
     }
 
+    /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, m.
+    pub fn rest_ahead(&self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) if law.is_absent() => x,
+            Self::Power(_) => larger(x, 0.0),
+            Self::Curve(curve) => curve.rest_ahead(x),
+        }
+    }
+
     /// How far back of neutral it can go, m, positive backwards; infinite where nothing holds it.
     pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
         match self {
@@ -206,12 +218,11 @@ impl Spring {
         }
     }
 
-    /// The least and the greatest of zero and the forces between two displacements, N; infinite where they have no bound.
-    pub fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
+    /// Whether there is no force between two displacements.
+    pub fn is_slack(&self, low_m: f64, high_m: f64) -> bool {
         match self {
-            Self::Power(law) if law.is_absent() => (0.0, 0.0),
-            Self::Power(law) => (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0)),
-            Self::Curve(curve) => curve.forces_between(low_m, high_m),
+            Self::Power(law) => law.is_absent(),
+            Self::Curve(curve) => curve.is_slack(low_m, high_m),
         }
     }
 

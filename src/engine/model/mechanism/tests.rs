@@ -81,6 +81,25 @@ fn a_plate_goes_as_far_as_its_energy() {
     }
 }
 
+/// Points on a line are one stretch whatever their rounding, alone or among others.
+#[test]
+fn a_straight_stretch_of_a_table_is_one_piece() {
+    let table = |points: Vec<[f64; 2]>| {
+        let mut spring = Parameters { kind: SpringKind::Table, ..Parameters::default() };
+        spring.table.points = points.into();
+        spring.curve()
+    };
+    let row = |i: i32| [1e-4 * f64::from(i), 10.0 * f64::from(i)];
+    let straight = table((-1000..1000).map(row).collect());
+    assert_eq!(straight.segments().knots_m, []);
+    assert!((straight.force(0.03) - 3e3).abs() < 1e-9);
+    assert_eq!(table((0..1000).map(row).collect()).segments().knots_m, []);
+    // Level from 0.5 mm on: the curve leaves the line at the point before, and is level from the bend on.
+    let bent = |i: i32| [1e-4 * f64::from(i), 10.0 * f64::from(i.min(5))];
+    let knots_m = table((0..10).map(bent).collect()).segments().knots_m.clone();
+    assert_eq!(knots_m, [-5e-4, -4e-4, 4e-4, 5e-4]);
+}
+
 #[test]
 fn a_bistable_plate_does_not_pass_its_barrier_without_the_energy() {
     let spring = Parameters { kind: SpringKind::Bistable, ..Parameters::default() };

@@ -2,11 +2,8 @@
 
 use super::{Law, Spring};
 use crate::model::mechanism::PowerLaw;
-use crate::model::mechanism::curve::{Curve, Segments};
+use crate::model::mechanism::curve::{Curve, SCALE_M, Segments};
 use crate::model::mechanism::piece::Piece;
-
-/// A length for a law that has none, m: a plate's travel, about.
-const SCALE_M: f64 = 1e-3;
 
 pub(super) struct Plain;
 

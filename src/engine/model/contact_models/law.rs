@@ -1,0 +1,69 @@
+//! The force between the bodies as the loop takes it.
+
+use super::half_sine::History;
+use super::lumped::Lumped;
+use crate::model::run::Warning;
+use crate::model::scene::{ContactModel, Scene};
+
+/// A contact model's law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::model) enum Law {
+    /// The flow of the target at its strength, with an interface that may yield.
+    Flow,
+    /// A prescribed force history, after which the bodies are one.
+    History(History),
+    /// The bodies are one at once.
+    AtOnce,
+    /// A spring with hysteresis and a damper.
+    Lumped(Lumped),
+}
+
+impl Law {
+    /// Of a valid scene.
+    pub(in crate::model) fn of(scene: &Scene) -> Self {
+        match scene.contact.model {
+            ContactModel::Hydrodynamic | ContactModel::Appendix => Self::Flow,
+            ContactModel::HalfSine => Self::History(History::of(scene)),
+            ContactModel::InitialVelocity => Self::AtOnce,
+            ContactModel::Lumped => Self::Lumped(Lumped::of(scene)),
+        }
+    }
+
+    /// Travel that stands for the depth on a rigid mount, m, of the models that have an interface of their own.
+    pub(in crate::model) fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        match self {
+            Self::Flow | Self::AtOnce => None,
+            Self::History(history) => Some(history.travel_m(history.duration_s)),
+            Self::Lumped(lumped) => Some(lumped.dent_m(lumped.pressed_on_rigid_mount_m())),
+        }
+    }
+
+    /// How long the contact lasts, about, s, of those models.
+    pub(in crate::model) fn duration_s(&self) -> Option<f64> {
+        match self {
+            Self::Flow | Self::AtOnce => None,
+            Self::History(history) => Some(history.duration_s),
+            Self::Lumped(lumped) => Some(lumped.duration_s()),
+        }
+    }
+
+    /// Says where a prescribed history has overrun the first common velocity.
+    pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<Warning> {
+        let Self::History(history) = self else { return None };
+        history.overruns(first_arrest_s)
+    }
+
+    /// Travel at which contact begins in a hole made by this travel, m.
+    pub(in crate::model) fn slack_m(&self, deepest_m: f64) -> f64 {
+        if let Self::Lumped(lumped) = self { lumped.dent_m(deepest_m) } else { 0.0 }
+    }
+
+    /// Travel that stands for the depth of the hole made by this travel, m; `None` where the model knows none.
+    pub(in crate::model) fn hole_m(&self, deepest_m: f64) -> Option<f64> {
+        match self {
+            Self::Flow | Self::History(_) => Some(deepest_m),
+            Self::AtOnce => None,
+            Self::Lumped(lumped) => Some(lumped.dent_m(deepest_m)),
+        }
+    }
+}
